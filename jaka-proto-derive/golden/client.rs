@@ -1,0 +1,1339 @@
+impl Client {
+    /// Switches the arm's power on.
+    ///
+    /// This takes about 8 s. An errorCode of 0 is no proof that the arm has power: poll the state.
+    ///
+    /// Sends `power_on` (4.1). Concerns the robot's power.
+    ///
+    /// # Errata
+    ///
+    /// - The reply's key `power status` has a blank in it.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn power_on(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::power::PowerOnReply, Error> {
+        self.call(&::jaka_proto::messages::power::PowerOn)
+    }
+    /// Switches the arm's power off.
+    ///
+    /// Sends `power_off` (4.2). Concerns the robot's power.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn power_off(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::power::PowerOff)
+    }
+    /// Enables the arm, so that it can move.
+    ///
+    /// This takes 3 to 4 s as a rule; 20 s is seen. An errorCode of 0 is no proof that the arm is enabled: poll the state.
+    ///
+    /// Sends `enable_robot` (4.3). Concerns the robot's power. The robot must be powered.
+    ///
+    /// # Errata
+    ///
+    /// - The reply's key `enabled status` has a blank in it.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call enable_robot failed`.
+    pub fn enable_robot(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::power::EnableRobotReply, Error> {
+        self.call(&::jaka_proto::messages::power::EnableRobot)
+    }
+    /// Disables the arm.
+    ///
+    /// Sends `disable_robot` (4.4). Concerns the robot's power.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn disable_robot(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::power::DisableRobot)
+    }
+    /// Shuts down the arm and the controller.
+    ///
+    /// The document shows a reply, users see none. The connection is of no use afterwards.
+    ///
+    /// Sends `shutdown` (4.5). Concerns the robot's power.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn shutdown(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::power::Shutdown)
+    }
+    /// Reads whether the arm has power and is enabled.
+    ///
+    /// Old firmware answers with the document's words, newer firmware with true and false or with numbers, and adds the
+    /// controller's error.
+    ///
+    /// Sends `get_robot_state` (4.12). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_robot_state(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::power::GetRobotStateReply, Error> {
+        self.call(&::jaka_proto::messages::power::GetRobotState)
+    }
+    /// Reads the version of the controller's software.
+    ///
+    /// Sends `get_version` (4.51). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_version(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::power::GetVersionReply, Error> {
+        self.call(&::jaka_proto::messages::power::GetVersion)
+    }
+    /// Moves one joint, or one Cartesian coordinate of the tool centre point, continuously, by an increment or to a position.
+    ///
+    /// Send `Stop` for an axis before the next jog of the same axis. The frame decides what `axis` counts: joints 1 to 6, or
+    /// x, y, z, rx, ry, rz, both from 0 to 5.
+    ///
+    /// Sends `jog` (4.6). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The document says that there are three jog modes and lists four.
+    /// - The document's samples for increment and absolute send `jnum` 3, axis 4, and call it joint 2.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call jog failed`.
+    pub fn jog(
+        &mut self,
+        request: &::jaka_proto::messages::motion::Jog,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
+    ///
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    ///
+    /// Sends `joint_move` (4.7). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call joint_move failed`.
+    pub fn joint_move(
+        &mut self,
+        request: &::jaka_proto::messages::motion::JointMove,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Moves all joints so that the tool centre point reaches a pose.
+    ///
+    /// The tool centre point does not follow a straight line. The controller computes the joint positions for the pose and
+    /// moves to them as `joint_move` does; so speed and acceleration are those of joints. For a straight line use `move_l`.
+    ///
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    ///
+    /// Sends `end_move` (4.8). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call end_move failed`.
+    pub fn end_move(
+        &mut self,
+        request: &::jaka_proto::messages::motion::EndMove,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Moves the tool centre point along a straight line to a pose, or by an offset (MoveL).
+    ///
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    ///
+    /// Sends `moveL` (4.9). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit; millimetres follow from the field notes, which find them throughout.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call moveL failed`.
+    #[doc(alias = "moveL")]
+    pub fn move_l(
+        &mut self,
+        request: &::jaka_proto::messages::motion::MoveL,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Moves the tool centre point along an arc, through one pose to another (MoveC).
+    ///
+    /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
+    /// path. Begin with small values, and with nobody near the arm.
+    ///
+    /// Sends `movc` (4.10). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The text gives speed and acceleration in deg/s and deg/s², of joints, and advises 720 deg/s² at most, in the words of 4.8. The motion follows a path, for which 4.9 has mm/s and mm/s².
+    /// - The text does not explain `relFlag`, nor what the two poses are relative to when it is 1.
+    /// - The text names no unit for `tol`. Millimetres follow from the field notes, which find them throughout.
+    /// - The `cmdName` is `movc`, while the section is titled MoveC.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call movc failed`.
+    #[doc(alias = "movc")]
+    pub fn move_c(
+        &mut self,
+        request: &::jaka_proto::messages::motion::MoveC,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Waits until the motion that is running has ended.
+    ///
+    /// The document calls it withdrawn and advises against it, without saying what it does. On old firmware the reply comes
+    /// when the motion ends.
+    ///
+    /// Sends `wait_complete` (4.41). Concerns the connection alone.
+    ///
+    /// Withdrawn by the vendor. withdrawn by the vendor; watch the status of port 10000 until the robot is in position
+    ///
+    /// # Errata
+    ///
+    /// - In the sample, the reply's `cmdName` begins with a blank.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    #[deprecated(
+        note = "withdrawn by the vendor; watch the status of port 10000 until the robot is in position"
+    )]
+    pub fn wait_complete(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::motion::WaitComplete)
+    }
+    /// Reads whether the robot is in servo mode.
+    ///
+    /// Sends `is_in_servomove` (4.13). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The text explains `relFlag`, which neither request nor reply has; it belongs to `servo_move` (4.14).
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn is_in_servomove(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::servo::IsInServomoveReply, Error> {
+        self.call(&::jaka_proto::messages::servo::IsInServomove)
+    }
+    /// Enters or leaves servo mode.
+    ///
+    /// The reply comes at once, before the mode has changed. `servo_j` is refused until `is_in_servomove` says that servo mode
+    /// is on.
+    ///
+    /// Sends `servo_move` (4.14). Concerns the robot's motion. The robot must be powered and enabled.
+    ///
+    /// # Errata
+    ///
+    /// - The key `relFlag` means enter or leave here. In other commands it chooses between target and offset.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call servo_move failed`.
+    pub fn servo_move(
+        &mut self,
+        servo_mode: ::jaka_proto::messages::types::Switch,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::servo::ServoMove {
+                servo_mode,
+            },
+        )
+    }
+    /// Moves all joints to a set-point, or by an offset, within one servo period.
+    ///
+    /// The planner does not interpolate: set-points must follow one another every 8 ms times `step_count`, and a single one
+    /// shows no effect. A set-point that asks more than 180 deg/s of a joint has no effect: the document's example is 1.5
+    /// degrees in 8 ms, which is 187.5 deg/s.
+    ///
+    /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
+    /// first.
+    ///
+    /// Sends `servo_j` (4.15). Concerns the robot's motion. The robot must be powered, enabled and in servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The text writes the key `stepnum`, the sample `stepNum`.
+    /// - The text asks for a set-point every 8 ms, and for a period of 8 ms times `stepnum`. The latter holds (field notes).
+    /// - The text calls `joint_move` the fifth command. It is in 4.7.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code -1, `servoj command can only be excuted in servo move mode`.
+    pub fn servo_j(
+        &mut self,
+        request: &::jaka_proto::messages::servo::ServoJ,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Moves the tool centre point to a set-point, or by an offset, within one servo period.
+    ///
+    /// The planner does not interpolate: set-points must follow one another every 8 ms times `step_count`. Keep the steps
+    /// between them small, so that the controller's speed limits are not exceeded; the document names no number.
+    ///
+    /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
+    /// first.
+    ///
+    /// Sends `servo_p` (4.16). Concerns the robot's motion. The robot must be powered, enabled and in servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The key of the set-point is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
+    /// - The text writes the key `stepnum`, the sample `stepNum`.
+    /// - The text asks for a set-point every 8 ms, and for a period of 8 ms times `stepnum`. The latter holds (field notes).
+    /// - The text speaks of points of the six joints and of `servo_j`, as copied from 4.15. The set-point is a pose.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call servo_p failed`.
+    pub fn servo_p(
+        &mut self,
+        request: &::jaka_proto::messages::servo::ServoP,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Sets the filter that smooths the set-points of servo mode.
+    ///
+    /// It can be set only outside servo mode.
+    ///
+    /// Sends `set_servo_move_filter` (4.60). Changes a setting or an output. The robot must be outside servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The text calls `filter_type` the motion mode, as copied from 4.6.
+    /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
+    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
+    /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
+    /// - Filter 5 is listed as speed look-ahead and then explained as filter 3, the multi-stage mean filter of the joints.
+    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
+    /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
+    /// - `mmf_ka` is explained as coefficient for tracking the acceleration and the position; the key speaks of the former.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call set_servo_move_filter failed`.
+    pub fn set_servo_move_filter(
+        &mut self,
+        request: &::jaka_proto::messages::servo::SetServoMoveFilter,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Sets the rate by which the controller scales the speed of motion.
+    ///
+    /// The rate is 1 by default. The document speaks of programs; whether a motion that is running follows the new rate at once
+    /// is not stated.
+    ///
+    /// Sends `rapid_rate` (4.17). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn rapid_rate(&mut self, rate: f64) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::program::RapidRate {
+                rate,
+            },
+        )
+    }
+    /// Loads a program that is stored on the controller.
+    ///
+    /// The name ends in `.ngc` on controllers before version 1.5 and in `.jks` from 1.5 on. A trajectory's file has `track/`
+    /// before its name.
+    ///
+    /// Sends `load_program` (4.18). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The text writes the key `program_name`, the sample `programName`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn load_program(
+        &mut self,
+        program_name: impl Into<String>,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::program::LoadProgram {
+                program_name: program_name.into(),
+            },
+        )
+    }
+    /// Reads the name of the loaded program.
+    ///
+    /// Sends `get_loaded_program` (4.19). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_loaded_program(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::program::GetLoadedProgramReply, Error> {
+        self.call(&::jaka_proto::messages::program::GetLoadedProgram)
+    }
+    /// Starts the loaded program.
+    ///
+    /// Sends `play_program` (4.20). Concerns the robot's motion. The robot must be powered and enabled.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call play_program failed`.
+    pub fn play_program(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::program::PlayProgram)
+    }
+    /// Pauses the program that is running.
+    ///
+    /// Sends `pause_program` (4.21). Concerns the robot's motion.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn pause_program(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::program::PauseProgram)
+    }
+    /// Resumes the program that is paused.
+    ///
+    /// Sends `resume_program` (4.22). Concerns the robot's motion. The robot must be powered and enabled.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call resume_program failed`.
+    pub fn resume_program(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::program::ResumeProgram)
+    }
+    /// Stops the program, or the motion, that is running.
+    ///
+    /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. It is no emergency
+    /// stop: the command travels over the network.
+    ///
+    /// Sends `stop_program` (4.23). Concerns the robot's motion.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn stop_program(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::program::StopProgram)
+    }
+    /// Reads the state of the program.
+    ///
+    /// Sends `get_program_state` (4.24). Changes nothing on the robot.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_program_state(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::program::GetProgramStateReply, Error> {
+        self.call(&::jaka_proto::messages::program::GetProgramState)
+    }
+    /// Sets one digital output.
+    ///
+    /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. Check
+    /// on the controller at hand which output switches before anything is wired to it.
+    ///
+    /// Sends `set_digital_output` (4.25). Changes a setting or an output.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_digital_output(
+        &mut self,
+        request: &::jaka_proto::messages::io::SetDigitalOutput,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads the states of all digital inputs.
+    ///
+    /// The first eight are the cabinet's own inputs. The controller occupies the first of them, so it is not for use. The
+    /// document calls the others Modbus inputs.
+    ///
+    /// Sends `get_digital_input_status` (4.26). Changes nothing on the robot.
+    ///
+    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
+    ///
+    /// # Errata
+    ///
+    /// - The sentence that is left of the document counts 136 inputs. Controllers send other numbers too; 64 is seen.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_digital_input_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::io::GetDigitalInputStatusReply, Error> {
+        self.call(&::jaka_proto::messages::io::GetDigitalInputStatus)
+    }
+    /// Sets one analog output.
+    ///
+    /// The document names no unit for the value and no range.
+    ///
+    /// Sends `set_analog_output` (4.27). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document numbers the cabinet's outputs from 0 to 7 and says to send 7 for the seventh, which would be the eighth when counted from 0.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_analog_output(
+        &mut self,
+        request: &::jaka_proto::messages::io::SetAnalogOutput,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads the configuration and state of the extension I/O modules.
+    ///
+    /// Sends `get_extio_status` (4.34). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The document prints the reply of a controller without modules as a bare tuple, `(0, [], {'state': 0})`, without JSON around it. Both that and the same text inside the JSON string are read.
+    /// - The sample configures eight digital inputs and reports the states of nine.
+    /// - Here `state` 0 means that the modules do not run and 1 that they do. Chapter 2 describes `mode` of `extio` on port 10000, also called the modules' state, as 0 for on and 1 for off.
+    /// - Chapter 2 describes the same settings with the pins as an array in the order di, do, ai, ao. Here they are a dictionary.
+    /// - No RTU module is shown here. Its settings follow chapter 2, which lists the data bits twice: as data bit length before the slave number, and as data bits behind it.
+    /// - Chapter 2 lists a slave number behind a TCP module's port. The sample here has none.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_extio_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::io::GetExtioStatusReply, Error> {
+        self.call(&::jaka_proto::messages::io::GetExtioStatus)
+    }
+    /// Reads which inputs serve as function inputs.
+    ///
+    /// The entries stand for these functions, in this order:
+    ///
+    /// 1. start the program
+    /// 2. pause the program
+    /// 3. resume the program
+    /// 4. stop the program
+    /// 5. switch power on
+    /// 6. switch power off
+    /// 7. enable the robot
+    /// 8. disable the robot
+    /// 9. reduced mode, level 1
+    /// 10. protective stop
+    /// 11. return to the initial position
+    /// 12. reduced mode, level 2
+    ///
+    /// What entries behind the twelfth stand for is not known.
+    ///
+    /// Sends `get_funcdi_status` (4.35). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The document counts 12 functions, its sample has 13 entries, and port 10000 sends 12, 13 or 15 of them.
+    /// - The text calls the sample's `[0, 2]` the entry of reduced mode, level 1, the ninth function. In the sample it is the tenth entry, which the list gives to the protective stop.
+    /// - The text writes the key `funci_status`, the sample `funcdi_status`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_funcdi_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::io::GetFuncdiStatusReply, Error> {
+        self.call(&::jaka_proto::messages::io::GetFuncdiStatus)
+    }
+    /// Sets the voltage output of a version 3 tool I/O board.
+    ///
+    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
+    /// stay raw. Measure which value gives which voltage, with no tool connected, before using this.
+    ///
+    /// Sends `set_tio_vout_param` (4.80). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_tio_vout_param(
+        &mut self,
+        request: &::jaka_proto::messages::io::SetTioVoutParam,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads the settings of the voltage output of a version 3 tool I/O board.
+    ///
+    /// The sources contradict each other on the meaning of both values, so both stay raw.
+    ///
+    /// Sends `get_tio_vout_param` (4.81). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_tio_vout_param(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::io::GetTioVoutParamReply, Error> {
+        self.call(&::jaka_proto::messages::io::GetTioVoutParam)
+    }
+    /// Sets the offset and the name of one tool frame.
+    ///
+    /// Which frame the robot moves in is selected by `set_tool_id`.
+    ///
+    /// Sends `set_tool_offsets` (4.28). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The key is `tooloffset` here, while the reply of `get_tool_offsets` has `tool_offsets`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_tool_offsets(
+        &mut self,
+        request: &::jaka_proto::messages::frames::SetToolOffsets,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Selects the tool frame in which the robot moves.
+    ///
+    /// Id 0 selects the centre of the flange.
+    ///
+    /// Sends `set_tool_id` (4.29). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_tool_id(&mut self, tool_id: i64) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::frames::SetToolId {
+                tool_id,
+            },
+        )
+    }
+    /// Reads the offsets of all tool frames.
+    ///
+    /// Sends `get_tool_offsets` (4.30). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The text writes the key `tool_offset`, the sample `tool_offsets`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_tool_offsets(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::frames::GetToolOffsetsReply, Error> {
+        self.call(&::jaka_proto::messages::frames::GetToolOffsets)
+    }
+    /// Sets the offset and the name of one user frame.
+    ///
+    /// Which frame the robot moves in is selected by `set_user_id`.
+    ///
+    /// Sends `set_user_offsets` (4.31). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The key is spelled `userffset` in sample and text, without the o, and controllers expect it so.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_user_offsets(
+        &mut self,
+        request: &::jaka_proto::messages::frames::SetUserOffsets,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Selects the user frame in which the robot moves.
+    ///
+    /// Id 0 selects the robot's base frame.
+    ///
+    /// Sends `set_user_id` (4.32). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The text calls the key `set_user_id`. The sample has `user_frame_id`, and controllers expect it so.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_user_id(&mut self, user_frame_id: i64) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::frames::SetUserId {
+                user_frame_id,
+            },
+        )
+    }
+    /// Reads the offsets of all user frames.
+    ///
+    /// Sends `get_user_offsets` (4.33). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The text is copied from 4.30: it writes the key `tool_offset` and speaks of tool frames.
+    /// - In the sample, frame 1 repeats its positions as angles, down to -439 degrees. It is no measured frame.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_user_offsets(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::frames::GetUserOffsetsReply, Error> {
+        self.call(&::jaka_proto::messages::frames::GetUserOffsets)
+    }
+    /// Reads all user-defined system variables.
+    ///
+    /// Sends `query_user_defined_variable` (4.38). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The text explains a variable named `system_var1` with the value 12.0. The sample has `test` with the value 1.0.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn query_user_defined_variable(
+        &mut self,
+    ) -> Result<
+        ::jaka_proto::messages::variables::QueryUserDefinedVariableReply,
+        Error,
+    > {
+        self.call(&::jaka_proto::messages::variables::QueryUserDefinedVariable)
+    }
+    /// Sets the name and the value of a user-defined system variable.
+    ///
+    /// The request carries both: to change the value alone, send the present name along.
+    ///
+    /// Sends `modify_user_defined_variable` (4.39). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The key `id_new` is no new id. It names the variable to change.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn modify_user_defined_variable(
+        &mut self,
+        request: &::jaka_proto::messages::variables::ModifyUserDefinedVariable,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Sets the mass and the centroid of the payload.
+    ///
+    /// Sends `set_payload` (4.42). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document's reply prints the `cmdName` with blanks around it, ` set_payload `.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_payload(
+        &mut self,
+        request: &::jaka_proto::messages::payload::SetPayload,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads the mass and the centroid of the payload.
+    ///
+    /// Sends `get_payload` (4.43). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_payload(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::payload::GetPayloadReply, Error> {
+        self.call(&::jaka_proto::messages::payload::GetPayload)
+    }
+    /// Reads whether the robot is in a protective stop.
+    ///
+    /// A protective stop usually follows a collision.
+    ///
+    /// Sends `protective_stop_status` (4.40). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn protective_stop_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::collision::ProtectiveStopStatusReply, Error> {
+        self.call(&::jaka_proto::messages::collision::ProtectiveStopStatus)
+    }
+    /// Sets the collision level, which says how hard a contact must be for the arm to stop.
+    ///
+    /// Level 0 switches collision detection off.
+    ///
+    /// Sends `set_clsn_sensitivity` (4.44). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The key is `sensitivityVal` here and `sensitivityLevel` in the reply of `get_clsn_sensitivity`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_clsn_sensitivity(&mut self, level: i64) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::collision::SetClsnSensitivity {
+                level,
+            },
+        )
+    }
+    /// Reads the collision level.
+    ///
+    /// Sends `get_clsn_sensitivity` (4.45). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The key is `sensitivityLevel` here and `sensitivityVal` in the request of `set_clsn_sensitivity`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_clsn_sensitivity(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::collision::GetClsnSensitivityReply, Error> {
+        self.call(&::jaka_proto::messages::collision::GetClsnSensitivity)
+    }
+    /// Leaves the collision protection that the robot enters after a collision.
+    ///
+    /// Make sure first that nobody and nothing is in contact with the arm.
+    ///
+    /// Sends `clear_error` (4.48). Concerns the robot's power.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn clear_error(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::collision::ClearError)
+    }
+    /// Computes the pose of the robot's end at a joint position (forward kinematics).
+    ///
+    /// The document does not say which tool frame and which user frame the pose refers to.
+    ///
+    /// Sends `kine_forward` (4.46). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn kine_forward(
+        &mut self,
+        joint_position: impl Into<::jaka_proto::messages::types::JointPosition>,
+    ) -> Result<::jaka_proto::messages::kinematics::KineForwardReply, Error> {
+        self.call(
+            &::jaka_proto::messages::kinematics::KineForward {
+                joint_position: joint_position.into(),
+            },
+        )
+    }
+    /// Computes a joint position at which the robot's end has a pose (inverse kinematics).
+    ///
+    /// Where there is no solution, the controller answers with error code 2. The document does not say which tool frame and
+    /// which user frame the pose refers to.
+    ///
+    /// Sends `kine_inverse` (4.47). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The document's reply prints `[x,y,z,rx,ry,rz]` in `jointPosition`; its text says that these are joint angles.
+    /// - The document's text calls the pose `[x, y, z, a, b, c]`, its sample `[x, y, z, rx, ry, rz]`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn kine_inverse(
+        &mut self,
+        request: &::jaka_proto::messages::kinematics::KineInverse,
+    ) -> Result<::jaka_proto::messages::kinematics::KineInverseReply, Error> {
+        self.call(request)
+    }
+    /// Reads the positions of the six joints.
+    ///
+    /// Sends `get_joint_pos` (4.49). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_joint_pos(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::kinematics::GetJointPosReply, Error> {
+        self.call(&::jaka_proto::messages::kinematics::GetJointPos)
+    }
+    /// Reads the pose of the robot's end in the tool frame that is set.
+    ///
+    /// With no tool frame set, the end is the centre of the flange.
+    ///
+    /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The heading says present coordinate frame, the text present tool frame; neither mentions the user frame.
+    /// - The document calls the pose `[x, y, z, a, b, c]` and gives no unit here; 4.47 gives millimetres and degrees.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_tcp_pos(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::kinematics::GetTcpPosReply, Error> {
+        self.call(&::jaka_proto::messages::kinematics::GetTcpPos)
+    }
+    /// Reads the Denavit-Hartenberg (DH) parameters of the robot.
+    ///
+    /// The document prints the four keys and zeros, and explains nothing. It gives no unit, and does not say which of the
+    /// conventions for DH parameters is meant.
+    ///
+    /// Sends `get_dh_param` (4.82). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_dh_param(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::kinematics::GetDhParamReply, Error> {
+        self.call(&::jaka_proto::messages::kinematics::GetDhParam)
+    }
+    /// Sets how finely a trajectory is recorded, and how fast it is run later.
+    ///
+    /// Sends `set_traj_config` (4.52). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_traj_config(
+        &mut self,
+        request: &::jaka_proto::messages::trajectory::SetTrajConfig,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads how finely a trajectory is recorded, and how fast it is run later.
+    ///
+    /// Sends `get_traj_config` (4.53). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_traj_config(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::trajectory::GetTrajConfigReply, Error> {
+        self.call(&::jaka_proto::messages::trajectory::GetTrajConfig)
+    }
+    /// Starts or stops the recording of a trajectory to a file.
+    ///
+    /// Sends `set_traj_sample_mode` (4.54). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The key is `filename` here and `fileName` in 4.58 and 4.59.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_traj_sample_mode(
+        &mut self,
+        request: &::jaka_proto::messages::trajectory::SetTrajSampleMode,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads whether a trajectory is being recorded.
+    ///
+    /// Sends `get_traj_sample_status` (4.55). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_traj_sample_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::trajectory::GetTrajSampleStatusReply, Error> {
+        self.call(&::jaka_proto::messages::trajectory::GetTrajSampleStatus)
+    }
+    /// Reads the names of the trajectory files on the controller.
+    ///
+    /// Sends `get_exist_traj_file_name` (4.56). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_exist_traj_file_name(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::trajectory::GetExistTrajFileNameReply, Error> {
+        self.call(&::jaka_proto::messages::trajectory::GetExistTrajFileName)
+    }
+    /// Renames a trajectory file.
+    ///
+    /// Sends `rename_traj_file_name` (4.57). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn rename_traj_file_name(
+        &mut self,
+        request: &::jaka_proto::messages::trajectory::RenameTrajFileName,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Deletes a trajectory file.
+    ///
+    /// Sends `remove_traj_file` (4.58). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document's text calls the key `filename`; its sample sends `fileName`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn remove_traj_file(
+        &mut self,
+        file_name: impl Into<String>,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::trajectory::RemoveTrajFile {
+                file_name: file_name.into(),
+            },
+        )
+    }
+    /// Writes a program for the controller from a trajectory file.
+    ///
+    /// The document does not say what the program is called.
+    ///
+    /// Sends `generate_traj_exe_file` (4.59). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document's text calls the key `filename`; its sample sends `fileName`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn generate_traj_exe_file(
+        &mut self,
+        file_name: impl Into<String>,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::trajectory::GenerateTrajExeFile {
+                file_name: file_name.into(),
+            },
+        )
+    }
+    /// Switches drag mode on or off.
+    ///
+    /// In drag mode the arm gives way to the hand and can be led. `drag_status` reads the mode back.
+    ///
+    /// Sends `torque_control_enable` (4.36). Changes a setting or an output. The robot must be powered and enabled.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call torque_control_enable failed`.
+    pub fn torque_control_enable(
+        &mut self,
+        enable_flag: ::jaka_proto::messages::types::Switch,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::TorqueControlEnable {
+                enable_flag,
+            },
+        )
+    }
+    /// Reads whether the robot is in drag mode.
+    ///
+    /// Sends `drag_status` (4.37). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn drag_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::DragStatusReply, Error> {
+        self.call(&::jaka_proto::messages::force::DragStatus)
+    }
+    /// Sets the brand of the torque sensor.
+    ///
+    /// Sends `set_torsenosr_brand` (4.61). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The wire spells the name `torsenosr`.
+    /// - The document's text calls the key `sensor_band`; its sample sends `sensor_brand`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    #[doc(alias = "set_torsenosr_brand")]
+    pub fn set_torque_sensor_brand(
+        &mut self,
+        brand: ::jaka_proto::messages::force::TorqueSensorBrand,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::SetTorqueSensorBrand {
+                brand,
+            },
+        )
+    }
+    /// Reads the brand of the torque sensor.
+    ///
+    /// Sends `get_torsenosr_brand` (4.62). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The wire spells the name `torsenosr`.
+    /// - The document's text calls the key `sensor_band`; its sample answers `sensor_brand`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    #[doc(alias = "get_torsenosr_brand")]
+    pub fn get_torque_sensor_brand(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::GetTorqueSensorBrandReply, Error> {
+        self.call(&::jaka_proto::messages::force::GetTorqueSensorBrand)
+    }
+    /// Sets the parameters of admittance control for one axis.
+    ///
+    /// For moving the arm by hand, the document wants the constant force and the normal tracking of all axes to be zero.
+    ///
+    /// Sends `set_admit_ctrl_config` (4.63). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The wire spells `ftNnormalTrack` with a double N.
+    /// - The sample sends `ftReboundFK` last; the text, and the rows of 4.64, have it right behind `ftUser`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_admit_ctrl_config(
+        &mut self,
+        request: &::jaka_proto::messages::force::SetAdmitCtrlConfig,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads the parameters of admittance control for all axes.
+    ///
+    /// Sends `get_admit_ctrl_config` (4.64). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The document's text describes six rows of five values; its sample has one more array around the six rows.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_admit_ctrl_config(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::GetAdmitCtrlConfigReply, Error> {
+        self.call(&::jaka_proto::messages::force::GetAdmitCtrlConfig)
+    }
+    /// Switches the torque sensor on or off.
+    ///
+    /// Sources contradict each other on which value is on, so the value is sent as given. Try it with the arm clear of people.
+    ///
+    /// Sends `set_torque_sensor_mode` (4.65). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_torque_sensor_mode(&mut self, mode: i64) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::SetTorqueSensorMode {
+                mode,
+            },
+        )
+    }
+    /// Moves the arm to a joint position to identify the payload at the end of the tool.
+    ///
+    /// This is a motion. `get_torq_sensor_identify_status` says when it is done, and `get_torq_sensor_payload_identify_result`
+    /// reads what was found.
+    ///
+    /// Sends `start_torq_sensor_payload_identify` (4.66). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The document's text also spells the key `jointposition`; its sample sends `jointPosition`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call start_torq_sensor_payload_identify failed`.
+    pub fn start_torq_sensor_payload_identify(
+        &mut self,
+        joint_position: impl Into<::jaka_proto::messages::types::JointPosition>,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::StartTorqSensorPayloadIdentify {
+                joint_position: joint_position.into(),
+            },
+        )
+    }
+    /// Reads how far the identification of the payload is.
+    ///
+    /// Sends `get_torq_sensor_identify_staus` (4.67). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The wire spells the name `staus`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    #[doc(alias = "get_torq_sensor_identify_staus")]
+    pub fn get_torq_sensor_identify_status(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::GetTorqSensorIdentifyStatusReply, Error> {
+        self.call(&::jaka_proto::messages::force::GetTorqSensorIdentifyStatus)
+    }
+    /// Reads the payload that the identification found.
+    ///
+    /// Of use only once `get_torq_sensor_identify_status` says that the identification is done.
+    ///
+    /// Sends `get_torq_sensor_payload_identify_result` (4.68). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_torq_sensor_payload_identify_result(
+        &mut self,
+    ) -> Result<
+        ::jaka_proto::messages::force::GetTorqSensorPayloadIdentifyResultReply,
+        Error,
+    > {
+        self.call(&::jaka_proto::messages::force::GetTorqSensorPayloadIdentifyResult)
+    }
+    /// Sets the mass and the centroid of the payload at the torque sensor.
+    ///
+    /// This is not the payload of the arm: that is `set_payload`.
+    ///
+    /// Sends `set_tool_payload` (4.69). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document's worked example prints the `cmdName` `set_payload`, which is another command (4.42).
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_tool_payload(
+        &mut self,
+        request: &::jaka_proto::messages::force::SetToolPayload,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads the mass and the centroid of the payload at the torque sensor.
+    ///
+    /// This is not the payload of the arm: that is `get_payload`.
+    ///
+    /// Sends `get_tool_payload` (4.70). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_tool_payload(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::GetToolPayloadReply, Error> {
+        self.call(&::jaka_proto::messages::force::GetToolPayload)
+    }
+    /// Sets the forces and torques that are the condition for compliant control.
+    ///
+    /// The document does not say what happens when they are reached.
+    ///
+    /// Sends `set_compliance_condition` (4.71). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document names only `fx` and `tx` of the six, and prints no order. Forces before torques is an assumption.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_compliance_condition(
+        &mut self,
+        condition: impl Into<::jaka_proto::messages::force::ComplianceCondition>,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::SetComplianceCondition {
+                condition: condition.into(),
+            },
+        )
+    }
+    /// Switches admittance control on or off.
+    ///
+    /// While it is on, the arm may move with the forces that its sensor reads. `set_admit_ctrl_config` sets the axes.
+    ///
+    /// Sends `enable_admittance_ctrl` (4.72). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn enable_admittance_ctrl(
+        &mut self,
+        enable_flag: ::jaka_proto::messages::types::Switch,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::EnableAdmittanceCtrl {
+                enable_flag,
+            },
+        )
+    }
+    /// Reads the type of force control, and whether the sensor is compensated.
+    ///
+    /// Sends `get_compliant_type` (4.73). Changes nothing on the robot.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_compliant_type(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::GetCompliantTypeReply, Error> {
+        self.call(&::jaka_proto::messages::force::GetCompliantType)
+    }
+    /// Sets the type of force control, and whether the sensor is compensated.
+    ///
+    /// Sends `set_compliant_type` (4.74). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_compliant_type(
+        &mut self,
+        request: &::jaka_proto::messages::force::SetCompliantType,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Sets how the controller reaches the torque sensor.
+    ///
+    /// The document does not say what to send as address and port for RS485.
+    ///
+    /// Sends `set_torque_sensor_comm` (4.76). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document's heading speaks of the IP address alone; the command sets the type and the port too.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_torque_sensor_comm(
+        &mut self,
+        request: &::jaka_proto::messages::force::SetTorqueSensorComm,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Reads how the controller reaches the torque sensor.
+    ///
+    /// Sends `get_torque_sensor_comm` (4.77). Changes nothing on the robot.
+    ///
+    /// # Errata
+    ///
+    /// - The document's heading speaks of the IP address alone; the reply holds the type and the port too.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn get_torque_sensor_comm(
+        &mut self,
+    ) -> Result<::jaka_proto::messages::force::GetTorqueSensorCommReply, Error> {
+        self.call(&::jaka_proto::messages::force::GetTorqueSensorComm)
+    }
+    /// Switches force control off.
+    ///
+    /// The document's heading calls it torque control. It does not say whether drag mode ends too.
+    ///
+    /// Sends `disable_force_control` (4.78). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn disable_force_control(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::force::DisableForceControl)
+    }
+    /// Sets the parameters of compliance in velocity.
+    ///
+    /// Sends `set_vel_compliant_ctrl` (4.79). Changes a setting or an output.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_vel_compliant_ctrl(
+        &mut self,
+        compliance: ::jaka_proto::messages::force::VelocityCompliance,
+    ) -> Result<(), Error> {
+        self.call(
+            &::jaka_proto::messages::force::SetVelCompliantCtrl {
+                compliance,
+            },
+        )
+    }
+    /// Sets what the arm does when the network fails, and how long after the failure.
+    ///
+    /// The document does not say what counts as a failure, or whether the setting outlives the connection.
+    ///
+    /// Sends `set_network_exception_handle` (4.75). Changes a setting or an output.
+    ///
+    /// # Errata
+    ///
+    /// - The document's text calls the key `millisecond`; its sample sends `timeLimit`.
+    /// - The document's text calls the key `mnt`; its sample sends `motType`.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn set_network_exception_handle(
+        &mut self,
+        request: &::jaka_proto::messages::network::SetNetworkExceptionHandle,
+    ) -> Result<(), Error> {
+        self.call(request)
+    }
+    /// Ends the connection.
+    ///
+    /// The controller answers as usual, and the client closes the connection then. Closing it without this command leaves power
+    /// and enabling as they are.
+    ///
+    /// Sends `quit` (4.11). Concerns the connection alone.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn quit(&mut self) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::session::Quit)
+    }
+}

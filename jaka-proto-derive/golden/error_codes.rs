@@ -1,0 +1,35 @@
+impl ::jaka_proto::ErrorCode {
+    /// The controller rejects the command.
+    ///
+    /// Not in the document. Seen when `servo_j` was sent outside servo mode; what else it covers is not known.
+    pub const REJECTED: Self = Self(-1i64);
+    /// The command was accepted.
+    ///
+    /// It may not have ended yet: a motion is only accepted, and `power_on` and `enable_robot` need seconds.
+    pub const SUCCESS: Self = Self(0i64);
+    /// An exception arose in the controller's program.
+    ///
+    /// Also the answer to an unknown `cmdName`, and then the reply itself has no `cmdName`.
+    pub const EXCEPTION: Self = Self(1i64);
+    /// The command failed; the message says more.
+    ///
+    /// Often `call … failed` with the command's name. Also the answer in a wrong state, such as `joint_move` while the robot is
+    /// not enabled, and of `kine_inverse` where it finds no solution.
+    pub const CALL_FAILED: Self = Self(2i64);
+    /// The controller does not take commands from this source.
+    ///
+    /// Not in the document. Seen on a Schneider Lexium, which is of the same controller family, with the message
+    /// `permission deny, please check remote control source`.
+    pub const PERMISSION_DENIED: Self = Self(3i64);
+    /// What sources say about the code, in a sentence; `None` for a code they do not name.
+    pub fn meaning(self) -> Option<&'static str> {
+        match self.0 {
+            -1i64 => Some("The controller rejects the command."),
+            0i64 => Some("The command was accepted."),
+            1i64 => Some("An exception arose in the controller's program."),
+            2i64 => Some("The command failed; the message says more."),
+            3i64 => Some("The controller does not take commands from this source."),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,1682 @@
+/// Status packet of port 10000.
+///
+/// What the controller sends on port 10000, again and again, without being asked.
+///
+/// The packets follow each other without anything between them: about every 30 ms on firmware 1.5.14, every 50 or 100 ms
+/// elsewhere (field notes). Keys may be missing, newer firmware adds some, and lengths of arrays differ.
+///
+/// The document explains the keys up to `current_user_id`, and prints only a value or a length of those behind it.
+pub mod status {
+    #[allow(unused_imports)]
+    use ::jaka_proto::{check, wire};
+    /// State of the robot, as one packet of port 10000 gives it.
+    ///
+    /// Any key may be absent. A refused command on port 10001 does not show here.
+    #[derive(Debug, Clone, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct RobotStatus {
+        /// Length of the packet, itself included. In bytes.
+        ///
+        /// The document says that packets are at most 5000 bytes as a rule; 9 KB have been seen, and newer firmware is said to send
+        /// up to 15 KB (field notes).
+        ///
+        /// `len` on the wire.
+        #[doc(alias = "len")]
+        pub length: Option<i64>,
+        /// Whether the robot is in drag mode.
+        pub drag_status: Option<bool>,
+        /// Configuration and state of the extension I/O modules. Absent on firmware 1.5.14.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        pub extio: Option<wire::Typed<super::status::ExtioReport>>,
+        /// Error code of the controller, a hexadecimal number such as `0x0`.
+        ///
+        /// `errcode` on the wire.
+        #[doc(alias = "errcode")]
+        pub error_code: Option<String>,
+        /// Error message of the controller, for `error_code`.
+        ///
+        /// `errmsg` on the wire.
+        #[doc(alias = "errmsg")]
+        pub error_message: Option<String>,
+        /// Measurements in the cabinet and the joints, for diagnosis.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        pub monitor_data: Option<wire::Typed<super::status::MonitorData>>,
+        /// Settings and state of the torque sensor.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `torqsensor` on the wire.
+        #[doc(alias = "torqsensor")]
+        pub torque_sensor: Option<wire::Typed<super::status::TorqueSensorReport>>,
+        /// Actual positions of the six joints.
+        pub joint_actual_position: Option<super::types::JointPosition>,
+        /// Actual pose of the tool centre point in Cartesian space.
+        pub actual_position: Option<super::types::Pose>,
+        /// All digital inputs. 135, 136, 144 or 200, depending on the firmware.
+        ///
+        /// `din` on the wire.
+        #[doc(alias = "din")]
+        pub digital_inputs: Option<Vec<bool>>,
+        /// All digital outputs of the cabinet. The document prints 144.
+        ///
+        /// `dout` on the wire.
+        #[doc(alias = "dout")]
+        pub digital_outputs: Option<Vec<bool>>,
+        /// All analog inputs of the cabinet. 64, 66 or 128, depending on the firmware. Unit not stated.
+        ///
+        /// `ain` on the wire.
+        #[doc(alias = "ain")]
+        pub analog_inputs: Option<Vec<f64>>,
+        /// All analog outputs of the cabinet. The document prints 66. Unit not stated.
+        ///
+        /// `aout` on the wire.
+        #[doc(alias = "aout")]
+        pub analog_outputs: Option<Vec<f64>>,
+        /// All digital inputs of the tool. The document prints 8.
+        ///
+        /// `tio_din` on the wire.
+        #[doc(alias = "tio_din")]
+        pub tool_digital_inputs: Option<Vec<bool>>,
+        /// All digital outputs of the tool. The document prints 8.
+        ///
+        /// `tio_dout` on the wire.
+        #[doc(alias = "tio_dout")]
+        pub tool_digital_outputs: Option<Vec<bool>>,
+        /// All analog inputs of the tool. 1 or 2, depending on the firmware. Unit not stated.
+        ///
+        /// `tio_ain` on the wire.
+        #[doc(alias = "tio_ain")]
+        pub tool_analog_inputs: Option<Vec<f64>>,
+        /// Whether the robot has power and is enabled.
+        pub task_state: Option<super::status::TaskState>,
+        /// Whether each joint is homed. Withdrawn.
+        ///
+        /// The document prints the length 9 and no element.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        pub homed: Option<wire::Typed<Vec<bool>>>,
+        /// Task mode of the robot.
+        pub task_mode: Option<super::status::TaskMode>,
+        /// State of the program.
+        ///
+        /// `interp_state` on the wire.
+        #[doc(alias = "interp_state")]
+        pub interpreter_state: Option<super::status::InterpreterState>,
+        /// Whether the robot is enabled.
+        pub enabled: Option<bool>,
+        /// Whether the program is paused.
+        pub paused: Option<bool>,
+        /// Rate by which motions are scaled; 1 in the document's sample.
+        ///
+        /// `rapidrate` on the wire.
+        #[doc(alias = "rapidrate")]
+        pub rapid_rate: Option<f64>,
+        /// Index of the present tool frame.
+        pub current_tool_id: Option<i64>,
+        /// Index of the present user frame.
+        ///
+        /// `current_user_id` on the wire.
+        #[doc(alias = "current_user_id")]
+        pub current_user_frame_id: Option<i64>,
+        /// Whether a soft limit is reached, by the key's name.
+        ///
+        /// The document does not explain it, and prints 1 in its sample.
+        pub on_soft_limit: Option<bool>,
+        /// Whether the robot is in an emergency stop, by the key's name. The document does not explain it.
+        pub emergency_stop: Option<bool>,
+        /// Not explained. The document prints the length 6 and no element.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        pub drag_near_limit: Option<wire::Typed<Vec<i64>>>,
+        /// The input of each function.
+        ///
+        /// The document prints only the length, 15; 12 and 13 have been seen too. `get_funcdi_status` names the
+        /// functions, and the shape of an entry is taken from there.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `funcdi` on the wire.
+        #[doc(alias = "funcdi")]
+        pub function_inputs: Option<wire::Typed<Vec<super::io::FunctionInput>>>,
+        /// Whether the robot has power, by the key's name. The document does not explain it.
+        pub powered_on: Option<bool>,
+        /// Whether the robot is in position, by the key's name. The document does not explain it.
+        ///
+        /// It stays true for some 100 ms after a motion is accepted, and a motion of length zero may never drop it (field notes).
+        ///
+        /// `inpos` on the wire.
+        #[doc(alias = "inpos")]
+        pub in_position: Option<bool>,
+        /// Not explained. The document prints 1.
+        pub motion_mode: Option<i64>,
+        /// Speed of the tool centre point's translation, by the key's name. In mm/s. The document does not explain it.
+        ///
+        /// `curr_tcp_trans_vel` on the wire.
+        #[doc(alias = "curr_tcp_trans_vel")]
+        pub tcp_speed: Option<f64>,
+        /// Whether the robot is in a protective stop, by the key's name. The document does not explain it here.
+        ///
+        /// `protective_stop_status` reads the key of the same name.
+        pub protective_stop: Option<bool>,
+        /// Not explained. The document prints 0.
+        pub point_key: Option<i64>,
+        /// Not explained. The document prints 1.
+        ///
+        /// `netState` on the wire.
+        #[doc(alias = "netState")]
+        pub network_state: Option<i64>,
+        /// Commanded positions of the six joints. Sent by newer firmware.
+        ///
+        /// `joint_position` on the wire.
+        #[doc(alias = "joint_position")]
+        pub joint_commanded_position: Option<super::types::JointPosition>,
+        /// Commanded pose of the tool centre point. Sent by newer firmware.
+        ///
+        /// `position` on the wire.
+        #[doc(alias = "position")]
+        pub commanded_position: Option<super::types::Pose>,
+        /// Keys at the tool, by the name; 3 of them. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `tio_key` on the wire.
+        #[doc(alias = "tio_key")]
+        pub tool_keys: Option<wire::Typed<Vec<i64>>>,
+        /// Instantaneous velocities, by the name; 6 of them. Sent by newer firmware, not explained. Unit not stated.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `instVel` on the wire.
+        #[doc(alias = "instVel")]
+        pub instantaneous_velocities: Option<wire::Typed<Vec<f64>>>,
+        /// Relays, by the name; 2 of them. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `relay_io` on the wire.
+        #[doc(alias = "relay_io")]
+        pub relay_outputs: Option<wire::Typed<Vec<bool>>>,
+        /// Digital inputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `mb_slave_din` on the wire.
+        #[doc(alias = "mb_slave_din")]
+        pub modbus_slave_digital_inputs: Option<wire::Typed<Vec<bool>>>,
+        /// Digital outputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `mb_slave_dout` on the wire.
+        #[doc(alias = "mb_slave_dout")]
+        pub modbus_slave_digital_outputs: Option<wire::Typed<Vec<bool>>>,
+        /// Analog inputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `mb_slave_ain` on the wire.
+        #[doc(alias = "mb_slave_ain")]
+        pub modbus_slave_analog_inputs: Option<wire::Typed<Vec<f64>>>,
+        /// Analog outputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `mb_slave_aout` on the wire.
+        #[doc(alias = "mb_slave_aout")]
+        pub modbus_slave_analog_outputs: Option<wire::Typed<Vec<f64>>>,
+        /// Digital inputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `pn_dev_din` on the wire.
+        #[doc(alias = "pn_dev_din")]
+        pub profinet_device_digital_inputs: Option<wire::Typed<Vec<bool>>>,
+        /// Digital outputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `pn_dev_dout` on the wire.
+        #[doc(alias = "pn_dev_dout")]
+        pub profinet_device_digital_outputs: Option<wire::Typed<Vec<bool>>>,
+        /// Analog inputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `pn_dev_ain` on the wire.
+        #[doc(alias = "pn_dev_ain")]
+        pub profinet_device_analog_inputs: Option<wire::Typed<Vec<f64>>>,
+        /// Analog outputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `pn_dev_aout` on the wire.
+        #[doc(alias = "pn_dev_aout")]
+        pub profinet_device_analog_outputs: Option<wire::Typed<Vec<f64>>>,
+        /// Digital inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `eip_adpt_din` on the wire.
+        #[doc(alias = "eip_adpt_din")]
+        pub ethernet_ip_adapter_digital_inputs: Option<wire::Typed<Vec<bool>>>,
+        /// Digital outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `eip_adpt_dout` on the wire.
+        #[doc(alias = "eip_adpt_dout")]
+        pub ethernet_ip_adapter_digital_outputs: Option<wire::Typed<Vec<bool>>>,
+        /// Analog inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `eip_adpt_ain` on the wire.
+        #[doc(alias = "eip_adpt_ain")]
+        pub ethernet_ip_adapter_analog_inputs: Option<wire::Typed<Vec<f64>>>,
+        /// Analog outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `eip_adpt_aout` on the wire.
+        #[doc(alias = "eip_adpt_aout")]
+        pub ethernet_ip_adapter_analog_outputs: Option<wire::Typed<Vec<f64>>>,
+        /// Serial signals at the tool, by the name; 8 of them. Sent by newer firmware; shape not known.
+        ///
+        /// `tio_rs_signals` on the wire.
+        #[doc(alias = "tio_rs_signals")]
+        pub tool_rs_signals: Option<wire::Value>,
+        /// A line that belongs to a motion, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        pub motion_line: Option<wire::Typed<i64>>,
+        /// A line that belongs to an error, by the name. Sent by newer firmware, not explained.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        ///
+        /// `err_add_line` on the wire.
+        #[doc(alias = "err_add_line")]
+        pub error_add_line: Option<wire::Typed<i64>>,
+    }
+    impl wire::Fields for RobotStatus {
+        fn write_fields(&self, out: &mut wire::Writer) {
+            if let Some(value) = &self.length {
+                out.key("\"len\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.drag_status {
+                out.key("\"drag_status\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.extio {
+                out.key("\"extio\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.error_code {
+                out.key("\"errcode\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.error_message {
+                out.key("\"errmsg\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.monitor_data {
+                out.key("\"monitor_data\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.torque_sensor {
+                out.key("\"torqsensor\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.joint_actual_position {
+                out.key("\"joint_actual_position\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.actual_position {
+                out.key("\"actual_position\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.digital_inputs {
+                out.key("\"din\":");
+                out.array(
+                    value,
+                    |out, item| {
+                        out.choose(*item, "0", "1");
+                    },
+                );
+            }
+            if let Some(value) = &self.digital_outputs {
+                out.key("\"dout\":");
+                out.array(
+                    value,
+                    |out, item| {
+                        out.choose(*item, "0", "1");
+                    },
+                );
+            }
+            if let Some(value) = &self.analog_inputs {
+                out.key("\"ain\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.analog_outputs {
+                out.key("\"aout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.tool_digital_inputs {
+                out.key("\"tio_din\":");
+                out.array(
+                    value,
+                    |out, item| {
+                        out.choose(*item, "0", "1");
+                    },
+                );
+            }
+            if let Some(value) = &self.tool_digital_outputs {
+                out.key("\"tio_dout\":");
+                out.array(
+                    value,
+                    |out, item| {
+                        out.choose(*item, "0", "1");
+                    },
+                );
+            }
+            if let Some(value) = &self.tool_analog_inputs {
+                out.key("\"tio_ain\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.task_state {
+                out.key("\"task_state\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.homed {
+                out.key("\"homed\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.task_mode {
+                out.key("\"task_mode\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.interpreter_state {
+                out.key("\"interp_state\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.enabled {
+                out.key("\"enabled\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.paused {
+                out.key("\"paused\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.rapid_rate {
+                out.key("\"rapidrate\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.current_tool_id {
+                out.key("\"current_tool_id\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.current_user_frame_id {
+                out.key("\"current_user_id\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.on_soft_limit {
+                out.key("\"on_soft_limit\":");
+                out.choose(*value, "0", "1");
+            }
+            if let Some(value) = &self.emergency_stop {
+                out.key("\"emergency_stop\":");
+                out.choose(*value, "0", "1");
+            }
+            if let Some(value) = &self.drag_near_limit {
+                out.key("\"drag_near_limit\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.function_inputs {
+                out.key("\"funcdi\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.powered_on {
+                out.key("\"powered_on\":");
+                out.choose(*value, "0", "1");
+            }
+            if let Some(value) = &self.in_position {
+                out.key("\"inpos\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.motion_mode {
+                out.key("\"motion_mode\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.tcp_speed {
+                out.key("\"curr_tcp_trans_vel\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.protective_stop {
+                out.key("\"protective_stop\":");
+                out.choose(*value, "0", "1");
+            }
+            if let Some(value) = &self.point_key {
+                out.key("\"point_key\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.network_state {
+                out.key("\"netState\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.joint_commanded_position {
+                out.key("\"joint_position\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.commanded_position {
+                out.key("\"position\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.tool_keys {
+                out.key("\"tio_key\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.instantaneous_velocities {
+                out.key("\"instVel\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.relay_outputs {
+                out.key("\"relay_io\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.modbus_slave_digital_inputs {
+                out.key("\"mb_slave_din\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.modbus_slave_digital_outputs {
+                out.key("\"mb_slave_dout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.modbus_slave_analog_inputs {
+                out.key("\"mb_slave_ain\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.modbus_slave_analog_outputs {
+                out.key("\"mb_slave_aout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.profinet_device_digital_inputs {
+                out.key("\"pn_dev_din\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.profinet_device_digital_outputs {
+                out.key("\"pn_dev_dout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.profinet_device_analog_inputs {
+                out.key("\"pn_dev_ain\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.profinet_device_analog_outputs {
+                out.key("\"pn_dev_aout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.ethernet_ip_adapter_digital_inputs {
+                out.key("\"eip_adpt_din\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.ethernet_ip_adapter_digital_outputs {
+                out.key("\"eip_adpt_dout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.ethernet_ip_adapter_analog_inputs {
+                out.key("\"eip_adpt_ain\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.ethernet_ip_adapter_analog_outputs {
+                out.key("\"eip_adpt_aout\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.tool_rs_signals {
+                out.key("\"tio_rs_signals\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.motion_line {
+                out.key("\"motion_line\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.error_add_line {
+                out.key("\"err_add_line\":");
+                wire::Encode::encode(value, out);
+            }
+        }
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            let mut length = None;
+            let mut drag_status = None;
+            let mut extio = None;
+            let mut error_code = None;
+            let mut error_message = None;
+            let mut monitor_data = None;
+            let mut torque_sensor = None;
+            let mut joint_actual_position = None;
+            let mut actual_position = None;
+            let mut digital_inputs = None;
+            let mut digital_outputs = None;
+            let mut analog_inputs = None;
+            let mut analog_outputs = None;
+            let mut tool_digital_inputs = None;
+            let mut tool_digital_outputs = None;
+            let mut tool_analog_inputs = None;
+            let mut task_state = None;
+            let mut homed = None;
+            let mut task_mode = None;
+            let mut interpreter_state = None;
+            let mut enabled = None;
+            let mut paused = None;
+            let mut rapid_rate = None;
+            let mut current_tool_id = None;
+            let mut current_user_frame_id = None;
+            let mut on_soft_limit = None;
+            let mut emergency_stop = None;
+            let mut drag_near_limit = None;
+            let mut function_inputs = None;
+            let mut powered_on = None;
+            let mut in_position = None;
+            let mut motion_mode = None;
+            let mut tcp_speed = None;
+            let mut protective_stop = None;
+            let mut point_key = None;
+            let mut network_state = None;
+            let mut joint_commanded_position = None;
+            let mut commanded_position = None;
+            let mut tool_keys = None;
+            let mut instantaneous_velocities = None;
+            let mut relay_outputs = None;
+            let mut modbus_slave_digital_inputs = None;
+            let mut modbus_slave_digital_outputs = None;
+            let mut modbus_slave_analog_inputs = None;
+            let mut modbus_slave_analog_outputs = None;
+            let mut profinet_device_digital_inputs = None;
+            let mut profinet_device_digital_outputs = None;
+            let mut profinet_device_analog_inputs = None;
+            let mut profinet_device_analog_outputs = None;
+            let mut ethernet_ip_adapter_digital_inputs = None;
+            let mut ethernet_ip_adapter_digital_outputs = None;
+            let mut ethernet_ip_adapter_analog_inputs = None;
+            let mut ethernet_ip_adapter_analog_outputs = None;
+            let mut tool_rs_signals = None;
+            let mut motion_line = None;
+            let mut error_add_line = None;
+            reader.begin_object()?;
+            while let Some(key) = reader.next_key()? {
+                match &*key {
+                    "len" => reader.field("length", &mut length)?,
+                    "drag_status" => reader.field("drag_status", &mut drag_status)?,
+                    "extio" => reader.field("extio", &mut extio)?,
+                    "errcode" => reader.field("error_code", &mut error_code)?,
+                    "errmsg" => reader.field("error_message", &mut error_message)?,
+                    "monitor_data" => reader.field("monitor_data", &mut monitor_data)?,
+                    "torqsensor" => reader.field("torque_sensor", &mut torque_sensor)?,
+                    "joint_actual_position" => {
+                        reader
+                            .field("joint_actual_position", &mut joint_actual_position)?
+                    }
+                    "actual_position" => {
+                        reader.field("actual_position", &mut actual_position)?
+                    }
+                    "din" => reader.field("digital_inputs", &mut digital_inputs)?,
+                    "dout" => reader.field("digital_outputs", &mut digital_outputs)?,
+                    "ain" => reader.field("analog_inputs", &mut analog_inputs)?,
+                    "aout" => reader.field("analog_outputs", &mut analog_outputs)?,
+                    "tio_din" => {
+                        reader.field("tool_digital_inputs", &mut tool_digital_inputs)?
+                    }
+                    "tio_dout" => {
+                        reader.field("tool_digital_outputs", &mut tool_digital_outputs)?
+                    }
+                    "tio_ain" => {
+                        reader.field("tool_analog_inputs", &mut tool_analog_inputs)?
+                    }
+                    "task_state" => reader.field("task_state", &mut task_state)?,
+                    "homed" => reader.field("homed", &mut homed)?,
+                    "task_mode" => reader.field("task_mode", &mut task_mode)?,
+                    "interp_state" => {
+                        reader.field("interpreter_state", &mut interpreter_state)?
+                    }
+                    "enabled" => reader.field("enabled", &mut enabled)?,
+                    "paused" => reader.field("paused", &mut paused)?,
+                    "rapidrate" => reader.field("rapid_rate", &mut rapid_rate)?,
+                    "current_tool_id" => {
+                        reader.field("current_tool_id", &mut current_tool_id)?
+                    }
+                    "current_user_id" => {
+                        reader
+                            .field("current_user_frame_id", &mut current_user_frame_id)?
+                    }
+                    "on_soft_limit" => reader.field("on_soft_limit", &mut on_soft_limit)?,
+                    "emergency_stop" => {
+                        reader.field("emergency_stop", &mut emergency_stop)?
+                    }
+                    "drag_near_limit" => {
+                        reader.field("drag_near_limit", &mut drag_near_limit)?
+                    }
+                    "funcdi" => reader.field("function_inputs", &mut function_inputs)?,
+                    "powered_on" => reader.field("powered_on", &mut powered_on)?,
+                    "inpos" => reader.field("in_position", &mut in_position)?,
+                    "motion_mode" => reader.field("motion_mode", &mut motion_mode)?,
+                    "curr_tcp_trans_vel" => reader.field("tcp_speed", &mut tcp_speed)?,
+                    "protective_stop" => {
+                        reader.field("protective_stop", &mut protective_stop)?
+                    }
+                    "point_key" => reader.field("point_key", &mut point_key)?,
+                    "netState" => reader.field("network_state", &mut network_state)?,
+                    "joint_position" => {
+                        reader
+                            .field(
+                                "joint_commanded_position",
+                                &mut joint_commanded_position,
+                            )?
+                    }
+                    "position" => {
+                        reader.field("commanded_position", &mut commanded_position)?
+                    }
+                    "tio_key" => reader.field("tool_keys", &mut tool_keys)?,
+                    "instVel" => {
+                        reader
+                            .field(
+                                "instantaneous_velocities",
+                                &mut instantaneous_velocities,
+                            )?
+                    }
+                    "relay_io" => reader.field("relay_outputs", &mut relay_outputs)?,
+                    "mb_slave_din" => {
+                        reader
+                            .field(
+                                "modbus_slave_digital_inputs",
+                                &mut modbus_slave_digital_inputs,
+                            )?
+                    }
+                    "mb_slave_dout" => {
+                        reader
+                            .field(
+                                "modbus_slave_digital_outputs",
+                                &mut modbus_slave_digital_outputs,
+                            )?
+                    }
+                    "mb_slave_ain" => {
+                        reader
+                            .field(
+                                "modbus_slave_analog_inputs",
+                                &mut modbus_slave_analog_inputs,
+                            )?
+                    }
+                    "mb_slave_aout" => {
+                        reader
+                            .field(
+                                "modbus_slave_analog_outputs",
+                                &mut modbus_slave_analog_outputs,
+                            )?
+                    }
+                    "pn_dev_din" => {
+                        reader
+                            .field(
+                                "profinet_device_digital_inputs",
+                                &mut profinet_device_digital_inputs,
+                            )?
+                    }
+                    "pn_dev_dout" => {
+                        reader
+                            .field(
+                                "profinet_device_digital_outputs",
+                                &mut profinet_device_digital_outputs,
+                            )?
+                    }
+                    "pn_dev_ain" => {
+                        reader
+                            .field(
+                                "profinet_device_analog_inputs",
+                                &mut profinet_device_analog_inputs,
+                            )?
+                    }
+                    "pn_dev_aout" => {
+                        reader
+                            .field(
+                                "profinet_device_analog_outputs",
+                                &mut profinet_device_analog_outputs,
+                            )?
+                    }
+                    "eip_adpt_din" => {
+                        reader
+                            .field(
+                                "ethernet_ip_adapter_digital_inputs",
+                                &mut ethernet_ip_adapter_digital_inputs,
+                            )?
+                    }
+                    "eip_adpt_dout" => {
+                        reader
+                            .field(
+                                "ethernet_ip_adapter_digital_outputs",
+                                &mut ethernet_ip_adapter_digital_outputs,
+                            )?
+                    }
+                    "eip_adpt_ain" => {
+                        reader
+                            .field(
+                                "ethernet_ip_adapter_analog_inputs",
+                                &mut ethernet_ip_adapter_analog_inputs,
+                            )?
+                    }
+                    "eip_adpt_aout" => {
+                        reader
+                            .field(
+                                "ethernet_ip_adapter_analog_outputs",
+                                &mut ethernet_ip_adapter_analog_outputs,
+                            )?
+                    }
+                    "tio_rs_signals" => {
+                        reader.field("tool_rs_signals", &mut tool_rs_signals)?
+                    }
+                    "motion_line" => reader.field("motion_line", &mut motion_line)?,
+                    "err_add_line" => {
+                        reader.field("error_add_line", &mut error_add_line)?
+                    }
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {
+                length,
+                drag_status,
+                extio,
+                error_code,
+                error_message,
+                monitor_data,
+                torque_sensor,
+                joint_actual_position,
+                actual_position,
+                digital_inputs,
+                digital_outputs,
+                analog_inputs,
+                analog_outputs,
+                tool_digital_inputs,
+                tool_digital_outputs,
+                tool_analog_inputs,
+                task_state,
+                homed,
+                task_mode,
+                interpreter_state,
+                enabled,
+                paused,
+                rapid_rate,
+                current_tool_id,
+                current_user_frame_id,
+                on_soft_limit,
+                emergency_stop,
+                drag_near_limit,
+                function_inputs,
+                powered_on,
+                in_position,
+                motion_mode,
+                tcp_speed,
+                protective_stop,
+                point_key,
+                network_state,
+                joint_commanded_position,
+                commanded_position,
+                tool_keys,
+                instantaneous_velocities,
+                relay_outputs,
+                modbus_slave_digital_inputs,
+                modbus_slave_digital_outputs,
+                modbus_slave_analog_inputs,
+                modbus_slave_analog_outputs,
+                profinet_device_digital_inputs,
+                profinet_device_digital_outputs,
+                profinet_device_analog_inputs,
+                profinet_device_analog_outputs,
+                ethernet_ip_adapter_digital_inputs,
+                ethernet_ip_adapter_digital_outputs,
+                ethernet_ip_adapter_analog_inputs,
+                ethernet_ip_adapter_analog_outputs,
+                tool_rs_signals,
+                motion_line,
+                error_add_line,
+            })
+        }
+    }
+    ::jaka_proto::__object_impls!(RobotStatus);
+    /// Whether the robot has power and is enabled.
+    ///
+    /// The document gives 3 and 4 the same meaning.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum TaskState {
+        /// The robot has no power. `1` on the wire.
+        PoweredOff,
+        /// The robot has power. `2` on the wire.
+        PoweredOn,
+        /// The robot is enabled.
+        ///
+        /// The document says the same of 4, and its sample prints 4 beside `enabled` true. What sets 3 apart is not known. `3` on the wire.
+        Enabled3,
+        /// The robot is enabled.
+        ///
+        /// The document says the same of 3. Its sample prints 4 beside `enabled` true. `4` on the wire.
+        Enabled4,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for TaskState {
+        fn from(value: i64) -> Self {
+            match value {
+                1 => Self::PoweredOff,
+                2 => Self::PoweredOn,
+                3 => Self::Enabled3,
+                4 => Self::Enabled4,
+                other => Self::Other(other),
+            }
+        }
+    }
+    impl From<TaskState> for i64 {
+        fn from(value: TaskState) -> Self {
+            match value {
+                TaskState::PoweredOff => 1,
+                TaskState::PoweredOn => 2,
+                TaskState::Enabled3 => 3,
+                TaskState::Enabled4 => 4,
+                TaskState::Other(other) => other,
+            }
+        }
+    }
+    ::jaka_proto::__int_enum_impls!(TaskState);
+    /// Task mode of the robot.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum TaskMode {
+        /// Manual mode. `1` on the wire.
+        Manual,
+        /// Automatic mode. `2` on the wire.
+        Automatic,
+        /// Reserved mode. `3` on the wire.
+        Reserved,
+        /// Drag mode. `4` on the wire.
+        Drag,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for TaskMode {
+        fn from(value: i64) -> Self {
+            match value {
+                1 => Self::Manual,
+                2 => Self::Automatic,
+                3 => Self::Reserved,
+                4 => Self::Drag,
+                other => Self::Other(other),
+            }
+        }
+    }
+    impl From<TaskMode> for i64 {
+        fn from(value: TaskMode) -> Self {
+            match value {
+                TaskMode::Manual => 1,
+                TaskMode::Automatic => 2,
+                TaskMode::Reserved => 3,
+                TaskMode::Drag => 4,
+                TaskMode::Other(other) => other,
+            }
+        }
+    }
+    ::jaka_proto::__int_enum_impls!(TaskMode);
+    /// State of the program.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum InterpreterState {
+        /// No program runs. `0` on the wire.
+        Idle,
+        /// A program is being loaded. `1` on the wire.
+        Loading,
+        /// The program is paused. `2` on the wire.
+        Paused,
+        /// The program runs. `3` on the wire.
+        Running,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for InterpreterState {
+        fn from(value: i64) -> Self {
+            match value {
+                0 => Self::Idle,
+                1 => Self::Loading,
+                2 => Self::Paused,
+                3 => Self::Running,
+                other => Self::Other(other),
+            }
+        }
+    }
+    impl From<InterpreterState> for i64 {
+        fn from(value: InterpreterState) -> Self {
+            match value {
+                InterpreterState::Idle => 0,
+                InterpreterState::Loading => 1,
+                InterpreterState::Paused => 2,
+                InterpreterState::Running => 3,
+                InterpreterState::Other(other) => other,
+            }
+        }
+    }
+    ::jaka_proto::__int_enum_impls!(InterpreterState);
+    /// Configuration and state of the extension I/O modules, as port 10000 gives them.
+    ///
+    /// The document describes the parts and prints no sample. `get_extio_status` answers the same in another shape.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct ExtioReport {
+        /// State of all pins of all modules.
+        ///
+        /// `status` on the wire.
+        #[doc(alias = "status")]
+        pub pin_states: super::status::ExtioPinStates,
+        /// How each module is connected, and its pins; 8 modules at most.
+        pub setup: Vec<super::status::ExtioReportSetup>,
+        /// Number of modules.
+        ///
+        /// `num` on the wire.
+        #[doc(alias = "num")]
+        pub count: i64,
+        /// Where the pins of each module start, in the order of `setup`.
+        ///
+        /// `pinmap` on the wire.
+        #[doc(alias = "pinmap")]
+        pub pin_maps: Vec<super::status::ExtioReportPinMap>,
+        /// Whether the modules run.
+        ///
+        /// The document counts the other way round in 4.34, where `state` 0 says that the modules do not run and 1 that they do.
+        pub mode: super::status::ExtioMode,
+    }
+    impl wire::Fields for ExtioReport {
+        fn write_fields(&self, out: &mut wire::Writer) {
+            out.key("\"status\":");
+            wire::Encode::encode(&self.pin_states, out);
+            out.key("\"setup\":");
+            wire::Encode::encode(&self.setup, out);
+            out.key("\"num\":");
+            wire::Encode::encode(&self.count, out);
+            out.key("\"pinmap\":");
+            wire::Encode::encode(&self.pin_maps, out);
+            out.key("\"mode\":");
+            wire::Encode::encode(&self.mode, out);
+        }
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            let mut pin_states = None;
+            let mut setup = None;
+            let mut count = None;
+            let mut pin_maps = None;
+            let mut mode = None;
+            reader.begin_object()?;
+            while let Some(key) = reader.next_key()? {
+                match &*key {
+                    "status" => reader.field("pin_states", &mut pin_states)?,
+                    "setup" => reader.field("setup", &mut setup)?,
+                    "num" => reader.field("count", &mut count)?,
+                    "pinmap" => reader.field("pin_maps", &mut pin_maps)?,
+                    "mode" => reader.field("mode", &mut mode)?,
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {
+                pin_states: pin_states
+                    .ok_or_else(|| wire::DecodeError::missing("pin_states", "status"))?,
+                setup: setup
+                    .ok_or_else(|| wire::DecodeError::missing("setup", "setup"))?,
+                count: count.ok_or_else(|| wire::DecodeError::missing("count", "num"))?,
+                pin_maps: pin_maps
+                    .ok_or_else(|| wire::DecodeError::missing("pin_maps", "pinmap"))?,
+                mode: mode.ok_or_else(|| wire::DecodeError::missing("mode", "mode"))?,
+            })
+        }
+    }
+    ::jaka_proto::__object_impls!(ExtioReport);
+    /// State of all pins of the extension I/O modules, by kind.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct ExtioPinStates {
+        /// State of the digital inputs.
+        pub digital_inputs: Vec<bool>,
+        /// State of the digital outputs.
+        pub digital_outputs: Vec<bool>,
+        /// Values of the analog inputs. Unit not stated.
+        pub analog_inputs: Vec<f64>,
+        /// Values of the analog outputs. Unit not stated.
+        pub analog_outputs: Vec<f64>,
+    }
+    impl wire::Encode for ExtioPinStates {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            out.array(
+                &self.digital_inputs,
+                |out, item| {
+                    out.choose(*item, "0", "1");
+                },
+            );
+            out.comma();
+            out.array(
+                &self.digital_outputs,
+                |out, item| {
+                    out.choose(*item, "0", "1");
+                },
+            );
+            out.comma();
+            wire::Encode::encode(&self.analog_inputs, out);
+            out.comma();
+            wire::Encode::encode(&self.analog_outputs, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for ExtioPinStates {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                digital_inputs: reader.element("digital_inputs")?,
+                digital_outputs: reader.element("digital_outputs")?,
+                analog_inputs: reader.element("analog_inputs")?,
+                analog_outputs: reader.element("analog_outputs")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(ExtioPinStates);
+    /// How an extension I/O module is connected, and its pins, as port 10000 gives them.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum ExtioReportSetup {
+        /// Connected by Modbus RTU.
+        Rtu {
+            /// Name of the module.
+            name: String,
+            /// Serial settings of the connection. The document prints no sample of them.
+            ///
+            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            connection: wire::Typed<super::io::ExtioRtu>,
+            /// The module's pins.
+            pins: super::status::ExtioReportPins,
+        },
+        /// Connected by Modbus TCP.
+        Tcp {
+            /// Name of the module.
+            name: String,
+            /// Network address of the module.
+            connection: super::io::ExtioTcp,
+            /// The module's pins.
+            pins: super::status::ExtioReportPins,
+        },
+        /// A kind that the spec does not list, as raw JSON.
+        Other(wire::Value),
+    }
+    impl wire::Encode for ExtioReportSetup {
+        fn encode(&self, out: &mut wire::Writer) {
+            match self {
+                Self::Rtu { name, connection, pins } => {
+                    out.raw("[");
+                    out.int(0i64);
+                    out.comma();
+                    wire::Encode::encode(name, out);
+                    out.comma();
+                    wire::Encode::encode(connection, out);
+                    out.comma();
+                    wire::Encode::encode(pins, out);
+                    out.raw("]");
+                }
+                Self::Tcp { name, connection, pins } => {
+                    out.raw("[");
+                    out.int(1i64);
+                    out.comma();
+                    wire::Encode::encode(name, out);
+                    out.comma();
+                    wire::Encode::encode(connection, out);
+                    out.comma();
+                    wire::Encode::encode(pins, out);
+                    out.raw("]");
+                }
+                Self::Other(value) => wire::Encode::encode(value, out),
+            }
+        }
+    }
+    impl wire::Decode for ExtioReportSetup {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            let start = reader.clone();
+            reader.begin_array()?;
+            match reader.element::<i64>("kind")? {
+                0i64 => {
+                    let this = Self::Rtu {
+                        name: reader.element("name")?,
+                        connection: reader.element("connection")?,
+                        pins: reader.element("pins")?,
+                    };
+                    reader.end_array()?;
+                    Ok(this)
+                }
+                1i64 => {
+                    let this = Self::Tcp {
+                        name: reader.element("name")?,
+                        connection: reader.element("connection")?,
+                        pins: reader.element("pins")?,
+                    };
+                    reader.end_array()?;
+                    Ok(this)
+                }
+                _ => {
+                    *reader = start;
+                    wire::Decode::decode(reader).map(Self::Other)
+                }
+            }
+        }
+    }
+    ::jaka_proto::__serde_impls!(ExtioReportSetup);
+    /// The pins of an extension I/O module, as port 10000 gives them.
+    ///
+    /// The order is not that of `get_extio_status`, which names the kinds.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct ExtioReportPins {
+        /// Digital inputs.
+        pub digital_inputs: super::io::ExtioPinRange,
+        /// Digital outputs.
+        pub digital_outputs: super::io::ExtioPinRange,
+        /// Analog inputs.
+        pub analog_inputs: super::io::ExtioPinRange,
+        /// Analog outputs.
+        pub analog_outputs: super::io::ExtioPinRange,
+    }
+    impl wire::Encode for ExtioReportPins {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.digital_inputs, out);
+            out.comma();
+            wire::Encode::encode(&self.digital_outputs, out);
+            out.comma();
+            wire::Encode::encode(&self.analog_inputs, out);
+            out.comma();
+            wire::Encode::encode(&self.analog_outputs, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for ExtioReportPins {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                digital_inputs: reader.element("digital_inputs")?,
+                digital_outputs: reader.element("digital_outputs")?,
+                analog_inputs: reader.element("analog_inputs")?,
+                analog_outputs: reader.element("analog_outputs")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(ExtioReportPins);
+    /// Where the pins of an extension I/O module start, as port 10000 gives it.
+    ///
+    /// The document calls each value an offset of registers here, and an index of pins in 4.34. It prints `pinmap[N][2]` for
+    /// the analog inputs and again for the analog outputs; the second is read as `pinmap[N][3]`.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct ExtioReportPinMap {
+        /// Start of the digital inputs.
+        pub digital_inputs: i64,
+        /// Start of the digital outputs.
+        pub digital_outputs: i64,
+        /// Start of the analog inputs.
+        pub analog_inputs: i64,
+        /// Start of the analog outputs.
+        pub analog_outputs: i64,
+    }
+    impl wire::Encode for ExtioReportPinMap {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.digital_inputs, out);
+            out.comma();
+            wire::Encode::encode(&self.digital_outputs, out);
+            out.comma();
+            wire::Encode::encode(&self.analog_inputs, out);
+            out.comma();
+            wire::Encode::encode(&self.analog_outputs, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for ExtioReportPinMap {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                digital_inputs: reader.element("digital_inputs")?,
+                digital_outputs: reader.element("digital_outputs")?,
+                analog_inputs: reader.element("analog_inputs")?,
+                analog_outputs: reader.element("analog_outputs")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(ExtioReportPinMap);
+    /// Whether the extension I/O modules run, in the sense of `extio` on port 10000.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum ExtioMode {
+        /// On, by the document. `0` on the wire.
+        On,
+        /// Off, by the document. `1` on the wire.
+        Off,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for ExtioMode {
+        fn from(value: i64) -> Self {
+            match value {
+                0 => Self::On,
+                1 => Self::Off,
+                other => Self::Other(other),
+            }
+        }
+    }
+    impl From<ExtioMode> for i64 {
+        fn from(value: ExtioMode) -> Self {
+            match value {
+                ExtioMode::On => 0,
+                ExtioMode::Off => 1,
+                ExtioMode::Other(other) => other,
+            }
+        }
+    }
+    ::jaka_proto::__int_enum_impls!(ExtioMode);
+    /// Measurements in the cabinet and the joints, for diagnosis.
+    ///
+    /// The document states no units.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct MonitorData {
+        /// Major version number of the SCB.
+        pub scb_major_version: i64,
+        /// Minor version number of the SCB.
+        pub scb_minor_version: i64,
+        /// Temperature of the cabinet. Unit not stated.
+        pub cabinet_temperature: f64,
+        /// Average power of the cabinet's bus. Unit not stated.
+        pub bus_average_power: f64,
+        /// Average current of the cabinet's bus. Unit not stated.
+        pub bus_average_current: f64,
+        /// Measurements of joints 1 to 6.
+        pub joints: Vec<super::status::JointMonitor>,
+    }
+    impl wire::Encode for MonitorData {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.scb_major_version, out);
+            out.comma();
+            wire::Encode::encode(&self.scb_minor_version, out);
+            out.comma();
+            wire::Encode::encode(&self.cabinet_temperature, out);
+            out.comma();
+            wire::Encode::encode(&self.bus_average_power, out);
+            out.comma();
+            wire::Encode::encode(&self.bus_average_current, out);
+            out.comma();
+            wire::Encode::encode(&self.joints, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for MonitorData {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                scb_major_version: reader.element("scb_major_version")?,
+                scb_minor_version: reader.element("scb_minor_version")?,
+                cabinet_temperature: reader.element("cabinet_temperature")?,
+                bus_average_power: reader.element("bus_average_power")?,
+                bus_average_current: reader.element("bus_average_current")?,
+                joints: reader.element("joints")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(MonitorData);
+    /// Measurements of one joint.
+    ///
+    /// The document states no units. It writes `monitor_data[5][0]` for the current and leaves out the joint; that each joint
+    /// has a row of its own comes from the field notes, which have seen rows of 10 and of 11 values.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct JointMonitor {
+        /// Instantaneous current. Unit not stated.
+        pub current: f64,
+        /// Instantaneous voltage. Unit not stated.
+        pub voltage: f64,
+        /// Instantaneous temperature. Unit not stated.
+        pub temperature: f64,
+        /// Average power; the document calls it instantaneous and average at once. Unit not stated.
+        pub average_power: f64,
+        /// Fluctuation of the current. Unit not stated.
+        pub current_fluctuation: f64,
+        /// Revolutions in all.
+        pub total_revolutions: f64,
+        /// Running time in all. Unit not stated.
+        pub total_running_time: f64,
+        /// Running cycles since this start.
+        ///
+        /// The document has another word here than for `total_revolutions`, and does not say whether both count the same.
+        pub cycles_since_start: f64,
+        /// Running time since this start. Unit not stated.
+        pub running_time_since_start: f64,
+        /// Torque of the joint. Unit not stated.
+        pub torque: f64,
+        /// An eleventh value that some firmware sends and nobody explains.
+        pub eleventh: Option<f64>,
+    }
+    impl wire::Encode for JointMonitor {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.current, out);
+            out.comma();
+            wire::Encode::encode(&self.voltage, out);
+            out.comma();
+            wire::Encode::encode(&self.temperature, out);
+            out.comma();
+            wire::Encode::encode(&self.average_power, out);
+            out.comma();
+            wire::Encode::encode(&self.current_fluctuation, out);
+            out.comma();
+            wire::Encode::encode(&self.total_revolutions, out);
+            out.comma();
+            wire::Encode::encode(&self.total_running_time, out);
+            out.comma();
+            wire::Encode::encode(&self.cycles_since_start, out);
+            out.comma();
+            wire::Encode::encode(&self.running_time_since_start, out);
+            out.comma();
+            wire::Encode::encode(&self.torque, out);
+            if let Some(value) = &self.eleventh {
+                out.comma();
+                wire::Encode::encode(value, out);
+            }
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for JointMonitor {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                current: reader.element("current")?,
+                voltage: reader.element("voltage")?,
+                temperature: reader.element("temperature")?,
+                average_power: reader.element("average_power")?,
+                current_fluctuation: reader.element("current_fluctuation")?,
+                total_revolutions: reader.element("total_revolutions")?,
+                total_running_time: reader.element("total_running_time")?,
+                cycles_since_start: reader.element("cycles_since_start")?,
+                running_time_since_start: reader.element("running_time_since_start")?,
+                torque: reader.element("torque")?,
+                eleventh: reader.optional_element("eleventh")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(JointMonitor);
+    /// Settings and state of the torque sensor.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct TorqueSensorReport {
+        /// How the sensor is connected, and its payload.
+        pub settings: super::status::TorqueSensorSettings,
+        /// Whether the sensor works, and what it reads.
+        pub state: super::status::TorqueSensorState,
+    }
+    impl wire::Encode for TorqueSensorReport {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.settings, out);
+            out.comma();
+            wire::Encode::encode(&self.state, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for TorqueSensorReport {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                settings: reader.element("settings")?,
+                state: reader.element("state")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(TorqueSensorReport);
+    /// How the torque sensor is connected, and its payload.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum TorqueSensorSettings {
+        /// Connected by TCP/IP.
+        Tcp {
+            /// Network address of the sensor.
+            connection: super::status::TorqueSensorTcp,
+            /// Payload at the sensor.
+            ///
+            /// The document does not print how mass and centroid are nested.
+            ///
+            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            payload: wire::Typed<super::status::TorqueSensorPayload>,
+        },
+        /// Connected by a serial line.
+        Serial {
+            /// Serial settings of the connection.
+            ///
+            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            connection: wire::Typed<super::status::TorqueSensorSerial>,
+            /// Payload at the sensor.
+            ///
+            /// The document does not print how mass and centroid are nested.
+            ///
+            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            payload: wire::Typed<super::status::TorqueSensorPayload>,
+        },
+        /// A kind that the spec does not list, as raw JSON.
+        Other(wire::Value),
+    }
+    impl wire::Encode for TorqueSensorSettings {
+        fn encode(&self, out: &mut wire::Writer) {
+            match self {
+                Self::Tcp { connection, payload } => {
+                    out.raw("[");
+                    out.int(0i64);
+                    out.comma();
+                    wire::Encode::encode(connection, out);
+                    out.comma();
+                    wire::Encode::encode(payload, out);
+                    out.raw("]");
+                }
+                Self::Serial { connection, payload } => {
+                    out.raw("[");
+                    out.int(1i64);
+                    out.comma();
+                    wire::Encode::encode(connection, out);
+                    out.comma();
+                    wire::Encode::encode(payload, out);
+                    out.raw("]");
+                }
+                Self::Other(value) => wire::Encode::encode(value, out),
+            }
+        }
+    }
+    impl wire::Decode for TorqueSensorSettings {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            let start = reader.clone();
+            reader.begin_array()?;
+            match reader.element::<i64>("kind")? {
+                0i64 => {
+                    let this = Self::Tcp {
+                        connection: reader.element("connection")?,
+                        payload: reader.element("payload")?,
+                    };
+                    reader.end_array()?;
+                    Ok(this)
+                }
+                1i64 => {
+                    let this = Self::Serial {
+                        connection: reader.element("connection")?,
+                        payload: reader.element("payload")?,
+                    };
+                    reader.end_array()?;
+                    Ok(this)
+                }
+                _ => {
+                    *reader = start;
+                    wire::Decode::decode(reader).map(Self::Other)
+                }
+            }
+        }
+    }
+    ::jaka_proto::__serde_impls!(TorqueSensorSettings);
+    /// Network address of a torque sensor.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct TorqueSensorTcp {
+        /// IP address.
+        pub address: String,
+        /// TCP port.
+        pub port: i64,
+    }
+    impl wire::Encode for TorqueSensorTcp {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.address, out);
+            out.comma();
+            wire::Encode::encode(&self.port, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for TorqueSensorTcp {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                address: reader.element("address")?,
+                port: reader.element("port")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(TorqueSensorTcp);
+    /// Serial settings of a torque sensor.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct TorqueSensorSerial {
+        /// Baud rate.
+        pub baud_rate: i64,
+        /// Data bits.
+        pub data_bits: i64,
+        /// Stop bits.
+        pub stop_bits: i64,
+        /// Parity. The document does not say how it is written, and whether as number or text.
+        pub parity: wire::Value,
+    }
+    impl wire::Encode for TorqueSensorSerial {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.baud_rate, out);
+            out.comma();
+            wire::Encode::encode(&self.data_bits, out);
+            out.comma();
+            wire::Encode::encode(&self.stop_bits, out);
+            out.comma();
+            wire::Encode::encode(&self.parity, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for TorqueSensorSerial {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                baud_rate: reader.element("baud_rate")?,
+                data_bits: reader.element("data_bits")?,
+                stop_bits: reader.element("stop_bits")?,
+                parity: reader.element("parity")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(TorqueSensorSerial);
+    /// Payload at the torque sensor.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct TorqueSensorPayload {
+        /// Mass of the payload. In kg.
+        pub mass: f64,
+        /// Centroid of the payload.
+        pub centroid: super::payload::Centroid,
+    }
+    impl wire::Encode for TorqueSensorPayload {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            wire::Encode::encode(&self.mass, out);
+            out.comma();
+            wire::Encode::encode(&self.centroid, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for TorqueSensorPayload {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                mass: reader.element("mass")?,
+                centroid: reader.element("centroid")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(TorqueSensorPayload);
+    /// Whether the torque sensor works, and what it reads.
+    ///
+    /// The document states no units for what it reads, and not the order of the six values.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct TorqueSensorState {
+        /// Whether the sensor works; it is off otherwise.
+        pub working: bool,
+        /// Error code of the sensor. The document does not say how it is written.
+        ///
+        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        pub error_code: wire::Typed<i64>,
+        /// Actual contact force, six values. Unit and order not stated.
+        pub contact_force: [f64; 6usize],
+        /// What the sensor reads before any correction, six values. Unit and order not stated.
+        pub raw_reading: [f64; 6usize],
+    }
+    impl wire::Encode for TorqueSensorState {
+        fn encode(&self, out: &mut wire::Writer) {
+            out.raw("[");
+            out.comma();
+            out.choose(*&self.working, "0", "1");
+            out.comma();
+            wire::Encode::encode(&self.error_code, out);
+            out.comma();
+            wire::Encode::encode(&self.contact_force, out);
+            out.comma();
+            wire::Encode::encode(&self.raw_reading, out);
+            out.raw("]");
+        }
+    }
+    impl wire::Decode for TorqueSensorState {
+        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+            reader.begin_array()?;
+            let this = Self {
+                working: reader.element("working")?,
+                error_code: reader.element("error_code")?,
+                contact_force: reader.element("contact_force")?,
+                raw_reading: reader.element("raw_reading")?,
+            };
+            reader.end_array()?;
+            Ok(this)
+        }
+    }
+    ::jaka_proto::__serde_impls!(TorqueSensorState);
+}

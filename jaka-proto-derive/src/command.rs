@@ -1,0 +1,96 @@
+//! Requests and replies.
+
+use jaka_spec::{Command, Effect, Request};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::codec::{Scope, ident};
+use crate::{docs, typedef, validate};
+
+/// The request, its reply where that carries data, and what ties them together.
+pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
+    let name = ident(&command.request_type());
+    let alias = docs::alias(&command.wire, &command.name);
+    let docs = docs::attributes(&docs::request(command));
+    let docs = quote!(#docs #alias);
+    let request = match &command.request {
+        Request::Fields(fields) if fields.is_empty() => empty_request(&name, &docs),
+        Request::Fields(fields) => typedef::object(scope, &name, &docs, fields),
+        Request::Choice(choice) => typedef::object_choice(scope, &name, &docs, choice),
+    };
+    let checks = validate::request(command, &name);
+    let reply = reply(scope, command);
+    let reply_type = command.reply_type().map_or_else(
+        || quote!(()),
+        |name| {
+            let name = ident(&name);
+            quote!(#name)
+        },
+    );
+    let info = info(command);
+    quote! {
+        #request
+        #checks
+
+        impl ::jaka_proto::Command for #name {
+            type Reply = #reply_type;
+            const INFO: &'static ::jaka_proto::CommandInfo = &#info;
+        }
+
+        #reply
+    }
+}
+
+fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
+    quote! {
+        #docs
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub struct #name;
+
+        impl wire::Fields for #name {
+            fn write_fields(&self, _out: &mut wire::Writer) {}
+
+            fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                reader.skip().map(|()| Self)
+            }
+        }
+
+        ::jaka_proto::__object_impls!(#name);
+    }
+}
+
+fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
+    let name = ident(&command.reply_type()?);
+    let request = command.request_type();
+    let docs = docs::attributes(&format!("What the controller answers to [`{request}`]."));
+    Some(typedef::object(scope, &name, &docs, &command.reply))
+}
+
+fn info(command: &Command) -> TokenStream {
+    let name = &command.wire;
+    let head = format!("{{\"cmdName\":\"{name}\"");
+    let section = command.section.as_deref().unwrap_or_default();
+    let effect = ident(match command.effect {
+        Effect::Query => "Query",
+        Effect::Setting => "Setting",
+        Effect::Motion => "Motion",
+        Effect::Power => "Power",
+        Effect::Session => "Session",
+    });
+    let deadline = command.deadline.map(|deadline| {
+        let ms = u64::try_from(deadline.as_millis()).unwrap_or(u64::MAX);
+        quote!(.deadline_ms(#ms))
+    });
+    let uncertain = (!command.reply_certain).then(|| quote!(.reply_uncertain()));
+    let ends = command.ends_session.then(|| quote!(.ends_session()));
+    let bare = bare_reply_key(command).map(|key| quote!(.bare_reply(#key)));
+    quote! {
+        ::jaka_proto::CommandInfo::new(#name, #head, #section, ::jaka_proto::Effect::#effect)
+            #deadline #uncertain #ends #bare
+    }
+}
+
+fn bare_reply_key(command: &Command) -> Option<&str> {
+    let name = command.bare_reply.as_ref()?;
+    command.reply.iter().find(|field| field.name == *name).map(|field| field.wire.as_str())
+}

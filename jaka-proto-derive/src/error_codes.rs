@@ -1,0 +1,45 @@
+//! The error codes that sources name.
+
+use jaka_spec::Spec;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::codec::ident;
+use crate::docs;
+
+/// Constants of `ErrorCode`, and what each means.
+pub(crate) fn render(spec: &Spec) -> TokenStream {
+    let consts = spec.errors().map(|code| {
+        let docs = docs::attributes(&code.doc);
+        let name = ident(&screaming(&code.name));
+        let wire = code.wire;
+        quote!(#docs pub const #name: Self = Self(#wire);)
+    });
+    let wires = spec.errors().map(|code| code.wire);
+    let meanings = spec.errors().map(|code| docs::first_sentence(&code.doc).0);
+    quote! {
+        impl ::jaka_proto::ErrorCode {
+            #(#consts)*
+
+            /// What sources say about the code, in a sentence; `None` for a code they do not name.
+            pub fn meaning(self) -> Option<&'static str> {
+                match self.0 {
+                    #(#wires => Some(#meanings),)*
+                    _ => None,
+                }
+            }
+        }
+    }
+}
+
+/// `PermissionDenied` becomes `PERMISSION_DENIED`.
+fn screaming(camel: &str) -> String {
+    let mut name = String::new();
+    for c in camel.chars() {
+        if c.is_ascii_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.push(c.to_ascii_uppercase());
+    }
+    name
+}

@@ -1,0 +1,50 @@
+#![doc = include_str!("../README.md")]
+
+use proc_macro::TokenStream;
+use quote::quote;
+use syn::parse::Nothing;
+
+mod client;
+mod codec;
+mod command;
+mod docs;
+mod error_codes;
+mod request;
+mod topic;
+mod typedef;
+mod validate;
+
+#[cfg(test)]
+mod golden;
+
+/// The messages of the built-in spec: a module for each topic, and an enum over all requests.
+///
+/// For use in `jaka-proto`, whose paths the output names.
+#[proc_macro]
+pub fn messages(input: TokenStream) -> TokenStream {
+    expand(input, topic::messages)
+}
+
+/// An `impl Client` with a method for each command of the built-in spec.
+///
+/// For use in `jaka-sync`, beside a type `Client` with a method `call`.
+#[proc_macro]
+pub fn client_methods(input: TokenStream) -> TokenStream {
+    expand(input, client::methods)
+}
+
+fn expand(input: TokenStream, render: fn(&jaka_spec::Spec) -> proc_macro2::TokenStream) -> TokenStream {
+    if let Err(error) = syn::parse::<Nothing>(input) {
+        return error.into_compile_error().into();
+    }
+    match jaka_spec::builtin() {
+        Ok(spec) => render(&spec).into(),
+        Err(errors) => compile_errors(&errors).into(),
+    }
+}
+
+/// One compiler error for each error of the spec.
+fn compile_errors(errors: &jaka_spec::Errors) -> proc_macro2::TokenStream {
+    let messages = errors.iter().map(ToString::to_string);
+    quote!(#(::core::compile_error!(#messages);)*)
+}

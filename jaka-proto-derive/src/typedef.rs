@@ -1,0 +1,337 @@
+//! Named types.
+
+use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeKind, Variant};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use crate::codec::{
+    Scope, declare_variants, ident, names, read_array, read_object, variant_path, write_array, write_object,
+};
+use crate::docs;
+use crate::validate;
+
+/// The type, its codec and, where requests use it, its checks.
+pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
+    let name = ident(&def.name);
+    let docs = docs::attributes(&def.doc);
+    let item = match &def.kind {
+        TypeKind::Object(fields) => object(scope, &name, &docs, fields),
+        TypeKind::Array { fields, exact } => array(scope, &name, &docs, fields, *exact),
+        TypeKind::IntEnum(values) => int_enum(&name, &docs, values),
+        TypeKind::TextEnum(values) => text_enum(&name, &docs, values),
+        TypeKind::Choice(choice) => array_choice(scope, &name, &docs, choice),
+        TypeKind::Wrapper(ty, unit) => wrapper(scope, &name, def, ty, unit.as_deref()),
+    };
+    let checks = validate::type_def(scope, def);
+    quote!(#item #checks)
+}
+
+/// Derives for a struct: `Copy` where all fields are; `Default` where all may be absent.
+pub(crate) fn derives(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
+    let copy = scope.all_copy(fields).then(|| quote!(Copy,));
+    let default = fields.iter().all(|field| field.optional).then(|| quote!(Default,));
+    quote!(#[derive(Debug, Clone, #copy PartialEq, #default)])
+}
+
+/// A struct whose fields stand in a JSON object, and its codec.
+pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
+    let derives = derives(scope, fields);
+    let declared = scope.declare(fields, &quote!(pub));
+    // All fields may be absent: such a struct can be made with `Default`, and grow without breaking anyone.
+    let grows = fields.iter().all(|field| field.optional).then(|| quote!(#[non_exhaustive]));
+    let write = write_object(fields, |name| quote!(&self.#name));
+    let read = read_object(fields, &quote!(Self));
+    quote! {
+        #docs
+        #derives
+        #grows
+        pub struct #name { #declared }
+
+        impl wire::Fields for #name {
+            fn write_fields(&self, out: &mut wire::Writer) { #write }
+
+            fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> { #read }
+        }
+
+        ::jaka_proto::__object_impls!(#name);
+    }
+}
+
+fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], exact: bool) -> TokenStream {
+    let derives = derives(scope, fields);
+    let declared = scope.declare(fields, &quote!(pub));
+    let write = write_array(fields, |name| quote!(&self.#name));
+    let read = read_array(fields, exact, &quote!(Self));
+    let conversions = is_floats(fields).then(|| float_conversions(name, fields));
+    quote! {
+        #docs
+        #derives
+        pub struct #name { #declared }
+
+        impl wire::Encode for #name {
+            fn encode(&self, out: &mut wire::Writer) {
+                out.raw("[");
+                #write
+                out.raw("]");
+            }
+        }
+
+        impl wire::Decode for #name {
+            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                reader.begin_array()?;
+                #read
+            }
+        }
+
+        ::jaka_proto::__serde_impls!(#name);
+        #conversions
+    }
+}
+
+/// True for a struct of nothing but floats, which converts from and into an array of them.
+fn is_floats(fields: &[Field]) -> bool {
+    fields.iter().all(|field| field.ty == Type::Float && !field.optional && !field.or_raw)
+}
+
+fn float_conversions(name: &Ident, fields: &[Field]) -> TokenStream {
+    let names = names(fields);
+    let len = fields.len();
+    quote! {
+        impl From<[f64; #len]> for #name {
+            fn from([#(#names),*]: [f64; #len]) -> Self {
+                Self { #(#names),* }
+            }
+        }
+
+        impl From<#name> for [f64; #len] {
+            fn from(value: #name) -> Self {
+                [#(value.#names),*]
+            }
+        }
+    }
+}
+
+/// True for a named type that a method takes as `impl Into<…>`, since it converts from an array.
+pub(crate) fn converts(def: &TypeDef) -> bool {
+    match &def.kind {
+        TypeKind::Wrapper(..) => true,
+        TypeKind::Array { fields, .. } => is_floats(fields),
+        _ => false,
+    }
+}
+
+fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Option<&str>) -> TokenStream {
+    let (first, rest) = docs::first_sentence(&def.doc);
+    let unit = unit.map(|unit| format!(" In {unit}.")).unwrap_or_default();
+    let docs = docs::attributes(&format!("{first}{unit}{rest}"));
+    let inner = scope.rust_type(ty);
+    let copy = scope.is_copy(ty).then(|| quote!(Copy,));
+    quote! {
+        #docs
+        #[derive(Debug, Clone, #copy PartialEq)]
+        pub struct #name(pub #inner);
+
+        impl From<#inner> for #name {
+            fn from(value: #inner) -> Self {
+                Self(value)
+            }
+        }
+
+        impl From<#name> for #inner {
+            fn from(value: #name) -> Self {
+                value.0
+            }
+        }
+
+        impl wire::Encode for #name {
+            fn encode(&self, out: &mut wire::Writer) {
+                wire::Encode::encode(&self.0, out);
+            }
+        }
+
+        impl wire::Decode for #name {
+            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                wire::Decode::decode(reader).map(Self)
+            }
+        }
+
+        ::jaka_proto::__serde_impls!(#name);
+    }
+}
+
+/// The variants of an enum, with docs that name the value on the wire.
+fn enum_variants<T: std::fmt::Debug>(values: &[EnumValue<T>]) -> TokenStream {
+    let variants = values.iter().map(|value| {
+        let newer = if value.advisory { " Taken by newer firmware only." } else { "" };
+        let docs = docs::attributes(&format!("{}{newer} `{:?}` on the wire.", value.doc, value.wire));
+        let name = ident(&value.name);
+        quote!(#docs #name)
+    });
+    quote!(#(#variants),*)
+}
+
+fn int_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<i64>]) -> TokenStream {
+    let variants = enum_variants(values);
+    let names: Vec<_> = values.iter().map(|value| ident(&value.name)).collect();
+    let wires: Vec<_> = values.iter().map(|value| Literal::i64_unsuffixed(value.wire)).collect();
+    quote! {
+        #docs
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum #name {
+            #variants,
+            /// A value that the spec does not list.
+            Other(i64),
+        }
+
+        impl From<i64> for #name {
+            fn from(value: i64) -> Self {
+                match value {
+                    #(#wires => Self::#names,)*
+                    other => Self::Other(other),
+                }
+            }
+        }
+
+        impl From<#name> for i64 {
+            fn from(value: #name) -> Self {
+                match value {
+                    #(#name::#names => #wires,)*
+                    #name::Other(other) => other,
+                }
+            }
+        }
+
+        ::jaka_proto::__int_enum_impls!(#name);
+    }
+}
+
+fn text_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<String>]) -> TokenStream {
+    let variants = enum_variants(values);
+    let names: Vec<_> = values.iter().map(|value| ident(&value.name)).collect();
+    let wires: Vec<_> = values.iter().map(|value| &value.wire).collect();
+    quote! {
+        #docs
+        #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum #name {
+            #variants,
+            /// A value that the spec does not list.
+            Other(String),
+        }
+
+        impl From<&str> for #name {
+            fn from(value: &str) -> Self {
+                match value {
+                    #(#wires => Self::#names,)*
+                    other => Self::Other(other.to_owned()),
+                }
+            }
+        }
+
+        impl AsRef<str> for #name {
+            fn as_ref(&self) -> &str {
+                match self {
+                    #(Self::#names => #wires,)*
+                    Self::Other(other) => other,
+                }
+            }
+        }
+
+        ::jaka_proto::__text_enum_impls!(#name);
+    }
+}
+
+/// A choice written as an array that begins with its tag.
+fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Choice) -> TokenStream {
+    let variants = declare_variants(scope, choice);
+    let write = choice.variants.iter().map(|variant| {
+        let (path, names, tag) = (variant_path(variant), names(&variant.fields), tag(variant));
+        let write = write_array(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { out.raw("["); out.int(#tag); #write out.raw("]"); })
+    });
+    let read = choice.variants.iter().map(|variant| {
+        let tag = tag(variant);
+        let read = read_array(&variant.fields, false, &variant_path(variant));
+        quote!(#tag => { #read })
+    });
+    quote! {
+        #docs
+        #[derive(Debug, Clone, PartialEq)]
+        #[non_exhaustive]
+        pub enum #name {
+            #variants,
+            /// A kind that the spec does not list, as raw JSON.
+            Other(wire::Value),
+        }
+
+        impl wire::Encode for #name {
+            fn encode(&self, out: &mut wire::Writer) {
+                match self {
+                    #(#write)*
+                    Self::Other(value) => wire::Encode::encode(value, out),
+                }
+            }
+        }
+
+        impl wire::Decode for #name {
+            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                let start = reader.clone();
+                reader.begin_array()?;
+                match reader.element::<i64>("kind")? {
+                    #(#read)*
+                    _ => {
+                        *reader = start;
+                        wire::Decode::decode(reader).map(Self::Other)
+                    }
+                }
+            }
+        }
+
+        ::jaka_proto::__serde_impls!(#name);
+    }
+}
+
+/// A choice whose tag and fields stand in a JSON object: a request.
+pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Choice) -> TokenStream {
+    let variants = declare_variants(scope, choice);
+    let all_copy = choice.variants.iter().all(|variant| scope.all_copy(&variant.fields));
+    let copy = all_copy.then(|| quote!(Copy,));
+    let tag_key = &choice.tag;
+    let key = format!("\"{tag_key}\":");
+    let write = choice.variants.iter().map(|variant| {
+        let (path, names, value) = (variant_path(variant), names(&variant.fields), tag(variant));
+        let write = write_object(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { out.key(#key); out.int(#value); #write })
+    });
+    let read = choice.variants.iter().map(|variant| {
+        let (value, read) = (tag(variant), read_object(&variant.fields, &variant_path(variant)));
+        quote!(#value => { #read })
+    });
+    let known: Vec<_> = choice.variants.iter().map(|variant| variant.wire.to_string()).collect();
+    let known = format!("one of {}", known.join(", "));
+    quote! {
+        #docs
+        #[derive(Debug, Clone, #copy PartialEq)]
+        pub enum #name { #variants }
+
+        impl wire::Fields for #name {
+            fn write_fields(&self, out: &mut wire::Writer) {
+                match self { #(#write)* }
+            }
+
+            fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                match reader.tag(#tag_key, #tag_key)? {
+                    #(#read)*
+                    other => Err(wire::DecodeError::unfit(#known, &other.to_string()).in_field(#tag_key)),
+                }
+            }
+        }
+
+        ::jaka_proto::__object_impls!(#name);
+    }
+}
+
+fn tag(variant: &Variant) -> Literal {
+    Literal::i64_unsuffixed(variant.wire)
+}

@@ -1,0 +1,153 @@
+//! The checks of requests, and of the types inside them.
+
+use std::collections::BTreeSet;
+
+use jaka_spec::{Command, EnumValue, Field, Request, Spec, Type, TypeDef, TypeKind};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::codec::{Scope, ident, names, variant_path};
+
+/// The checks of a request.
+pub(crate) fn request(command: &Command, name: &Ident) -> TokenStream {
+    let body = match &command.request {
+        Request::Fields(fields) => struct_body(fields),
+        Request::Choice(choice) => {
+            let arms = choice.variants.iter().map(|variant| {
+                let (path, names) = (variant_path(variant), names(&variant.fields));
+                let checks = checks(&variant.fields, |name| quote!(#name));
+                quote!(#path { #(#names),* } => { #checks })
+            });
+            quote!(match self { #(#arms)* } Ok(()))
+        }
+    };
+    implement(name, &body)
+}
+
+/// The checks of a type, if requests use it.
+pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> Option<TokenStream> {
+    if !sent_types(scope.spec).contains(def.name.as_str()) {
+        return None;
+    }
+    let name = ident(&def.name);
+    let body = match &def.kind {
+        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => struct_body(fields),
+        TypeKind::IntEnum(values) => {
+            let allowed = list(values, |value| format!("{} ({})", value.wire, value.name));
+            enum_body(values, &allowed, &quote!(i64::from(*self)))
+        }
+        TypeKind::TextEnum(values) => {
+            let allowed = list(values, |value| format!("`{}`", value.wire));
+            enum_body(values, &allowed, &quote!(self.as_ref()))
+        }
+        TypeKind::Wrapper(_, unit) => {
+            let unit = unit.as_deref().unwrap_or_default();
+            quote! {
+                let limits = check::Limits { unit: #unit, ..*limits };
+                check::Validate::validate(&self.0, place, &limits)
+            }
+        }
+        // The model reads choices, but no request of a known firmware sends one inside an array.
+        TypeKind::Choice(_) => quote!(Ok(())),
+    };
+    Some(implement(&name, &body))
+}
+
+fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
+    quote! {
+        impl check::Validate for #name {
+            #[allow(unused_variables)]
+            fn validate(
+                &self,
+                place: &check::Place<'_>,
+                limits: &check::Limits,
+            ) -> Result<(), check::InvalidArgument> {
+                #body
+            }
+        }
+    }
+}
+
+fn struct_body(fields: &[Field]) -> TokenStream {
+    let checks = checks(fields, |name| quote!(&self.#name));
+    quote!(#checks Ok(()))
+}
+
+fn checks(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let checks = fields.iter().map(|field| {
+        let (text, value, limits) = (&field.name, value(&ident(&field.name)), limits(field));
+        quote!(place.check(#text, #value, &#limits)?;)
+    });
+    quote!(#(#checks)*)
+}
+
+fn limits(field: &Field) -> TokenStream {
+    let bound = |bound: Option<f64>| bound.map(|bound| quote!(Some(#bound)));
+    let min = bound(field.range.min).map(|min| quote!(min: #min,));
+    let max = bound(field.range.max).map(|max| quote!(max: #max,));
+    let advisory = field.range.advisory.then(|| quote!(advisory: true,));
+    let ascii = field.ascii.then(|| quote!(ascii: true,));
+    let unit = field.unit.as_deref().map(|unit| quote!(unit: #unit,));
+    let set = [min, max, advisory, ascii, unit];
+    if set.iter().all(Option::is_none) {
+        return quote!(check::Limits::NONE);
+    }
+    let set = set.iter().flatten();
+    quote!(check::Limits { #(#set)* ..check::Limits::NONE })
+}
+
+fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {
+    let listed: Vec<_> = values.iter().filter(|value| !value.advisory).map(text).collect();
+    match listed.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+        _ => listed.join(""),
+    }
+}
+
+fn enum_body<T>(values: &[EnumValue<T>], allowed: &str, wire: &TokenStream) -> TokenStream {
+    let arm = |advisory: bool, standing: TokenStream| {
+        let names: Vec<_> = values.iter().filter(|v| v.advisory == advisory).map(|v| ident(&v.name)).collect();
+        (!names.is_empty()).then(|| quote!(#(Self::#names)|* => check::Standing::#standing,))
+    };
+    let listed = arm(false, quote!(Listed));
+    let newer = arm(true, quote!(Advisory));
+    quote! {
+        let standing = match self {
+            #listed
+            #newer
+            Self::Other(_) => check::Standing::Unknown,
+        };
+        place.listed(&#wire, standing, #allowed)
+    }
+}
+
+/// The names of all types that requests use, also inside other types.
+fn sent_types(spec: &Spec) -> BTreeSet<&str> {
+    let mut sent = BTreeSet::new();
+    let mut open: Vec<&Type> = spec.commands().flat_map(sent_fields).map(|field| &field.ty).collect();
+    while let Some(ty) = open.pop() {
+        match ty {
+            Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) => open.push(inner),
+            Type::Named(name) if sent.insert(name.as_str()) => {
+                open.extend(spec.type_def(name).into_iter().flat_map(parts));
+            }
+            _ => {}
+        }
+    }
+    sent
+}
+
+fn sent_fields(command: &Command) -> Vec<&Field> {
+    match &command.request {
+        Request::Fields(fields) => fields.iter().collect(),
+        Request::Choice(choice) => choice.variants.iter().flat_map(|variant| &variant.fields).collect(),
+    }
+}
+
+fn parts(def: &TypeDef) -> Vec<&Type> {
+    match &def.kind {
+        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => fields.iter().map(|field| &field.ty).collect(),
+        TypeKind::Wrapper(ty, _) => vec![ty],
+        _ => Vec::new(),
+    }
+}

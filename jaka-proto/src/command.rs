@@ -1,0 +1,112 @@
+//! What ties a request to its reply.
+
+use std::time::Duration;
+
+use crate::check::{AdvisoryRanges, InvalidArgument, Limits, Place, Validate};
+use crate::wire::{Fields, Writer};
+
+/// A request, with the type of its reply.
+///
+/// Implemented by the generated requests. A client sends any of them through one method, so code can be generic over
+/// the command.
+pub trait Command: Fields + Validate {
+    /// What the controller answers beside its error code: a struct, or `()` where it answers nothing more.
+    type Reply: Fields;
+
+    /// What the spec says about the command.
+    const INFO: &'static CommandInfo;
+
+    /// Writes the request as it goes over the wire.
+    fn write_request(&self, out: &mut Writer) {
+        out.raw(Self::INFO.head);
+        self.write_fields(out);
+        out.raw("}");
+    }
+
+    /// Checks the request against the spec.
+    ///
+    /// # Errors
+    /// A field holds what the spec forbids.
+    fn check(&self, ranges: AdvisoryRanges) -> Result<(), InvalidArgument> {
+        self.validate(&Place::request(Self::INFO.name, ranges), &Limits::NONE)
+    }
+}
+
+/// What the spec says about a command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct CommandInfo {
+    /// `cmdName` on the wire.
+    pub name: &'static str,
+    /// The beginning of each request: the brace, and `cmdName` with its value.
+    #[doc(hidden)]
+    pub head: &'static str,
+    /// Section of the vendor's document, such as `4.7`; empty for a command that the document does not have.
+    pub section: &'static str,
+    /// What the command does to the robot.
+    pub effect: Effect,
+    /// How long a reply may take, where the client's default does not fit.
+    pub deadline: Option<Duration>,
+    /// False where the controller may go away instead of replying.
+    pub reply_certain: bool,
+    /// True where the connection is of no use after the reply.
+    pub ends_session: bool,
+    /// The reply's key that a bare Python tuple in place of a JSON reply stands for.
+    pub bare_reply: Option<&'static str>,
+}
+
+impl CommandInfo {
+    /// A command that is answered within the client's default time. For generated code.
+    #[doc(hidden)]
+    pub const fn new(name: &'static str, head: &'static str, section: &'static str, effect: Effect) -> Self {
+        Self { name, head, section, effect, deadline: None, reply_certain: true, ends_session: false, bare_reply: None }
+    }
+
+    /// The same with a deadline of its own.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn deadline_ms(mut self, ms: u64) -> Self {
+        self.deadline = Some(Duration::from_millis(ms));
+        self
+    }
+
+    /// The same for a command whose reply may never come.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn reply_uncertain(mut self) -> Self {
+        self.reply_certain = false;
+        self
+    }
+
+    /// The same for a command that ends the session.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn ends_session(mut self) -> Self {
+        self.ends_session = true;
+        self
+    }
+
+    /// The same for a command that may be answered by a bare Python tuple.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn bare_reply(mut self, key: &'static str) -> Self {
+        self.bare_reply = Some(key);
+        self
+    }
+}
+
+/// What a command does to the robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Effect {
+    /// Reads; changes nothing.
+    Query,
+    /// Changes a setting or an output.
+    Setting,
+    /// Starts, stops or continues a motion or a program.
+    Motion,
+    /// Switches power, brakes or the controller itself.
+    Power,
+    /// Concerns the connection alone.
+    Session,
+}

@@ -1,0 +1,142 @@
+//! What every reply has in common.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use crate::command::CommandInfo;
+use crate::error_code::ErrorCode;
+use crate::wire::{DecodeError, Encode, Fields, Reader, Writer};
+
+/// The part of a reply that says whose it is and whether the command was accepted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Envelope<'a> {
+    /// `cmdName`, without the blanks that some replies put around it. Some refusals have none.
+    pub command: Option<Cow<'a, str>>,
+    /// `errorCode`, or why it cannot be read.
+    pub code: Result<ErrorCode, DecodeError>,
+    /// `errorMsg`; empty where it is absent.
+    pub message: Cow<'a, str>,
+}
+
+impl<'a> Envelope<'a> {
+    /// Reads the envelope of a reply, and checks on the way that the reply is JSON throughout.
+    ///
+    /// # Errors
+    /// The text is no JSON object. All else is told by the fields.
+    pub fn read(reply: &'a str) -> Result<Self, DecodeError> {
+        let mut reader = Reader::new(reply);
+        let mut command = None;
+        let mut code = None;
+        let mut message = None;
+        reader.begin_object()?;
+        while let Some(key) = reader.next_key()? {
+            match &*key {
+                "cmdName" => command = text(&mut reader)?.map(trim),
+                "errorCode" => code = Some(scalar(&mut reader)?),
+                "errorMsg" => message = text(&mut reader)?,
+                _ => reader.skip()?,
+            }
+        }
+        reader.end()?;
+        let code = code.unwrap_or_else(|| Err(DecodeError::missing("error_code", "errorCode")));
+        Ok(Self { command, code, message: message.unwrap_or_default() })
+    }
+
+    /// The refusal that the reply holds, if it holds one.
+    pub fn refusal(&self) -> Option<Refusal> {
+        let code = self.code.as_ref().ok().filter(|code| !code.is_success())?;
+        let command = self.command.as_deref().unwrap_or_default().to_owned();
+        Some(Refusal { command, code: *code, message: self.message.clone().into_owned() })
+    }
+}
+
+/// A string; `None`, rather than an error, for a value of another kind.
+fn text<'a>(reader: &mut Reader<'a>) -> Result<Option<Cow<'a, str>>, DecodeError> {
+    let raw = reader.raw()?;
+    Ok(Reader::new(raw).text().ok())
+}
+
+/// The code, or why it is none; an outer error only where the text is no JSON.
+fn scalar(reader: &mut Reader<'_>) -> Result<Result<ErrorCode, DecodeError>, DecodeError> {
+    let mut value = Reader::new(reader.raw()?);
+    Ok(crate::wire::Decode::decode(&mut value).map_err(|error: DecodeError| error.in_field("error_code")))
+}
+
+fn trim(text: Cow<'_, str>) -> Cow<'_, str> {
+    match text {
+        Cow::Borrowed(text) => Cow::Borrowed(text.trim()),
+        Cow::Owned(text) => Cow::Owned(text.trim().to_owned()),
+    }
+}
+
+/// A command that the controller refused, in the controller's words. Nothing came of the command.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Refusal {
+    /// `cmdName` of the command.
+    pub command: String,
+    /// The controller's code.
+    pub code: ErrorCode,
+    /// The controller's message.
+    pub message: String,
+}
+
+impl Refusal {
+    /// A refusal of `command`.
+    pub fn new(command: impl Into<String>, code: ErrorCode, message: impl Into<String>) -> Self {
+        Self { command: command.into(), code, message: message.into() }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { command, code, message } = self;
+        write!(f, "the controller refused `{command}` with code {code}")?;
+        if message.is_empty() { Ok(()) } else { write!(f, ": {message}") }
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// Writes the reply to an accepted command, as a controller does.
+pub fn write_reply(command: &CommandInfo, reply: &impl Fields, out: &mut Writer) {
+    write_envelope(Some(command.name), ErrorCode(0), "", out);
+    reply.write_fields(out);
+    out.raw("}");
+}
+
+/// Writes the reply to a refused command, as a controller does; without `cmdName` if `command` is `None`.
+pub fn write_refusal(command: Option<&str>, code: ErrorCode, message: &str, out: &mut Writer) {
+    write_envelope(command, code, message, out);
+    out.raw("}");
+}
+
+fn write_envelope(command: Option<&str>, code: ErrorCode, message: &str, out: &mut Writer) {
+    out.raw("{\"errorCode\":");
+    code.encode(out);
+    out.raw(",\"errorMsg\":");
+    out.text(message);
+    if let Some(command) = command {
+        out.raw(",\"cmdName\":");
+        out.text(command);
+    }
+}
+
+/// Reads the payload of an accepted reply.
+///
+/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names.
+///
+/// # Errors
+/// A field is missing or does not fit its type.
+pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
+    let Some(key) = command.bare_reply.filter(|_| reply.trim_start().starts_with('(')) else {
+        return crate::wire::read_message(reply);
+    };
+    let mut wrapped = Writer::new();
+    wrapped.raw("{");
+    wrapped.text(key);
+    wrapped.raw(":");
+    wrapped.text(reply.trim());
+    wrapped.raw("}");
+    crate::wire::read_message(wrapped.as_str())
+}

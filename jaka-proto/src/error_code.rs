@@ -1,0 +1,54 @@
+//! The controller's error codes.
+
+use std::fmt;
+
+use crate::wire::{Decode, DecodeError, Encode, Reader, Writer};
+
+/// A code in a reply's `errorCode`. The set is open: firmware sends codes that no document lists.
+///
+/// The codes that sources name are associated constants. Success is numeric zero, in whatever form it is written:
+/// `"0"`, `0`, `"0x0"`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ErrorCode(pub i64);
+
+impl ErrorCode {
+    /// True for success.
+    pub fn is_success(self) -> bool {
+        self.0 == 0
+    }
+}
+
+impl fmt::Display for ErrorCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// As a string of decimal digits, the form of the document.
+impl Encode for ErrorCode {
+    fn encode(&self, out: &mut Writer) {
+        out.raw("\"");
+        out.int(self.0);
+        out.raw("\"");
+    }
+}
+
+/// Any number, or a string that holds one, also in hexadecimal.
+impl Decode for ErrorCode {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let mut ahead = reader.clone();
+        if let Some(code) = ahead.text().ok().and_then(|text| hexadecimal(&text)) {
+            *reader = ahead;
+            return Ok(Self(code));
+        }
+        i64::decode(reader).map(Self)
+    }
+}
+
+fn hexadecimal(text: &str) -> Option<i64> {
+    let text = text.trim();
+    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
+    i64::from_str_radix(digits, 16).ok()
+}
+
+crate::__serde_impls!(ErrorCode);

@@ -1,0 +1,32 @@
+#![doc = include_str!("../README.md")]
+
+// Generated code names this crate by its absolute path.
+extern crate self as jaka_proto;
+
+pub mod check;
+mod command;
+mod envelope;
+mod error_code;
+pub mod framing;
+mod ledger;
+pub mod python;
+mod request;
+pub mod wire;
+
+/// The messages, generated from the spec: a module for each topic, and an enum over all requests.
+pub mod messages {
+    jaka_proto_derive::messages!();
+}
+
+pub use command::{Command, CommandInfo, Effect};
+pub use envelope::{Envelope, Refusal, read_payload, write_refusal, write_reply};
+pub use error_code::ErrorCode;
+pub use ledger::{Arrival, Ledger, Mistrust, Ticket};
+pub use messages::Request;
+pub use request::RequestError;
+
+/// What macros of this crate name; no part of the interface.
+#[doc(hidden)]
+pub mod __private {
+    pub use serde;
+}

@@ -1,0 +1,74 @@
+//! Requests from their JSON.
+
+use std::fmt;
+
+use crate::messages::Request;
+use crate::wire::{DecodeError, Reader};
+
+impl Request {
+    /// Reads a request as it goes over the wire.
+    ///
+    /// # Errors
+    /// The text is no JSON object, names no command or one that the spec does not know, or a field does not fit.
+    pub fn read(json: &str) -> Result<Self, RequestError> {
+        let name = name(json).map_err(RequestError::Malformed)?.ok_or(RequestError::Nameless)?;
+        let Some(request) = Self::read_named(&name, &mut Reader::new(json)) else {
+            return Err(RequestError::Unknown { command: name });
+        };
+        request.map_err(|source| RequestError::Field { command: name, source })
+    }
+}
+
+/// `cmdName`, after a look at the whole text.
+fn name(json: &str) -> Result<Option<String>, DecodeError> {
+    let mut reader = Reader::new(json);
+    let mut name = None;
+    reader.begin_object()?;
+    while let Some(key) = reader.next_key()? {
+        if key == "cmdName" { name = Some(reader.text()?.trim().to_owned()) } else { reader.skip()? }
+    }
+    reader.end()?;
+    Ok(name)
+}
+
+/// A request that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RequestError {
+    /// The text is no JSON object.
+    Malformed(DecodeError),
+    /// The object has no `cmdName`.
+    Nameless,
+    /// The spec has no such command.
+    Unknown {
+        /// `cmdName` of the request.
+        command: String,
+    },
+    /// A field is missing or does not fit its type.
+    Field {
+        /// `cmdName` of the request.
+        command: String,
+        /// What is wrong with the field.
+        source: DecodeError,
+    },
+}
+
+impl fmt::Display for RequestError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Malformed(_) => f.write_str("the request is no JSON object"),
+            Self::Nameless => f.write_str("the request has no `cmdName`"),
+            Self::Unknown { command } => write!(f, "the spec has no command `{command}`"),
+            Self::Field { command, .. } => write!(f, "the request `{command}` does not fit the spec"),
+        }
+    }
+}
+
+impl std::error::Error for RequestError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Malformed(source) | Self::Field { source, .. } => Some(source),
+            Self::Nameless | Self::Unknown { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! The JSON of the wire: a writer, a lenient reader, and the traits that tie them to types.
+//!
+//! Generated types implement [`Encode`] and [`Decode`], and through them serde's traits: the serde form of a type is
+//! its JSON on the wire. Users meet this module when they decode replies of [`call_raw`] into types of their own, or
+//! fields of the status packet that no spec knows.
+//!
+//! [`call_raw`]: https://docs.rs/jaka-sync
+
+mod decode;
+mod encode;
+mod error;
+mod reader;
+mod serde_impls;
+mod typed;
+mod writer;
+
+pub use decode::Decode;
+pub use encode::Encode;
+pub use error::DecodeError;
+pub use reader::Reader;
+pub(crate) use reader::read_message;
+#[doc(hidden)]
+pub use serde_impls::{deserialize, serialize};
+pub use typed::Typed;
+pub use writer::Writer;
+
+/// Any JSON, where the spec knows no type.
+pub use serde_json::Value;
+
+/// A struct or choice whose fields stand directly in a JSON object: a request, a reply, or a type inside one.
+pub trait Fields: Sized {
+    /// Writes the fields, without the braces around them.
+    fn write_fields(&self, out: &mut Writer);
+
+    /// Reads the whole object. Keys that the type does not know are skipped.
+    ///
+    /// # Errors
+    /// A field is missing or does not fit its type, or the text is no JSON object.
+    fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+}
+
+/// No fields: the reply of a command that answers nothing but its success.
+impl Fields for () {
+    fn write_fields(&self, _out: &mut Writer) {}
+
+    fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        reader.skip()
+    }
+}

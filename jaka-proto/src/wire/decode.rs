@@ -1,0 +1,119 @@
+//! How JSON becomes values: leniently, since controllers write the same value in many forms.
+
+use super::error::DecodeError;
+use super::reader::Reader;
+
+/// A value that can be read from the wire, in any of the forms that controllers use.
+pub trait Decode: Sized {
+    /// Reads the value.
+    ///
+    /// # Errors
+    /// The text is no JSON, or the value does not fit.
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+}
+
+/// A number, or a string that holds one. Correctly rounded; never NaN or infinite.
+impl Decode for f64 {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let start = reader.clone();
+        let value = reader.scalar()?.and_then(|text| text.parse::<f64>().ok());
+        value.filter(|value| value.is_finite()).ok_or_else(|| unfit(start, "a number"))
+    }
+}
+
+/// A whole number, also one written with a fraction of zero, or a string that holds one.
+impl Decode for i64 {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let start = reader.clone();
+        let value = reader.scalar()?.and_then(|text| whole(&text));
+        value.ok_or_else(|| unfit(start, "a whole number"))
+    }
+}
+
+/// The whole number that `text` holds.
+pub(crate) fn whole(text: &str) -> Option<i64> {
+    /// Up to here every whole number has a float of its own.
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    if let Ok(int) = text.parse() {
+        return Some(int);
+    }
+    let float = text.parse::<f64>().ok()?;
+    #[expect(clippy::cast_possible_truncation, reason = "the value is whole and within ±2^53")]
+    (float.fract() == 0.0 && float.abs() <= EXACT).then_some(float as i64)
+}
+
+/// `true` and `false`, 0 and 1, or a string that holds one of these, in any case.
+impl Decode for bool {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let start = reader.clone();
+        let value = match reader.scalar()? {
+            Some(text) if text.eq_ignore_ascii_case("true") => Some(true),
+            Some(text) if text.eq_ignore_ascii_case("false") => Some(false),
+            Some(text) => whole(&text).and_then(zero_or_one),
+            None => match reader.raw()? {
+                "true" => Some(true),
+                "false" => Some(false),
+                _ => None,
+            },
+        };
+        value.ok_or_else(|| unfit(start, "a truth value"))
+    }
+}
+
+fn zero_or_one(int: i64) -> Option<bool> {
+    match int {
+        0 => Some(false),
+        1 => Some(true),
+        _ => None,
+    }
+}
+
+impl Decode for String {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        reader.text().map(std::borrow::Cow::into_owned)
+    }
+}
+
+impl Decode for serde_json::Value {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let raw = reader.raw()?;
+        serde_json::from_str(raw).map_err(|error| DecodeError::unfit(format!("JSON ({error})"), raw))
+    }
+}
+
+impl<T: Decode> Decode for Vec<T> {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let mut list = Self::new();
+        reader.begin_array()?;
+        while reader.next_element()? {
+            list.push(T::decode(reader).map_err(|error| error.in_element(list.len()))?);
+        }
+        Ok(list)
+    }
+}
+
+/// Exactly `N` values: neither is one made up nor one dropped.
+impl<T: Decode + Copy + Default, const N: usize> Decode for [T; N] {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let mut start = reader.clone();
+        let mut values = [T::default(); N];
+        let mut len = 0;
+        reader.begin_array()?;
+        while reader.next_element()? {
+            let value = T::decode(reader).map_err(|error| error.in_element(len))?;
+            if let Some(slot) = values.get_mut(len) {
+                *slot = value;
+            }
+            len += 1;
+        }
+        if len == N { Ok(values) } else { Err(DecodeError::unfit(format!("an array of {N}"), start.raw()?)) }
+    }
+}
+
+/// The error for the value at which `reader` stands.
+fn unfit(mut reader: Reader<'_>, expected: &str) -> DecodeError {
+    match reader.raw() {
+        Ok(raw) => DecodeError::unfit(expected, raw),
+        Err(malformed) => malformed,
+    }
+}

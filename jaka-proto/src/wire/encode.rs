@@ -1,0 +1,51 @@
+//! How values become JSON.
+
+use super::Writer;
+
+/// A value with a JSON form on the wire.
+pub trait Encode {
+    /// Writes the value.
+    fn encode(&self, out: &mut Writer);
+}
+
+impl Encode for f64 {
+    fn encode(&self, out: &mut Writer) {
+        out.float(*self);
+    }
+}
+
+impl Encode for i64 {
+    fn encode(&self, out: &mut Writer) {
+        out.int(*self);
+    }
+}
+
+impl Encode for bool {
+    fn encode(&self, out: &mut Writer) {
+        out.choose(*self, "false", "true");
+    }
+}
+
+impl Encode for String {
+    fn encode(&self, out: &mut Writer) {
+        out.text(self);
+    }
+}
+
+impl Encode for serde_json::Value {
+    fn encode(&self, out: &mut Writer) {
+        out.raw(&self.to_string());
+    }
+}
+
+impl<T: Encode> Encode for Vec<T> {
+    fn encode(&self, out: &mut Writer) {
+        out.array(self, |out, item| item.encode(out));
+    }
+}
+
+impl<T: Encode, const N: usize> Encode for [T; N] {
+    fn encode(&self, out: &mut Writer) {
+        out.array(self, |out, item| item.encode(out));
+    }
+}

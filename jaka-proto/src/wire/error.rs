@@ -1,0 +1,112 @@
+//! Why a message could not be decoded.
+
+use std::fmt;
+
+/// A message, or a field of one, that does not fit its type.
+#[derive(Clone, PartialEq, Eq)]
+pub struct DecodeError(Box<Inner>);
+
+#[derive(Clone, PartialEq, Eq)]
+struct Inner {
+    path: String,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Kind {
+    Malformed { expected: &'static str, offset: usize, found: String },
+    Unfit { expected: String, found: String },
+    Missing { key: &'static str },
+    Repeated,
+}
+
+impl DecodeError {
+    /// The text is no JSON: at `offset` stands something other than `expected`.
+    pub(crate) fn malformed(text: &str, offset: usize, expected: &'static str) -> Self {
+        Self::new(Kind::Malformed { expected, offset, found: excerpt(text.get(offset..).unwrap_or("")) })
+    }
+
+    /// The value is JSON, but not what the type takes.
+    pub fn unfit(expected: impl Into<String>, found: &str) -> Self {
+        Self::new(Kind::Unfit { expected: expected.into(), found: excerpt(found) })
+    }
+
+    /// The key is absent, or its value is null.
+    pub fn missing(field: &'static str, key: &'static str) -> Self {
+        Self::new(Kind::Missing { key }).in_field(field)
+    }
+
+    pub(crate) fn repeated() -> Self {
+        Self::new(Kind::Repeated)
+    }
+
+    fn new(kind: Kind) -> Self {
+        Self(Box::new(Inner { path: String::new(), kind }))
+    }
+
+    /// The same error, one field further out.
+    #[must_use]
+    pub fn in_field(self, field: &str) -> Self {
+        self.outside(field)
+    }
+
+    /// The same error, one array further out.
+    #[must_use]
+    pub fn in_element(self, index: usize) -> Self {
+        self.outside(&format!("[{index}]"))
+    }
+
+    fn outside(mut self, outer: &str) -> Self {
+        let path = &mut self.0.path;
+        let dot = if path.is_empty() || path.starts_with('[') { "" } else { "." };
+        *path = format!("{outer}{dot}{path}");
+        self
+    }
+
+    /// The field concerned, such as `torque_sensor.settings`; empty for the message as a whole.
+    pub fn field(&self) -> &str {
+        &self.0.path
+    }
+
+    /// True if the text is no JSON at all, rather than JSON of another shape.
+    pub fn is_malformed(&self) -> bool {
+        matches!(self.0.kind, Kind::Malformed { .. })
+    }
+}
+
+/// At most 60 characters of `text`.
+pub(crate) fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+impl fmt::Display for DecodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Inner { path, kind } = &*self.0;
+        if !path.is_empty() {
+            write!(f, "field `{path}`: ")?;
+        }
+        match kind {
+            Kind::Malformed { expected, offset, found } if found.is_empty() => {
+                write!(f, "no JSON: expected {expected} at byte {offset}, where the text ends")
+            }
+            Kind::Malformed { expected, offset, found } => {
+                write!(f, "no JSON: expected {expected} at byte {offset}, found `{found}`")
+            }
+            Kind::Unfit { expected, found } => write!(f, "expected {expected}, found `{found}`"),
+            Kind::Missing { key: "" } => f.write_str("the element is missing"),
+            Kind::Missing { key } => write!(f, "the key `{key}` is missing"),
+            Kind::Repeated => f.write_str("the key appears twice"),
+        }
+    }
+}
+
+impl fmt::Debug for DecodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("DecodeError").field("path", &self.0.path).field("kind", &self.0.kind).finish()
+    }
+}
+
+impl std::error::Error for DecodeError {}

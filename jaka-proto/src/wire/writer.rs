@@ -1,0 +1,120 @@
+//! Writes JSON text.
+
+/// Writes JSON into a buffer that is reused from message to message.
+#[derive(Debug, Default, Clone)]
+pub struct Writer {
+    text: String,
+}
+
+impl Writer {
+    /// A writer with an empty buffer.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Empties the buffer and keeps its memory.
+    pub fn clear(&mut self) {
+        self.text.clear();
+    }
+
+    /// What has been written.
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+
+    /// What has been written.
+    pub fn into_string(self) -> String {
+        self.text
+    }
+
+    /// Writes text that is JSON already.
+    pub fn raw(&mut self, json: &str) {
+        self.text.push_str(json);
+    }
+
+    /// Writes a comma, unless an object or array begins here.
+    pub fn comma(&mut self) {
+        if !self.text.ends_with(['{', '[']) {
+            self.text.push(',');
+        }
+    }
+
+    /// Writes a key, given with its quotes and colon, and the comma before it where one is due.
+    pub fn key(&mut self, quoted: &str) {
+        self.comma();
+        self.text.push_str(quoted);
+    }
+
+    /// Writes a number, shortest form that reads back as the same value; whole numbers without a fraction.
+    ///
+    /// JSON has no form for NaN and infinity: they become `null`. Requests that hold them are refused before.
+    pub fn float(&mut self, value: f64) {
+        if !value.is_finite() {
+            return self.text.push_str("null");
+        }
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(value);
+        self.text.push_str(text.strip_suffix(".0").unwrap_or(text));
+    }
+
+    /// Writes a whole number.
+    pub fn int(&mut self, value: i64) {
+        self.text.push_str(itoa::Buffer::new().format(value));
+    }
+
+    /// Writes a string with its quotes and escapes.
+    pub fn text(&mut self, value: &str) {
+        self.text.push('"');
+        let mut rest = value;
+        while let Some(at) = rest.bytes().position(|b| b < 0x20 || b == b'"' || b == b'\\') {
+            self.text.push_str(&rest[..at]);
+            self.escape(rest.as_bytes()[at]);
+            rest = &rest[at + 1..];
+        }
+        self.text.push_str(rest);
+        self.text.push('"');
+    }
+
+    /// Writes a character that cannot stand in a string as it is.
+    pub(super) fn escape(&mut self, byte: u8) {
+        match byte {
+            b'"' => self.text.push_str("\\\""),
+            b'\\' => self.text.push_str("\\\\"),
+            b'\n' => self.text.push_str("\\n"),
+            b'\r' => self.text.push_str("\\r"),
+            b'\t' => self.text.push_str("\\t"),
+            other => {
+                const HEX: &[u8; 16] = b"0123456789abcdef";
+                self.text.push_str("\\u00");
+                self.text.push(char::from(HEX[usize::from(other >> 4)]));
+                self.text.push(char::from(HEX[usize::from(other & 15)]));
+            }
+        }
+    }
+
+    /// Writes one of two JSON texts, for a truth value that is not written as `true` and `false`.
+    pub fn choose(&mut self, value: bool, off: &str, on: &str) {
+        self.text.push_str(if value { on } else { off });
+    }
+
+    /// Writes an array, each element by `write`.
+    pub fn array<T>(&mut self, items: &[T], mut write: impl FnMut(&mut Self, &T)) {
+        self.text.push('[');
+        for (i, item) in items.iter().enumerate() {
+            if i > 0 {
+                self.text.push(',');
+            }
+            write(self, item);
+        }
+        self.text.push(']');
+    }
+
+    /// Writes what `write` writes as JSON, but as a Python literal inside a string.
+    pub fn python(&mut self, write: impl FnOnce(&mut Self)) {
+        let mut inner = Self::new();
+        write(&mut inner);
+        // What a writer wrote is JSON; if it were not, the text itself is the best that can be sent.
+        let literal = crate::python::from_json(inner.as_str()).unwrap_or(inner.text);
+        self.text(&literal);
+    }
+}

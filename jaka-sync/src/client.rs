@@ -1,0 +1,191 @@
+//! The client.
+
+use std::borrow::Cow;
+use std::fmt::Display;
+use std::io;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::wire::{DecodeError, Fields, Reader};
+use jaka_proto::{Command, CommandInfo, Envelope, read_payload};
+use serde_json::Value;
+
+use crate::link::{Link, Sent};
+use crate::{COMMAND_PORT, Config, Disconnect, Error, StopHandle, address};
+
+/// A connection to a controller's command port.
+///
+/// Each method sends one command and waits for its reply. A command that the controller refuses is an error, with the
+/// controller's code and message. A motion that was accepted has only begun.
+///
+/// The command port serves one client. Dropping the client closes the connection and leaves the robot as it is.
+///
+/// ```no_run
+/// use jaka_sync::Client;
+///
+/// let mut robot = Client::connect("10.5.5.100")?;
+/// let position = robot.get_joint_pos()?.joint_position;
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Client {
+    link: Arc<Link>,
+    config: Config,
+    reply: String,
+}
+
+impl Client {
+    /// Connects to a controller: `10.5.5.100`, `robot.local`, `10.5.5.100:10001`, or a socket address.
+    ///
+    /// # Errors
+    /// [`Error::Connect`] if nobody answers there within the connect timeout.
+    pub fn connect(address: impl Display) -> Result<Self, Error> {
+        Config::new().connect(address)
+    }
+
+    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
+        let stream = address::connect(address, COMMAND_PORT, config)?;
+        let link = Arc::new(Link::new(stream, config));
+        Ok(Self { link, config: config.clone(), reply: String::new() })
+    }
+
+    /// Sends a command and waits for its reply.
+    ///
+    /// # Errors
+    /// - [`InvalidArgument`](Error::InvalidArgument): the spec forbids a field; nothing was sent.
+    /// - [`Refused`](Error::Refused): the controller refused; the command did not run.
+    /// - [`Timeout`](Error::Timeout), [`ReplyLost`](Error::ReplyLost): the command may have run.
+    /// - [`UnexpectedReply`](Error::UnexpectedReply): accepted, but the reply does not fit the spec.
+    /// - [`Disconnected`](Error::Disconnected): the connection is broken for good.
+    pub fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        let own = C::INFO.deadline.unwrap_or_default();
+        self.call_within(command, own.max(self.config.reply_timeout))
+    }
+
+    /// Sends a command and waits for its reply at most `timeout`, whatever the spec and the configuration say.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call).
+    pub fn call_within<C: Command>(&mut self, command: &C, timeout: Duration) -> Result<C::Reply, Error> {
+        command.check(self.config.advisory_ranges)?;
+        let info = C::INFO;
+        let sent = self.link.send(info.name, Cow::Borrowed(info.name), timeout, |out| command.write_request(out))?;
+        match self.accept(&sent) {
+            Ok(()) => {}
+            Err(error) if !info.reply_certain && closed(&error) => return without_reply(info),
+            Err(error) => return Err(error),
+        }
+        if info.ends_session {
+            self.link.end(info);
+        }
+        let reply = read_payload(info, &self.reply);
+        reply.map_err(|source| Error::UnexpectedReply { command: info.name.to_owned(), source })
+    }
+
+    /// Sends a command that the spec does not know, and gives back the whole reply as JSON.
+    ///
+    /// `parameters` is a JSON object with the fields beside `cmdName`, or null for none. They are sent as they are:
+    /// nothing is checked.
+    ///
+    /// ```no_run
+    /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
+    /// let reply = robot.call_raw("get_motion_state", &serde_json::json!({}))?;
+    /// println!("{}", reply["queue"]);
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`call`](Self::call); [`InvalidArgument`](Error::InvalidArgument) if `parameters` is something else, or has a
+    /// `cmdName` of its own.
+    pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
+        let request = raw_request(command, parameters)?;
+        let timeout = self.config.reply_timeout;
+        let owed = Cow::Owned(command.trim().to_owned());
+        let sent = self.link.send(command, owed, timeout, |out| out.raw(&request))?;
+        self.accept(&sent)?;
+        let reply = serde_json::from_str(&self.reply);
+        reply.map_err(|error| Error::UnexpectedReply {
+            command: command.to_owned(),
+            source: DecodeError::unfit(format!("JSON ({error})"), &self.reply),
+        })
+    }
+
+    /// Waits for a reply, and fails if it is a refusal.
+    fn accept(&mut self, sent: &Sent<'_>) -> Result<(), Error> {
+        self.link.wait(sent, &mut self.reply)?;
+        accepted(sent.command, &self.reply)
+    }
+
+    /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec.
+    pub fn last_reply(&self) -> Option<&str> {
+        (!self.reply.is_empty()).then_some(&*self.reply)
+    }
+
+    /// What broke the connection, if something did.
+    pub fn disconnect(&self) -> Option<Arc<Disconnect>> {
+        self.link.broken()
+    }
+
+    /// A handle that stops the running motion or program from another thread, also while a call waits.
+    pub fn stop_handle(&self) -> StopHandle {
+        StopHandle::new(Arc::clone(&self.link), self.config.reply_timeout)
+    }
+
+    /// The controller's address.
+    ///
+    /// # Errors
+    /// The connection is closed, in the system's words.
+    pub fn peer_addr(&self) -> io::Result<SocketAddr> {
+        self.link.peer_addr()
+    }
+}
+
+/// Fails if the reply is a refusal, or does not say whether it is one.
+pub(crate) fn accepted(command: &str, reply: &str) -> Result<(), Error> {
+    if reply.starts_with('(') {
+        return Ok(());
+    }
+    let unexpected = |source| Error::UnexpectedReply { command: command.to_owned(), source };
+    let envelope = Envelope::read(reply).map_err(unexpected)?;
+    if let Some(mut refusal) = envelope.refusal() {
+        command.clone_into(&mut refusal.command);
+        return Err(Error::Refused(refusal));
+    }
+    envelope.code.map(drop).map_err(unexpected)
+}
+
+/// True if the controller closed the connection, as it does when it goes down.
+fn closed(error: &Error) -> bool {
+    let Error::Disconnected { sent: true, cause, .. } = error else {
+        return false;
+    };
+    matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))
+}
+
+/// The reply of a command that needs none: one without fields.
+fn without_reply<R: Fields>(info: &CommandInfo) -> Result<R, Error> {
+    let reply = R::read_fields(&mut Reader::new("{}"));
+    reply.map_err(|source| Error::UnexpectedReply { command: info.name.to_owned(), source })
+}
+
+fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgument> {
+    let invalid = |field: &str, value: &Value, allowed: &str| {
+        InvalidArgument::new(command, field, value.to_string(), allowed, false)
+    };
+    let mut request = format!("{{\"cmdName\":{}", Value::from(command));
+    match parameters {
+        Value::Null => {}
+        Value::Object(fields) if fields.contains_key("cmdName") => {
+            return Err(invalid("cmdName", &fields["cmdName"], "given by the first argument alone"));
+        }
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                request = format!("{request},{}:{value}", Value::from(key.as_str()));
+            }
+        }
+        other => return Err(invalid("parameters", other, "a JSON object or null")),
+    }
+    Ok(request + "}")
+}

@@ -1,0 +1,112 @@
+//! How a connection behaves.
+
+use std::fmt::Display;
+use std::time::Duration;
+
+use jaka_proto::check::AdvisoryRanges;
+use jaka_proto::framing::DEFAULT_MAX_FRAME;
+
+use crate::{Client, Error, StatusStream};
+
+/// How a connection behaves: timeouts, keepalive, frame size and checks.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_sync::Config;
+///
+/// let mut robot = Config::new().reply_timeout(Duration::from_secs(2)).connect("10.5.5.100")?;
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Config {
+    pub(crate) connect_timeout: Duration,
+    pub(crate) write_timeout: Duration,
+    pub(crate) reply_timeout: Duration,
+    pub(crate) keepalive: Option<Duration>,
+    pub(crate) max_frame: usize,
+    pub(crate) advisory_ranges: AdvisoryRanges,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            connect_timeout: Duration::from_secs(5),
+            write_timeout: Duration::from_secs(5),
+            reply_timeout: Duration::from_secs(5),
+            keepalive: Some(Duration::from_secs(9)),
+            max_frame: DEFAULT_MAX_FRAME,
+            advisory_ranges: AdvisoryRanges::Enforced,
+        }
+    }
+}
+
+/// Durations shorter than this are taken as this: sockets take no timeout of zero.
+const SHORTEST: Duration = Duration::from_millis(1);
+
+impl Config {
+    /// The defaults, named at each setting.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// How long connecting may take, over all addresses of a name. 5 s by default.
+    #[must_use]
+    pub fn connect_timeout(mut self, timeout: Duration) -> Self {
+        self.connect_timeout = timeout.max(SHORTEST);
+        self
+    }
+
+    /// How long sending may take; a controller that reads nothing lets it run out. 5 s by default.
+    #[must_use]
+    pub fn write_timeout(mut self, timeout: Duration) -> Self {
+        self.write_timeout = timeout.max(SHORTEST);
+        self
+    }
+
+    /// How long a reply, or a status packet, may take from the moment of the call. 5 s by default.
+    ///
+    /// Commands for which the spec names a longer time, such as `power_on` and the motions, get that longer time.
+    #[must_use]
+    pub fn reply_timeout(mut self, timeout: Duration) -> Self {
+        self.reply_timeout = timeout.max(SHORTEST);
+        self
+    }
+
+    /// After how long a silence TCP probes the controller, so that a pulled cable is noticed; `None` for never.
+    /// 9 s by default, and a third of it between probes.
+    #[must_use]
+    pub fn keepalive(mut self, idle: Option<Duration>) -> Self {
+        self.keepalive = idle;
+        self
+    }
+
+    /// The longest message taken from the controller, in bytes. 1 MiB by default.
+    #[must_use]
+    pub fn max_frame(mut self, bytes: usize) -> Self {
+        self.max_frame = bytes;
+        self
+    }
+
+    /// Whether ranges are enforced that newer firmware has widened. Enforced by default.
+    #[must_use]
+    pub fn advisory_ranges(mut self, ranges: AdvisoryRanges) -> Self {
+        self.advisory_ranges = ranges;
+        self
+    }
+
+    /// Connects to a controller's command port.
+    ///
+    /// # Errors
+    /// As [`Client::connect`].
+    pub fn connect(&self, address: impl Display) -> Result<Client, Error> {
+        Client::with_config(&address.to_string(), self)
+    }
+
+    /// Connects to a controller's status port.
+    ///
+    /// # Errors
+    /// As [`StatusStream::connect`].
+    pub fn connect_status(&self, address: impl Display) -> Result<StatusStream, Error> {
+        StatusStream::with_config(&address.to_string(), self)
+    }
+}

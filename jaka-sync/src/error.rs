@@ -1,0 +1,230 @@
+//! What can go wrong, told apart by what the caller can do about it.
+
+use std::error::Error as StdError;
+use std::fmt;
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::framing::FrameError;
+use jaka_proto::wire::DecodeError;
+use jaka_proto::{Mistrust, Refusal};
+
+/// Why a call failed.
+///
+/// Two questions matter after an error: may the command have run ([`may_have_run`](Self::may_have_run)), and can the
+/// connection still be used ([`is_disconnected`](Self::is_disconnected)). Nothing is ever sent twice on its own.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// The spec forbids the request. Nothing was sent; correct the field that is named.
+    InvalidArgument(InvalidArgument),
+    /// No connection could be made. Check the address, the cable, and whether the controller is on.
+    Connect {
+        /// The address given.
+        address: String,
+        /// Why not, in the system's words.
+        source: io::Error,
+    },
+    /// The controller refused the command, which did not run. The connection is fine.
+    Refused(Refusal),
+    /// No reply came in time. The command may have run; read the robot's state before you go on.
+    ///
+    /// The connection can still be used: the reply, when it comes, is taken off and given to nobody.
+    Timeout {
+        /// `cmdName` of the command.
+        command: String,
+        /// How long was waited.
+        after: Duration,
+    },
+    /// A later command was answered, this one was not. The command may have run; the connection is fine.
+    ReplyLost {
+        /// `cmdName` of the command.
+        command: String,
+    },
+    /// The controller accepted the command, but its reply does not fit the spec. The connection is fine.
+    ///
+    /// The raw reply is kept: see [`Client::last_reply`](crate::Client::last_reply).
+    UnexpectedReply {
+        /// `cmdName` of the command.
+        command: String,
+        /// Which field does not fit.
+        source: DecodeError,
+    },
+    /// The connection is broken for good, and each later call says so again. Connect anew when the robot's state is known.
+    Disconnected {
+        /// `cmdName` of the command of this call; none for a status stream.
+        command: Option<String>,
+        /// True if the command had been sent, at least in part, and may have run.
+        sent: bool,
+        /// What broke the connection.
+        cause: Arc<Disconnect>,
+    },
+    /// No status packet came in time. The stream can still be used.
+    StatusTimeout {
+        /// How long was waited.
+        after: Duration,
+    },
+    /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
+    UnexpectedStatus {
+        /// Which field does not fit.
+        source: DecodeError,
+    },
+}
+
+impl Error {
+    /// True if the controller may have carried out the command although the call failed.
+    pub fn may_have_run(&self) -> bool {
+        match self {
+            Self::Timeout { .. } | Self::ReplyLost { .. } | Self::UnexpectedReply { .. } => true,
+            Self::Disconnected { sent, .. } => *sent,
+            _ => false,
+        }
+    }
+
+    /// True if the connection is of no use any more.
+    pub fn is_disconnected(&self) -> bool {
+        matches!(self, Self::Disconnected { .. })
+    }
+
+    /// True if a reply or a status packet did not come in time.
+    pub fn is_timeout(&self) -> bool {
+        matches!(self, Self::Timeout { .. } | Self::StatusTimeout { .. })
+    }
+
+    /// True if the controller refused the command.
+    pub fn is_refused(&self) -> bool {
+        matches!(self, Self::Refused(_))
+    }
+
+    /// True if nothing was sent because the spec forbids the request.
+    pub fn is_invalid_argument(&self) -> bool {
+        matches!(self, Self::InvalidArgument(_))
+    }
+
+    /// True if no connection could be made.
+    pub fn is_connect(&self) -> bool {
+        matches!(self, Self::Connect { .. })
+    }
+
+    /// The controller's code and message, if it refused the command.
+    pub fn refusal(&self) -> Option<&Refusal> {
+        match self {
+            Self::Refused(refusal) => Some(refusal),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InvalidArgument(invalid) => invalid.fmt(f),
+            Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
+            Self::Refused(refusal) => refusal.fmt(f),
+            Self::Timeout { command, after } => {
+                write!(f, "no reply to `{command}` within {after:?}; it may have run")
+            }
+            Self::ReplyLost { command } => {
+                write!(f, "the reply to `{command}` is lost, a later command was answered; it may have run")
+            }
+            Self::UnexpectedReply { command, .. } => {
+                write!(f, "`{command}` was accepted, but its reply does not fit the spec")
+            }
+            Self::Disconnected { command: None, .. } => f.write_str("the status connection is broken"),
+            Self::Disconnected { command: Some(command), sent: false, .. } => {
+                write!(f, "`{command}` was not sent: the connection is broken")
+            }
+            Self::Disconnected { command: Some(command), .. } => {
+                write!(f, "the connection broke during `{command}`, which may have run")
+            }
+            Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
+            Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
+        }
+    }
+}
+
+impl StdError for Error {
+    fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        match self {
+            Self::Connect { source, .. } => Some(source),
+            Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source } => Some(source),
+            Self::Disconnected { cause, .. } => Some(&**cause),
+            // The texts of `InvalidArgument` and `Refused` are this error's own.
+            _ => None,
+        }
+    }
+}
+
+impl From<InvalidArgument> for Error {
+    fn from(invalid: InvalidArgument) -> Self {
+        Self::InvalidArgument(invalid)
+    }
+}
+
+/// What broke a connection.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Disconnect {
+    /// The controller closed the connection.
+    Closed {
+        /// How many bytes of an unfinished message had come.
+        partial: usize,
+    },
+    /// The system reported an error while sending.
+    Write(io::Error),
+    /// The system reported an error while receiving.
+    Read(io::Error),
+    /// Bytes came that are no message, or a message longer than the limit.
+    Frame(FrameError),
+    /// A message came that is no UTF-8.
+    NotUtf8,
+    /// A message came that is no JSON.
+    NotJson(DecodeError),
+    /// A reply came, or failed to come, in a way that leaves in doubt whose the next ones are.
+    Mistrust(Mistrust),
+    /// A command that ends the session was carried out.
+    Ended {
+        /// `cmdName` of the command.
+        by: String,
+    },
+}
+
+impl fmt::Display for Disconnect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Closed { partial } => {
+                f.write_str("the controller closed the connection")?;
+                if *partial > 0 {
+                    write!(f, " within a message, of which {partial} bytes had come")?;
+                }
+                f.write_str("; it may have shut down, or another client may have taken the command port")
+            }
+            Self::Write(_) => f.write_str("sending failed"),
+            Self::Read(_) => f.write_str("receiving failed"),
+            Self::Frame(error) if is_text_line(error) => {
+                write!(f, "this firmware sends status as text lines, which only very old versions do: {error}")
+            }
+            Self::Frame(error) => error.fmt(f),
+            Self::NotUtf8 => f.write_str("a message came that is no UTF-8"),
+            Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
+            Self::Mistrust(mistrust) => mistrust.fmt(f),
+            Self::Ended { by } => write!(f, "`{by}` ended the session"),
+        }
+    }
+}
+
+/// Firmware before the JSON protocol sent lines such as `joint_actual_position:(…)`.
+fn is_text_line(error: &FrameError) -> bool {
+    matches!(error, FrameError::Garbage { excerpt } if excerpt.bytes().starts_with(b"joint_actual_position"))
+}
+
+impl StdError for Disconnect {
+    fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        match self {
+            Self::Write(source) | Self::Read(source) => Some(source),
+            _ => None,
+        }
+    }
+}

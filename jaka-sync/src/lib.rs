@@ -1,0 +1,33 @@
+#![doc = include_str!("../README.md")]
+
+mod address;
+mod client;
+mod config;
+mod error;
+mod link;
+mod methods;
+mod receive;
+mod status_stream;
+mod stop;
+
+pub use client::Client;
+pub use config::Config;
+pub use error::{Disconnect, Error};
+/// The layer below: messages, framing and codec, without I/O.
+pub use jaka_proto as proto;
+#[doc(inline)]
+pub use jaka_proto::messages::*;
+#[doc(no_inline)]
+pub use jaka_proto::{
+    Command, CommandInfo, Effect, ErrorCode, Refusal,
+    check::{AdvisoryRanges, InvalidArgument},
+    wire::{DecodeError, Typed},
+};
+pub use status_stream::StatusStream;
+pub use stop::StopHandle;
+
+/// The port on which a controller takes commands.
+pub const COMMAND_PORT: u16 = 10001;
+
+/// The port on which a controller sends status packets.
+pub const STATUS_PORT: u16 = 10000;

@@ -1,0 +1,278 @@
+//! The command connection, shared between a client and its stop handles.
+//!
+//! Whoever sends holds the state's lock, so the ledger's order is the wire's. Whoever waits for a reply reads the
+//! socket for all, or sleeps while another does.
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+use std::net::{Shutdown, SocketAddr, TcpStream};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard};
+use std::time::{Duration, Instant};
+
+use jaka_proto::framing::Framer;
+use jaka_proto::wire::Writer;
+use jaka_proto::{Arrival, CommandInfo, Envelope, Ledger, Mistrust, Request, Ticket};
+
+use crate::receive::{self, Chunk};
+use crate::{Config, Disconnect, Error};
+
+/// One command connection.
+#[derive(Debug)]
+pub(crate) struct Link {
+    stream: TcpStream,
+    state: Mutex<State>,
+    /// Signalled when an answer was put aside, the reader's place became free, or the connection broke.
+    turned: Condvar,
+    inbound: Mutex<Inbound>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    ledger: Ledger,
+    out: Writer,
+    reader: Reader,
+    sleepers: usize,
+    /// Replies read by one thread for another.
+    aside: Vec<(Ticket, Answer)>,
+    broken: Option<Arc<Disconnect>>,
+}
+
+/// Whether some thread reads the socket.
+#[derive(Debug, Default, PartialEq, Eq, Clone, Copy)]
+enum Reader {
+    #[default]
+    Nobody,
+    Somebody,
+}
+
+/// What became of a command.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Answer {
+    Reply(String),
+    Lost,
+}
+
+/// The receiving half: only the reading thread locks it.
+#[derive(Debug)]
+struct Inbound {
+    framer: Framer,
+    timeout: receive::Timeout,
+}
+
+/// A command on its way: what is needed to wait for its reply.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sent<'c> {
+    pub(crate) ticket: Ticket,
+    pub(crate) command: &'c str,
+    pub(crate) since: Instant,
+    pub(crate) timeout: Duration,
+}
+
+impl Sent<'_> {
+    fn left(&self) -> Duration {
+        self.timeout.saturating_sub(self.since.elapsed())
+    }
+}
+
+impl Link {
+    pub(crate) fn new(stream: TcpStream, config: &Config) -> Self {
+        let inbound = Inbound { framer: Framer::new(config.max_frame), timeout: receive::Timeout::default() };
+        Self { stream, state: Mutex::default(), turned: Condvar::new(), inbound: Mutex::new(inbound) }
+    }
+
+    pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
+        self.stream.peer_addr()
+    }
+
+    /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    /// What broke the connection, if something did.
+    pub(crate) fn broken(&self) -> Option<Arc<Disconnect>> {
+        self.lock().broken.clone()
+    }
+
+    /// Sends a command, and enters it as owed a reply.
+    pub(crate) fn send<'c>(
+        &self,
+        command: &'c str,
+        owed: Cow<'static, str>,
+        timeout: Duration,
+        write: impl FnOnce(&mut Writer),
+    ) -> Result<Sent<'c>, Error> {
+        let since = Instant::now();
+        let mut state = self.lock();
+        if let Some(cause) = state.broken.clone() {
+            return Err(Error::Disconnected { command: Some(command.to_owned()), sent: false, cause });
+        }
+        state.out.clear();
+        let State { out, .. } = &mut *state;
+        write(out);
+        log::trace!(target: "jaka_sync::wire", "-> {}", state.out.as_str());
+        let ticket = state.ledger.sent(owed);
+        if let Err(source) = (&self.stream).write_all(state.out.as_str().as_bytes()) {
+            let cause = self.break_off(&mut state, Disconnect::Write(source));
+            return Err(Error::Disconnected { command: Some(command.to_owned()), sent: true, cause });
+        }
+        Ok(Sent { ticket, command, since, timeout })
+    }
+
+    /// Breaks the connection for good. The first cause stays.
+    fn break_off(&self, state: &mut State, cause: Disconnect) -> Arc<Disconnect> {
+        // An error here means that the socket is closed already.
+        let _ = self.stream.shutdown(Shutdown::Both);
+        let cause = Arc::clone(state.broken.get_or_insert_with(|| Arc::new(cause)));
+        self.wake(state);
+        cause
+    }
+
+    /// Ends the session after a command that ends it.
+    pub(crate) fn end(&self, by: &CommandInfo) {
+        let cause = Disconnect::Ended { by: by.name.to_owned() };
+        self.break_off(&mut self.lock(), cause);
+    }
+
+    fn wake(&self, state: &State) {
+        if state.sleepers > 0 {
+            self.turned.notify_all();
+        }
+    }
+
+    /// Waits for the reply to a command that was sent, and puts its text into `reply`.
+    pub(crate) fn wait(&self, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
+        let mut state = self.lock();
+        loop {
+            if let Some(answer) = state.take(sent.ticket) {
+                return deliver(answer, sent, reply);
+            }
+            if let Some(cause) = state.broken.clone() {
+                return Err(disconnected(sent, cause));
+            }
+            let left = sent.left();
+            if left.is_zero() {
+                return Err(self.give_up(&mut state, sent));
+            }
+            if state.reader == Reader::Somebody {
+                state.sleepers += 1;
+                state = self.sleep(state, left);
+                state.sleepers -= 1;
+                continue;
+            }
+            state.reader = Reader::Somebody;
+            drop(state);
+            let read = self.read(sent, reply);
+            state = self.lock();
+            state.reader = Reader::Nobody;
+            self.wake(&state);
+            match read {
+                Ok(ReadEnd::Mine) => return Ok(()),
+                Ok(ReadEnd::TimeUp) => {}
+                Err(cause) => drop(self.break_off(&mut state, cause)),
+            }
+        }
+    }
+
+    fn sleep<'s>(&self, state: MutexGuard<'s, State>, left: Duration) -> MutexGuard<'s, State> {
+        match self.turned.wait_timeout(state, left) {
+            Ok((state, _)) => state,
+            Err(poisoned) => poisoned.into_inner().0,
+        }
+    }
+
+    fn give_up(&self, state: &mut State, sent: &Sent<'_>) -> Error {
+        match state.ledger.give_up(sent.ticket) {
+            Ok(()) => Error::Timeout { command: sent.command.to_owned(), after: sent.timeout },
+            Err(mistrust) => {
+                let cause = self.break_off(state, Disconnect::Mistrust(mistrust));
+                disconnected(sent, cause)
+            }
+        }
+    }
+
+    /// Reads replies, each for whom it belongs to, until the caller's own has come or its time is up.
+    fn read(&self, sent: &Sent<'_>, reply: &mut String) -> Result<ReadEnd, Disconnect> {
+        let mut inbound = self.inbound.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let Inbound { framer, timeout } = &mut *inbound;
+        loop {
+            while let Some(frame) = framer.next_frame().map_err(Disconnect::Frame)? {
+                let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
+                log::trace!(target: "jaka_sync::wire", "<- {text}");
+                if self.settle(text, sent)? {
+                    reply.clear();
+                    reply.push_str(text);
+                    return Ok(ReadEnd::Mine);
+                }
+            }
+            match receive::chunk(&self.stream, framer, timeout, sent.left()) {
+                Ok(Chunk::Some) => {}
+                Ok(Chunk::TimeUp) => return Ok(ReadEnd::TimeUp),
+                Err(cause) => return Err(cause),
+            }
+        }
+    }
+
+    /// Settles the debt that a reply belongs to; true if it is the caller's own.
+    fn settle(&self, text: &str, sent: &Sent<'_>) -> Result<bool, Disconnect> {
+        let mut state = self.lock();
+        let arrival = state.arrived(text)?;
+        for lost in arrival.lost {
+            state.aside.push((lost, Answer::Lost));
+        }
+        if arrival.ticket == sent.ticket {
+            return Ok(true);
+        }
+        if arrival.awaited {
+            state.aside.push((arrival.ticket, Answer::Reply(text.to_owned())));
+        } else {
+            log::debug!(target: "jaka_sync::wire", "late reply to `{}` dropped", arrival.command);
+        }
+        self.wake(&state);
+        Ok(false)
+    }
+}
+
+/// How reading ended.
+#[derive(Debug, PartialEq, Eq)]
+enum ReadEnd {
+    Mine,
+    TimeUp,
+}
+
+impl State {
+    /// Whose reply this is.
+    fn arrived(&mut self, reply: &str) -> Result<Arrival, Disconnect> {
+        if reply.starts_with('(') {
+            let bare = Request::COMMANDS.iter().find(|info| info.bare_reply.is_some());
+            let command = bare.map_or("", |info| info.name);
+            return self.ledger.arrived(command).map_err(Disconnect::Mistrust);
+        }
+        let envelope = Envelope::read(reply).map_err(Disconnect::NotJson)?;
+        let arrival = match (&envelope.command, envelope.refusal()) {
+            (Some(command), _) => self.ledger.arrived(command),
+            (None, Some(_)) => self.ledger.arrived_nameless(),
+            (None, None) => Err(Mistrust::Nameless),
+        };
+        arrival.map_err(Disconnect::Mistrust)
+    }
+
+    fn take(&mut self, ticket: Ticket) -> Option<Answer> {
+        let place = self.aside.iter().position(|(owner, _)| *owner == ticket)?;
+        Some(self.aside.swap_remove(place).1)
+    }
+}
+
+fn deliver(answer: Answer, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
+    match answer {
+        Answer::Reply(text) => {
+            *reply = text;
+            Ok(())
+        }
+        Answer::Lost => Err(Error::ReplyLost { command: sent.command.to_owned() }),
+    }
+}
+
+fn disconnected(sent: &Sent<'_>, cause: Arc<Disconnect>) -> Error {
+    Error::Disconnected { command: Some(sent.command.to_owned()), sent: true, cause }
+}

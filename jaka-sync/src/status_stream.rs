@@ -1,0 +1,166 @@
+//! The status port.
+
+use std::fmt::Display;
+use std::net::TcpStream;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use jaka_proto::framing::Framer;
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::wire::{Decode, Reader};
+
+use crate::receive::{self, Chunk};
+use crate::{Config, Disconnect, Error, STATUS_PORT, address};
+
+/// A reader of the status packets that a controller sends on port 10000.
+///
+/// Packets come every 30 to 100 ms, depending on firmware, and wait in the system's buffer until they are read: use
+/// [`newest_packet`](Self::newest_packet) where the present matters, [`next_packet`](Self::next_packet) where every
+/// packet does. Several readers can be connected at once.
+///
+/// ```no_run
+/// use jaka_sync::StatusStream;
+///
+/// let mut status = StatusStream::connect("10.5.5.100")?;
+/// let now = status.newest_packet()?;
+/// println!("{:?} {:?}", now.joint_actual_position, now.in_position);
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct StatusStream {
+    stream: TcpStream,
+    framer: Framer,
+    socket_timeout: receive::Timeout,
+    timeout: Duration,
+    packet: String,
+    broken: Option<Arc<Disconnect>>,
+}
+
+impl StatusStream {
+    /// Connects to a controller's status port: `10.5.5.100`, or an address with a port.
+    ///
+    /// # Errors
+    /// [`Error::Connect`] if nobody answers there within the connect timeout.
+    pub fn connect(address: impl Display) -> Result<Self, Error> {
+        Config::new().connect_status(address)
+    }
+
+    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
+        Ok(Self {
+            stream: address::connect(address, STATUS_PORT, config)?,
+            framer: Framer::new(config.max_frame),
+            socket_timeout: receive::Timeout::default(),
+            timeout: config.reply_timeout,
+            packet: String::new(),
+            broken: None,
+        })
+    }
+
+    /// The next packet that has not been read yet, which may be old.
+    ///
+    /// # Errors
+    /// - [`StatusTimeout`](Error::StatusTimeout): no packet within the reply timeout.
+    /// - [`UnexpectedStatus`](Error::UnexpectedStatus): a packet does not fit the spec; its text is kept.
+    /// - [`Disconnected`](Error::Disconnected): the stream is broken for good.
+    pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
+        self.receive()?;
+        self.decode()
+    }
+
+    /// The newest packet that has arrived; older ones are dropped. Waits for one if none has arrived.
+    ///
+    /// # Errors
+    /// As [`next_packet`](Self::next_packet).
+    pub fn newest_packet(&mut self) -> Result<RobotStatus, Error> {
+        if !self.drain()? {
+            self.receive()?;
+        }
+        self.decode()
+    }
+
+    /// The text of the last packet, as it came.
+    pub fn last_packet(&self) -> Option<&str> {
+        (!self.packet.is_empty()).then_some(&*self.packet)
+    }
+
+    fn decode(&self) -> Result<RobotStatus, Error> {
+        let status = RobotStatus::decode(&mut Reader::new(&self.packet));
+        status.map_err(|source| Error::UnexpectedStatus { source })
+    }
+
+    /// Waits for a packet and keeps its text.
+    fn receive(&mut self) -> Result<(), Error> {
+        self.check()?;
+        let since = Instant::now();
+        loop {
+            if self.take_next()? {
+                return Ok(());
+            }
+            let left = self.timeout.saturating_sub(since.elapsed());
+            match receive::chunk(&self.stream, &mut self.framer, &mut self.socket_timeout, left) {
+                Ok(Chunk::Some) => {}
+                Ok(Chunk::TimeUp) => return Err(Error::StatusTimeout { after: self.timeout }),
+                Err(cause) => return Err(self.break_off(cause)),
+            }
+        }
+    }
+
+    /// Reads all that has arrived, without waiting, and keeps the newest packet; false if there is none.
+    fn drain(&mut self) -> Result<bool, Error> {
+        self.check()?;
+        let mut found = self.take_newest()?;
+        self.nonblocking(true)?;
+        // A controller that sends faster than this reads would hold it here for ever.
+        let deadline = Instant::now() + self.timeout;
+        while Instant::now() < deadline {
+            match receive::chunk(&self.stream, &mut self.framer, &mut self.socket_timeout, self.timeout) {
+                Ok(Chunk::Some) => found |= self.take_newest()?,
+                Ok(Chunk::TimeUp) => break,
+                Err(cause) => return Err(self.break_off(cause)),
+            }
+        }
+        self.nonblocking(false)?;
+        Ok(found)
+    }
+
+    fn nonblocking(&mut self, nonblocking: bool) -> Result<(), Error> {
+        self.stream.set_nonblocking(nonblocking).map_err(|error| self.break_off(Disconnect::Read(error)))
+    }
+
+    fn take_newest(&mut self) -> Result<bool, Error> {
+        let mut found = false;
+        while self.take_next()? {
+            found = true;
+        }
+        Ok(found)
+    }
+
+    /// Keeps the text of the next packet that has arrived in full, if there is one.
+    fn take_next(&mut self) -> Result<bool, Error> {
+        let cause = match self.framer.next_frame().map(|frame| frame.map(std::str::from_utf8)) {
+            Ok(None) => return Ok(false),
+            Ok(Some(Ok(text))) => {
+                self.packet.clear();
+                self.packet.push_str(text);
+                return Ok(true);
+            }
+            Ok(Some(Err(_))) => Disconnect::NotUtf8,
+            Err(error) => Disconnect::Frame(error),
+        };
+        Err(self.break_off(cause))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let broken = self.broken.as_ref();
+        broken.map_or(Ok(()), |cause| Err(Self::disconnected(Arc::clone(cause))))
+    }
+
+    fn break_off(&mut self, cause: Disconnect) -> Error {
+        let cause = Arc::clone(self.broken.get_or_insert_with(|| Arc::new(cause)));
+        Self::disconnected(cause)
+    }
+
+    fn disconnected(cause: Arc<Disconnect>) -> Error {
+        Error::Disconnected { command: None, sent: false, cause }
+    }
+}

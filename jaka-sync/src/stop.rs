@@ -1,0 +1,53 @@
+//! Stopping from another thread.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::Command;
+use jaka_proto::messages::program::StopProgram;
+
+use crate::Error;
+use crate::client::accepted;
+use crate::link::Link;
+
+/// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
+///
+/// The command goes out on the client's own connection: the command port serves one client. This is no emergency stop;
+/// people are protected by the robot's own safety functions alone.
+///
+/// ```no_run
+/// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
+/// let stop = robot.stop_handle();
+/// std::thread::spawn(move || {
+///     // When a light curtain, a key press or a timer says so:
+///     if let Err(error) = stop.stop() {
+///         eprintln!("the robot may still move: {error}");
+///     }
+/// });
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct StopHandle {
+    link: Arc<Link>,
+    timeout: Duration,
+}
+
+impl StopHandle {
+    pub(crate) fn new(link: Arc<Link>, timeout: Duration) -> Self {
+        Self { link, timeout }
+    }
+
+    /// Sends `stop_program` (4.23) and waits until the controller has taken it.
+    ///
+    /// # Errors
+    /// As [`Client::call`](crate::Client::call). Unless the call succeeds, expect the robot to move on.
+    pub fn stop(&self) -> Result<(), Error> {
+        let info = StopProgram::INFO;
+        let write = |out: &mut _| StopProgram.write_request(out);
+        let sent = self.link.send(info.name, Cow::Borrowed(info.name), self.timeout, write)?;
+        let mut reply = String::new();
+        self.link.wait(&sent, &mut reply)?;
+        accepted(info.name, &reply)
+    }
+}

@@ -1,0 +1,38 @@
+//! The spec that comes with this crate.
+
+use crate::{Errors, Source, Spec};
+
+macro_rules! files {
+    ($($name:literal),* $(,)?) => {
+        &[$(Source { path: concat!("spec/", $name), text: include_str!(concat!("../", $name)) }),*]
+    };
+}
+
+/// The files of the built-in spec, in the order in which the topics are documented.
+pub const BUILTIN: &[Source<'static>] = files![
+    "power.toml",
+    "motion.toml",
+    "servo.toml",
+    "program.toml",
+    "io.toml",
+    "frames.toml",
+    "variables.toml",
+    "payload.toml",
+    "collision.toml",
+    "kinematics.toml",
+    "trajectory.toml",
+    "force.toml",
+    "network.toml",
+    "session.toml",
+    "status.toml",
+    "types.toml",
+    "errors.toml",
+];
+
+/// Loads the built-in spec.
+///
+/// # Errors
+/// None in a released version: the spec is checked before release. While editing, the same as [`load`](crate::load).
+pub fn builtin() -> Result<Spec, Errors> {
+    crate::load(BUILTIN)
+}

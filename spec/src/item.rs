@@ -1,0 +1,203 @@
+//! One TOML table being read: typed access to its keys, and an error for each key nobody asked for.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::Source;
+use crate::report::{At, Report};
+
+/// A value and where it stands.
+#[derive(Debug, Clone)]
+pub(crate) struct Placed<'s, T> {
+    pub(crate) at: At<'s>,
+    pub(crate) value: T,
+}
+
+/// A table of the file, with a name for error messages such as ``command `jog` ``.
+#[derive(Debug)]
+pub(crate) struct Item<'a, 's> {
+    pub(crate) what: String,
+    pub(crate) at: At<'s>,
+    table: &'a DeTable<'s>,
+    report: &'a Report,
+    asked: RefCell<BTreeSet<&'static str>>,
+}
+
+impl<'a, 's> Item<'a, 's> {
+    pub(crate) fn new(what: String, at: At<'s>, table: &'a DeTable<'s>, report: &'a Report) -> Self {
+        Self { what, at, table, report, asked: RefCell::default() }
+    }
+
+    pub(crate) fn source(&self) -> Source<'s> {
+        self.at.source
+    }
+
+    pub(crate) fn report(&self) -> &'a Report {
+        self.report
+    }
+
+    /// Reports an error about this table, at `at`.
+    pub(crate) fn error(&self, at: At<'s>, message: &str) {
+        self.report.error(at, format!("{}: {message}", self.what));
+    }
+
+    fn get(&self, key: &'static str) -> Option<(At<'s>, &'a DeValue<'s>)> {
+        self.asked.borrow_mut().insert(key);
+        let value = self.table.get(key)?;
+        Some((At::new(self.source(), &value.span()), value.get_ref()))
+    }
+
+    fn typed<T>(
+        &self,
+        key: &'static str,
+        expected: &str,
+        convert: impl FnOnce(&'a DeValue<'s>) -> Option<T>,
+    ) -> Option<Placed<'s, T>> {
+        let (at, found) = self.get(key)?;
+        let value = convert(found);
+        if value.is_none() {
+            self.error(at, &format!("`{key}` must be {expected}"));
+        }
+        value.map(|value| Placed { at, value })
+    }
+
+    /// True where the table has the key, whatever its value.
+    pub(crate) fn has(&self, key: &'static str) -> bool {
+        self.table.contains_key(key)
+    }
+
+    /// True where the value under `key` is a string.
+    pub(crate) fn is_text(&self, key: &'static str) -> bool {
+        self.table.get(key).is_some_and(|value| value.get_ref().is_str())
+    }
+
+    pub(crate) fn text(&self, key: &'static str) -> Option<Placed<'s, String>> {
+        self.typed(key, "a string", text)
+    }
+
+    /// The text under `key`; an empty one, after an error, if there is none.
+    pub(crate) fn required_text(&self, key: &'static str) -> Placed<'s, String> {
+        if !self.has(key) {
+            self.error(self.at, &format!("`{key}` is missing"));
+        }
+        let found = self.text(key);
+        if let Some(text) = found.as_ref().filter(|text| text.value.trim().is_empty()) {
+            self.error(text.at, &format!("`{key}` is empty"));
+        }
+        found.unwrap_or(Placed { at: self.at, value: String::new() })
+    }
+
+    pub(crate) fn texts(&self, key: &'static str) -> Vec<Placed<'s, String>> {
+        self.list(key, "a list of strings", text)
+    }
+
+    pub(crate) fn flag(&self, key: &'static str) -> Option<Placed<'s, bool>> {
+        self.typed(key, "true or false", DeValue::as_bool)
+    }
+
+    pub(crate) fn int(&self, key: &'static str) -> Option<Placed<'s, i64>> {
+        self.typed(key, "a whole number", int)
+    }
+
+    pub(crate) fn number(&self, key: &'static str) -> Option<Placed<'s, f64>> {
+        self.typed(key, "a finite number", |value| match value {
+            DeValue::Float(float) => float.as_str().parse().ok().filter(|f: &f64| f.is_finite()),
+            #[expect(clippy::cast_precision_loss, reason = "limits of the protocol are small")]
+            other => int(other).map(|i| i as f64),
+        })
+    }
+
+    /// The list under `key` as JSON texts of its scalars.
+    pub(crate) fn json_scalars(&self, key: &'static str) -> Option<Placed<'s, Vec<String>>> {
+        self.typed(key, "a list of scalars", |value| {
+            value.as_array()?.iter().map(|element| json_scalar(element.get_ref())).collect()
+        })
+    }
+
+    /// The tables of `[[… .key]]`, each named by `what` and its own `name` or `wire`.
+    pub(crate) fn items(&self, key: &'static str, what: &str) -> Vec<Item<'a, 's>> {
+        let tables = self.list(key, "a list of tables", |value| value.as_table());
+        tables.into_iter().map(|table| self.child(what, table.at, table.value)).collect()
+    }
+
+    /// The table of `[… .key]`.
+    pub(crate) fn item(&self, key: &'static str, what: &str) -> Option<Item<'a, 's>> {
+        let table = self.typed(key, "a table", |value| value.as_table())?;
+        Some(self.child(what, table.at, table.value))
+    }
+
+    fn child(&self, what: &str, at: At<'s>, table: &'a DeTable<'s>) -> Item<'a, 's> {
+        let name = ["name", "wire", "tag"].iter().find_map(|key| json_scalar(table.get(*key)?.get_ref()));
+        let name = name.map(|name| format!("{what} `{}`", name.trim_matches('"')));
+        let what = match (&name, self.what.as_str()) {
+            (Some(name), "") => name.clone(),
+            (None, "") => what.to_owned(),
+            (Some(name), outer) => format!("{outer}, {name}"),
+            (None, outer) => format!("{outer}, {what}"),
+        };
+        Item::new(what, at, table, self.report)
+    }
+
+    fn list<T>(
+        &self,
+        key: &'static str,
+        expected: &str,
+        convert: impl Fn(&'a DeValue<'s>) -> Option<T>,
+    ) -> Vec<Placed<'s, T>> {
+        let Some(array) = self.typed(key, expected, |value| value.as_array()) else {
+            return Vec::new();
+        };
+        let mut list = Vec::new();
+        for element in array.value {
+            let at = At::new(self.source(), &element.span());
+            match convert(element.get_ref()) {
+                Some(value) => list.push(Placed { at, value }),
+                None => self.error(at, &format!("`{key}` must be {expected}")),
+            }
+        }
+        list
+    }
+
+    /// Reports each key that was never asked for.
+    pub(crate) fn finish(&self) {
+        let asked = self.asked.borrow();
+        for key in self.table.keys().filter(|key| !asked.contains(key.get_ref().as_ref())) {
+            let known: Vec<_> = asked.iter().copied().collect();
+            let at = At::new(self.source(), &key.span());
+            let message = format!("unknown key `{}`; the keys are {}", key.get_ref(), known.join(", "));
+            self.error(at, &message);
+        }
+    }
+}
+
+fn text(value: &DeValue<'_>) -> Option<String> {
+    value.as_str().map(str::to_owned)
+}
+
+fn int(value: &DeValue<'_>) -> Option<i64> {
+    match value {
+        DeValue::Integer(int) => i64::from_str_radix(int.as_str(), int.radix()).ok(),
+        _ => None,
+    }
+}
+
+fn json_scalar(value: &DeValue<'_>) -> Option<String> {
+    match value {
+        DeValue::Boolean(value) => Some(value.to_string()),
+        DeValue::String(value) if !value.contains(['"', '\\']) => Some(format!("\"{value}\"")),
+        other => int(other).map(|i| i.to_string()),
+    }
+}
+
+/// The parsed file, with every syntax error reported.
+pub(crate) fn parse<'s>(source: Source<'s>, report: &Report) -> Spanned<DeTable<'s>> {
+    let (table, errors) = DeTable::parse_recoverable(source.text);
+    for error in errors {
+        let at = At::new(source, &error.span().unwrap_or(0..0));
+        report.error(at, format!("not valid TOML: {}", error.message()));
+    }
+    table
+}

@@ -1,0 +1,39 @@
+#![doc = include_str!("../README.md")]
+
+mod builtin;
+mod item;
+mod model;
+mod names;
+mod read;
+mod report;
+mod resolve;
+mod type_text;
+
+pub use builtin::{BUILTIN, builtin};
+pub use model::{
+    Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
+    Type, TypeDef, TypeKind, Variant, Versions,
+};
+pub use report::{Error, Errors};
+
+/// A TOML file: the path that errors name, and its text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Source<'s> {
+    /// The path that errors name. Its stem is the topic's name.
+    pub path: &'s str,
+    /// The file's text.
+    pub text: &'s str,
+}
+
+/// Loads a spec from its files, or says everything that is wrong with it.
+///
+/// # Errors
+/// One [`Error`] for each thing that is wrong, at its line and column.
+pub fn load(sources: &[Source<'_>]) -> Result<Spec, Errors> {
+    let report = report::Report::default();
+    let mut index = resolve::Index::default();
+    let topics = sources.iter().map(|source| read::topic(*source, &mut index, &report)).collect();
+    resolve::check(&index, &report);
+    report.finish()?;
+    Ok(Spec { topics })
+}

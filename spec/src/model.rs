@@ -1,0 +1,325 @@
+//! The spec as plain data, after every check has passed.
+
+use std::time::Duration;
+
+use crate::names::to_camel;
+
+/// A whole protocol: the topics in the order they were given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spec {
+    /// One topic for each source file.
+    pub topics: Vec<Topic>,
+}
+
+impl Spec {
+    /// All commands, topic by topic.
+    pub fn commands(&self) -> impl Iterator<Item = &Command> {
+        self.topics.iter().flat_map(|topic| &topic.commands)
+    }
+
+    /// All named types, topic by topic.
+    pub fn types(&self) -> impl Iterator<Item = &TypeDef> {
+        self.topics.iter().flat_map(|topic| &topic.types)
+    }
+
+    /// All error codes, topic by topic.
+    pub fn errors(&self) -> impl Iterator<Item = &ErrorCode> {
+        self.topics.iter().flat_map(|topic| &topic.errors)
+    }
+
+    /// The command with this `cmdName`.
+    pub fn command(&self, wire: &str) -> Option<&Command> {
+        self.commands().find(|command| command.wire == wire)
+    }
+
+    /// The type with this name.
+    pub fn type_def(&self, name: &str) -> Option<&TypeDef> {
+        self.types().find(|def| def.name == name)
+    }
+}
+
+/// One source file: a module of the generated code.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Topic {
+    /// Module name, which is the file's stem.
+    pub name: String,
+    /// One line that says what the topic is about.
+    pub title: String,
+    /// The text below the title.
+    pub doc: String,
+    /// Types defined in this file.
+    pub types: Vec<TypeDef>,
+    /// Commands defined in this file.
+    pub commands: Vec<Command>,
+    /// Error codes defined in this file.
+    pub errors: Vec<ErrorCode>,
+}
+
+/// One command of port 10001.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Command {
+    /// `cmdName` on the wire.
+    pub wire: String,
+    /// Method name in Rust.
+    pub name: String,
+    /// Section of the vendor's document, such as `4.7`.
+    pub section: Option<String>,
+    /// What the command does to the robot.
+    pub effect: Effect,
+    /// States without which the controller refuses.
+    pub requires: Vec<Requirement>,
+    /// How long a reply may take, where the client's default does not fit.
+    pub deadline: Option<Duration>,
+    /// False where the controller may go away instead of replying.
+    pub reply_certain: bool,
+    /// True where the connection is of no use after the reply.
+    pub ends_session: bool,
+    /// The evidence, where the vendor's text for this command is lost.
+    pub reconstructed: Option<String>,
+    /// What to use instead, where the vendor has withdrawn the command.
+    pub deprecated: Option<String>,
+    /// First and last firmware that has the command.
+    pub versions: Versions,
+    /// What the command does. The first sentence stands alone.
+    pub doc: String,
+    /// Where the document contradicts itself or the controllers.
+    pub errata: Vec<String>,
+    /// What is sent beside `cmdName`.
+    pub request: Request,
+    /// What is answered beside `cmdName`, `errorCode` and `errorMsg`.
+    pub reply: Vec<Field>,
+    /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
+    pub bare_reply: Option<String>,
+    /// What the controller answers when a requirement is not met, where it is not the usual refusal.
+    pub refusal: Option<Refusal>,
+    /// The document's own messages.
+    pub examples: Vec<Example>,
+}
+
+impl Command {
+    /// Name of the request's type in Rust, such as `JointMove`.
+    pub fn request_type(&self) -> String {
+        to_camel(&self.name)
+    }
+
+    /// Name of the reply's type in Rust, such as `GetJointPosReply`, where the reply carries data.
+    pub fn reply_type(&self) -> Option<String> {
+        (!self.reply.is_empty()).then(|| self.request_type() + "Reply")
+    }
+
+    /// True where nothing is sent beside `cmdName`.
+    pub fn is_bare(&self) -> bool {
+        matches!(&self.request, Request::Fields(fields) if fields.is_empty())
+    }
+}
+
+/// What a command does to the robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effect {
+    /// Reads; changes nothing.
+    Query,
+    /// Changes a setting or an output.
+    Setting,
+    /// Starts, stops or continues a motion or a program.
+    Motion,
+    /// Switches power, brakes or the controller itself.
+    Power,
+    /// Concerns the connection alone.
+    Session,
+}
+
+/// A state that a command needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Requirement {
+    /// The arm has power.
+    Powered,
+    /// The arm is enabled.
+    Enabled,
+    /// Servo mode is on.
+    ServoMode,
+    /// Servo mode is off.
+    NotServoMode,
+}
+
+/// The firmware versions that know an item.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Versions {
+    /// First version that has it.
+    pub since: Option<String>,
+    /// Last version that has it.
+    pub until: Option<String>,
+}
+
+/// The body of a request.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Request {
+    /// The same fields each time; possibly none.
+    Fields(Vec<Field>),
+    /// Different fields for each value of a tag.
+    Choice(Choice),
+}
+
+/// Variants told apart by an integer tag.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// Key of the tag on the wire; empty where the tag is the first element of an array.
+    pub tag: String,
+    /// The variants, in the order of the file.
+    pub variants: Vec<Variant>,
+}
+
+/// One variant of a [`Choice`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variant {
+    /// Value of the tag.
+    pub wire: i64,
+    /// Variant name in Rust.
+    pub name: String,
+    /// What the variant does.
+    pub doc: String,
+    /// The fields sent with it.
+    pub fields: Vec<Field>,
+}
+
+/// One field of a request, a reply or a type.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Key on the wire; empty for an element of an array.
+    pub wire: String,
+    /// Field name in Rust.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// Unit of its number or numbers, such as `deg/s`.
+    pub unit: Option<String>,
+    /// Least and greatest value allowed.
+    pub range: Range,
+    /// True for text that may hold printable ASCII only.
+    pub ascii: bool,
+    /// True where the key may be left out.
+    pub optional: bool,
+    /// True where sources leave room for another shape: what does not fit the type is kept as raw JSON.
+    pub or_raw: bool,
+    /// What the field means. The first sentence stands alone.
+    pub doc: String,
+    /// The readings of sources that contradict each other; the value stays raw.
+    pub disputed: Vec<String>,
+    /// First and last firmware that has the field.
+    pub versions: Versions,
+}
+
+/// An inclusive range, open at an end that is `None`.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Range {
+    /// Least value allowed.
+    pub min: Option<f64>,
+    /// Greatest value allowed.
+    pub max: Option<f64>,
+    /// True where newer firmware takes more than this.
+    pub advisory: bool,
+}
+
+/// The type of a field.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Type {
+    /// A truth value, with the JSON texts that stand for false and true.
+    Bool {
+        /// JSON text of false.
+        off: String,
+        /// JSON text of true.
+        on: String,
+    },
+    /// A whole number.
+    Int,
+    /// A floating-point number.
+    Float,
+    /// A string.
+    Text,
+    /// An array of some length.
+    List(Box<Type>),
+    /// An array of a length fixed by the protocol.
+    Array(Box<Type>, usize),
+    /// A [`TypeDef`], by name.
+    Named(String),
+    /// A value written as a Python literal inside a JSON string.
+    Python(Box<Type>),
+    /// Any JSON.
+    Json,
+}
+
+/// A named type.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TypeDef {
+    /// Type name in Rust.
+    pub name: String,
+    /// What it stands for. The first sentence stands alone.
+    pub doc: String,
+    /// What it is made of.
+    pub kind: TypeKind,
+}
+
+/// What a [`TypeDef`] is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TypeKind {
+    /// A struct, written as a JSON object.
+    Object(Vec<Field>),
+    /// A struct, written as a JSON array.
+    Array {
+        /// The elements, in order.
+        fields: Vec<Field>,
+        /// True where an array with further elements is an error; otherwise they are ignored.
+        exact: bool,
+    },
+    /// An open set of named integers.
+    IntEnum(Vec<EnumValue<i64>>),
+    /// An open set of named strings.
+    TextEnum(Vec<EnumValue<String>>),
+    /// Variants written as a JSON array that begins with the tag.
+    Choice(Choice),
+    /// A struct around one value: the wrapped type and its unit.
+    Wrapper(Type, Option<String>),
+}
+
+/// One value of an enum.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnumValue<T> {
+    /// The value on the wire.
+    pub wire: T,
+    /// Variant name in Rust.
+    pub name: String,
+    /// What it means.
+    pub doc: String,
+    /// True where only newer firmware takes it.
+    pub advisory: bool,
+}
+
+/// A code that the controller answers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ErrorCode {
+    /// The number.
+    pub wire: i64,
+    /// Name in Rust.
+    pub name: String,
+    /// The message seen with it, if it is always the same.
+    pub message: Option<String>,
+    /// What it means.
+    pub doc: String,
+}
+
+/// A refusal in the controller's own words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// `errorCode`.
+    pub code: i64,
+    /// `errorMsg`.
+    pub message: String,
+}
+
+/// A request and its reply, as JSON text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Example {
+    /// What is sent, where the document prints it.
+    pub request: Option<String>,
+    /// What comes back, where the document prints it.
+    pub reply: Option<String>,
+}

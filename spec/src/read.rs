@@ -1,0 +1,156 @@
+//! From one TOML file to the model, with every check that needs no other file.
+
+use std::time::Duration;
+
+use crate::Source;
+use crate::item::{Item, parse};
+use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Request, Requirement, Topic};
+use crate::names::is_snake;
+use crate::report::{At, Report};
+use crate::resolve::Index;
+
+mod common;
+mod field;
+mod types;
+
+pub(crate) use common::Unique;
+use common::{camel_name, doc, keyword, required_doc, snake_name, versions, wire_int, word};
+use field::fields;
+use types::{type_def, variants};
+
+/// Reads a file. What cannot be read is reported and left out.
+pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Report) -> Topic {
+    let table = parse(source, report);
+    let start = At { source, offset: 0 };
+    let root = Item::new(String::new(), start, table.get_ref(), report);
+    let name = stem(source.path).to_owned();
+    if !is_snake(&name) {
+        report.error(start, format!("the file's name is the topic's, and `{name}` is no snake_case name"));
+    }
+    let topic = Topic {
+        title: root.required_text("title").value,
+        doc: doc(&root).unwrap_or_default(),
+        types: root.items("type", "type").iter().map(|item| type_def(item, index)).collect(),
+        commands: root.items("command", "command").iter().map(|item| command(item, index)).collect(),
+        errors: root.items("error", "error code").iter().map(|item| error_code(item, index)).collect(),
+        name,
+    };
+    root.finish();
+    topic
+}
+
+fn stem(path: &str) -> &str {
+    let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    file.strip_suffix(".toml").unwrap_or(file)
+}
+
+fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command {
+    let wire = item.required_text("wire");
+    let section = item.text("section");
+    index.command(item, &wire, section.as_ref());
+    let name = snake_name(item, &wire);
+    index.method(item, &name);
+    let request = request(item, index);
+    let reply = fields(item, "reply", "reply field", index);
+    let bare_reply = item.text("bare_reply");
+    if let Some(bare) = bare_reply.as_ref().filter(|bare| reply.iter().all(|field| field.name != bare.value)) {
+        item.error(bare.at, &format!("`bare_reply` names `{}`, which is no field of the reply", bare.value));
+    }
+    let command = Command {
+        section: section.map(|text| text.value),
+        effect: keyword(item, "effect", EFFECTS).unwrap_or(Effect::Query),
+        requires: requires(item),
+        deadline: deadline(item),
+        reply_certain: item.flag("reply_certain").is_none_or(|flag| flag.value),
+        ends_session: item.flag("ends_session").is_some_and(|flag| flag.value),
+        reconstructed: item.text("reconstructed").map(|text| text.value),
+        deprecated: item.text("deprecated").map(|text| text.value),
+        versions: versions(item),
+        doc: required_doc(item),
+        errata: item.texts("errata").into_iter().map(|text| text.value).collect(),
+        request,
+        reply,
+        bare_reply: bare_reply.map(|text| text.value),
+        refusal: item.item("refusal", "refusal").map(|item| refusal(&item)),
+        examples: item.items("example", "example").iter().map(example).collect(),
+        wire: wire.value,
+        name: name.value,
+    };
+    item.finish();
+    command
+}
+
+const EFFECTS: &[(&str, Effect)] = &[
+    ("query", Effect::Query),
+    ("setting", Effect::Setting),
+    ("motion", Effect::Motion),
+    ("power", Effect::Power),
+    ("session", Effect::Session),
+];
+
+const REQUIREMENTS: &[(&str, Requirement)] = &[
+    ("powered", Requirement::Powered),
+    ("enabled", Requirement::Enabled),
+    ("servo_mode", Requirement::ServoMode),
+    ("not_servo_mode", Requirement::NotServoMode),
+];
+
+fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
+    let list = item.texts("requires");
+    list.iter().filter_map(|text| word(item, "requires", text, REQUIREMENTS)).collect()
+}
+
+fn deadline(item: &Item<'_, '_>) -> Option<Duration> {
+    let ms = item.int("deadline_ms")?;
+    let positive = u64::try_from(ms.value).ok().filter(|ms| *ms > 0);
+    if positive.is_none() {
+        item.error(ms.at, "`deadline_ms` must be positive");
+    }
+    positive.map(Duration::from_millis)
+}
+
+fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
+    match item.item("choice", "choice") {
+        None => Request::Fields(fields(item, "request", "field", index)),
+        Some(choice_item) => {
+            if item.has("request") {
+                item.error(choice_item.at, "a command has `request` fields or a `choice`, not both");
+            }
+            let tag = choice_item.required_text("tag").value;
+            let choice =
+                Choice { tag, variants: variants(&choice_item, |variant| fields(variant, "field", "field", index)) };
+            choice_item.finish();
+            Request::Choice(choice)
+        }
+    }
+}
+
+fn error_code<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> ErrorCode {
+    let wire = wire_int(item);
+    let name = camel_name(item);
+    index.error_code(item, &wire, &name);
+    let message = item.text("message").map(|text| text.value);
+    let code = ErrorCode { wire: wire.value, name: name.value, message, doc: required_doc(item) };
+    item.finish();
+    code
+}
+
+fn refusal(item: &Item<'_, '_>) -> Refusal {
+    if !item.has("code") {
+        item.error(item.at, "`code` is missing");
+    }
+    let code = item.int("code").map_or(0, |code| code.value);
+    let refusal = Refusal { code, message: item.required_text("message").value };
+    item.finish();
+    refusal
+}
+
+fn example(item: &Item<'_, '_>) -> Example {
+    let example =
+        Example { request: item.text("request").map(|t| t.value), reply: item.text("reply").map(|t| t.value) };
+    if example.request.is_none() && example.reply.is_none() {
+        item.error(item.at, "an example has a `request`, a `reply` or both");
+    }
+    item.finish();
+    example
+}

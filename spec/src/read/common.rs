@@ -1,0 +1,93 @@
+//! What commands, types and fields have in common.
+
+use std::collections::BTreeMap;
+
+use crate::item::{Item, Placed};
+use crate::model::Versions;
+use crate::names::{is_camel, is_snake};
+use crate::report::At;
+
+pub(super) fn doc(item: &Item<'_, '_>) -> Option<String> {
+    item.text("doc").map(|text| text.value.trim().to_owned())
+}
+
+pub(super) fn required_doc(item: &Item<'_, '_>) -> String {
+    item.required_text("doc").value.trim().to_owned()
+}
+
+/// The Rust name: `name`, or the wire's spelling where that is a Rust name already.
+pub(super) fn snake_name<'s>(item: &Item<'_, 's>, wire: &Placed<'s, String>) -> Placed<'s, String> {
+    let name = item.text("name").unwrap_or_else(|| wire.clone());
+    if !is_snake(&name.value) && !name.value.is_empty() {
+        item.error(name.at, &format!("`{}` is no snake_case Rust name; give one as `name`", name.value));
+    }
+    name
+}
+
+pub(super) fn camel_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
+    let name = item.required_text("name");
+    if !is_camel(&name.value) && !name.value.is_empty() {
+        item.error(name.at, &format!("`{}` is no CamelCase Rust name", name.value));
+    }
+    name
+}
+
+pub(super) fn wire_int<'s>(item: &Item<'_, 's>) -> Placed<'s, i64> {
+    if !item.has("wire") {
+        item.error(item.at, "`wire` is missing");
+    }
+    item.int("wire").unwrap_or(Placed { at: item.at, value: 0 })
+}
+
+pub(super) fn keyword<T: Copy>(item: &Item<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
+    let text = item.required_text(key);
+    word(item, key, &text, words)
+}
+
+pub(super) fn word<T: Copy>(
+    item: &Item<'_, '_>,
+    key: &str,
+    text: &Placed<'_, String>,
+    words: &[(&str, T)],
+) -> Option<T> {
+    let found = words.iter().find(|(word, _)| *word == text.value).map(|(_, value)| *value);
+    if found.is_none() && !text.value.is_empty() {
+        let known: Vec<_> = words.iter().map(|(word, _)| *word).collect();
+        let message = format!("`{key}` is one of {}, not `{}`", known.join(", "), text.value);
+        item.report().error(text.at, format!("{}: {message}", item.what));
+    }
+    found
+}
+
+pub(super) fn versions(item: &Item<'_, '_>) -> Versions {
+    let version = |key| {
+        let text = item.text(key)?;
+        let fits = text.value.split('.').all(|part| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit()));
+        if !fits {
+            item.error(text.at, &format!("`{key}` is a version such as 1.5 or 1.6.5"));
+        }
+        Some(text.value)
+    };
+    Versions { since: version("since"), until: version("until") }
+}
+
+/// Names that may stand only once, with the place of the first.
+#[derive(Debug)]
+pub(crate) struct Unique<'s, T>(BTreeMap<T, At<'s>>);
+
+impl<T> Default for Unique<'_, T> {
+    fn default() -> Self {
+        Self(BTreeMap::new())
+    }
+}
+
+impl<'s, T: Ord + Clone + std::fmt::Display> Unique<'s, T> {
+    pub(crate) fn add(&mut self, item: &Item<'_, 's>, what: &str, name: &Placed<'s, T>) {
+        if let Some(first) = self.0.get(&name.value) {
+            let message = format!("the {what} `{}` is taken already, at {first}", name.value);
+            item.error(name.at, &message);
+        } else {
+            self.0.insert(name.value.clone(), name.at);
+        }
+    }
+}

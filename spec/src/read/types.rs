@@ -1,0 +1,90 @@
+//! Named types.
+
+use super::common::{Unique, camel_name, keyword, required_doc, wire_int};
+use super::field::{elements, field_type, fields};
+use crate::item::{Item, Placed};
+use crate::model::{Choice, EnumValue, Field, TypeDef, TypeKind, Variant};
+use crate::names::RESERVED_TYPES;
+use crate::resolve::Index;
+
+pub(super) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDef {
+    let name = camel_name(item);
+    index.type_name(item, &name);
+    if RESERVED_TYPES.contains(&name.value.as_str()) {
+        item.error(name.at, &format!("`{}` is a name of Rust or of the generated code", name.value));
+    }
+    let kinds = [("object", 0), ("array", 1), ("enum", 2), ("choice", 3), ("wrapper", 4)];
+    let kind = match keyword(item, "kind", &kinds) {
+        Some(0) | None => TypeKind::Object(fields(item, "field", "field", index)),
+        Some(1) => {
+            TypeKind::Array { fields: elements(item, index), exact: item.flag("exact").is_some_and(|flag| flag.value) }
+        }
+        Some(2) => enum_kind(item),
+        Some(3) => TypeKind::Choice(array_choice(item, index)),
+        Some(_) => TypeKind::Wrapper(field_type(item, index), item.text("unit").map(|text| text.value)),
+    };
+    index.type_body(&name.value, &kind);
+    let def = TypeDef { name: name.value, doc: required_doc(item), kind };
+    item.finish();
+    def
+}
+
+fn array_choice<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Choice {
+    Choice { tag: String::new(), variants: variants(item, |variant| elements(variant, index)) }
+}
+
+fn enum_kind(item: &Item<'_, '_>) -> TypeKind {
+    let values = item.items("value", "value");
+    if values.is_empty() {
+        item.error(item.at, "an enum needs at least one `value`");
+    }
+    let textual = values.first().is_some_and(|value| value.is_text("wire"));
+    if textual {
+        TypeKind::TextEnum(enum_values(&values, |item| item.required_text("wire")))
+    } else {
+        TypeKind::IntEnum(enum_values(&values, wire_int))
+    }
+}
+
+fn enum_values<'s, T: Ord + Clone + std::fmt::Display>(
+    items: &[Item<'_, 's>],
+    wire: impl Fn(&Item<'_, 's>) -> Placed<'s, T>,
+) -> Vec<EnumValue<T>> {
+    let mut names = Unique::default();
+    let mut wires = Unique::default();
+    let read = |item: &Item<'_, 's>| {
+        let wire = wire(item);
+        let name = camel_name(item);
+        wires.add(item, "value", &wire);
+        names.add(item, "name", &name);
+        if name.value == "Other" {
+            item.error(name.at, "`Other` is the variant for values that the spec does not list");
+        }
+        let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
+        let value = EnumValue { wire: wire.value, name: name.value, doc: required_doc(item), advisory };
+        item.finish();
+        value
+    };
+    items.iter().map(read).collect()
+}
+
+/// The variants of a choice, whose fields are read by `fields`.
+pub(super) fn variants<'s>(item: &Item<'_, 's>, mut fields: impl FnMut(&Item<'_, 's>) -> Vec<Field>) -> Vec<Variant> {
+    let mut names = Unique::default();
+    let mut tags = Unique::default();
+    let items = item.items("variant", "variant");
+    if items.is_empty() {
+        item.error(item.at, "a choice needs at least one `variant`");
+    }
+    let read = |item: &Item<'_, 's>| {
+        let wire = wire_int(item);
+        let name = camel_name(item);
+        tags.add(item, "tag value", &wire);
+        names.add(item, "name", &name);
+        let fields = fields(item);
+        let variant = Variant { wire: wire.value, name: name.value, doc: required_doc(item), fields };
+        item.finish();
+        variant
+    };
+    items.iter().map(read).collect()
+}
