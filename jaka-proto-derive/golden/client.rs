@@ -3,7 +3,7 @@ impl Client {
     ///
     /// This takes about 8 s. An errorCode of 0 is no proof that the arm has power: poll the state.
     ///
-    /// Sends `power_on` (4.1). Concerns the robot's power.
+    /// Sends `power_on` (4.1).
     ///
     /// # Errata
     ///
@@ -18,7 +18,7 @@ impl Client {
     }
     /// Switches the arm's power off.
     ///
-    /// Sends `power_off` (4.2). Concerns the robot's power.
+    /// Sends `power_off` (4.2).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -29,7 +29,7 @@ impl Client {
     ///
     /// This takes 3 to 4 s as a rule; 20 s is seen. An errorCode of 0 is no proof that the arm is enabled: poll the state.
     ///
-    /// Sends `enable_robot` (4.3). Concerns the robot's power. The robot must be powered.
+    /// Sends `enable_robot` (4.3). The robot must be powered.
     ///
     /// # Errata
     ///
@@ -44,7 +44,7 @@ impl Client {
     }
     /// Disables the arm.
     ///
-    /// Sends `disable_robot` (4.4). Concerns the robot's power.
+    /// Sends `disable_robot` (4.4).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -55,7 +55,7 @@ impl Client {
     ///
     /// The document shows a reply, users see none. The connection is of no use afterwards.
     ///
-    /// Sends `shutdown` (4.5). Concerns the robot's power.
+    /// Sends `shutdown` (4.5).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -92,7 +92,7 @@ impl Client {
     /// Send `Stop` for an axis before the next jog of the same axis. The frame decides what `axis` counts: joints 1 to 6, or
     /// x, y, z, rx, ry, rz, both from 0 to 5.
     ///
-    /// Sends `jog` (4.6). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `jog` (4.6). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -111,7 +111,7 @@ impl Client {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
-    /// Sends `joint_move` (4.7). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call joint_move failed`.
@@ -128,7 +128,7 @@ impl Client {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
-    /// Sends `end_move` (4.8). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `end_move` (4.8). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call end_move failed`.
@@ -142,7 +142,7 @@ impl Client {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
-    /// Sends `moveL` (4.9). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `moveL` (4.9). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -162,7 +162,7 @@ impl Client {
     /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
     /// path. Begin with small values, and with nobody near the arm.
     ///
-    /// Sends `movc` (4.10). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `movc` (4.10). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -185,7 +185,7 @@ impl Client {
     /// The document calls it withdrawn and advises against it, without saying what it does. On old firmware the reply comes
     /// when the motion ends.
     ///
-    /// Sends `wait_complete` (4.41). Concerns the connection alone.
+    /// Sends `wait_complete` (4.41).
     ///
     /// Withdrawn by the vendor. withdrawn by the vendor; watch the status of port 10000 until the robot is in position
     ///
@@ -221,7 +221,7 @@ impl Client {
     /// The reply comes at once, before the mode has changed. `servo_j` is refused until `is_in_servomove` says that servo mode
     /// is on.
     ///
-    /// Sends `servo_move` (4.14). Concerns the robot's motion. The robot must be powered and enabled.
+    /// Sends `servo_move` (4.14). The robot must be powered and enabled.
     ///
     /// # Errata
     ///
@@ -248,12 +248,12 @@ impl Client {
     /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
     /// first.
     ///
-    /// Sends `servo_j` (4.15). Concerns the robot's motion. The robot must be powered, enabled and in servo mode.
+    /// Sends `servo_j` (4.15). The robot must be powered, enabled and in servo mode.
     ///
     /// # Errata
     ///
     /// - The text writes the key `stepnum`, the sample `stepNum`.
-    /// - The text asks for a set-point every 8 ms, and for a period of 8 ms times `stepnum`. The latter holds (field notes).
+    /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
     /// - The text calls `joint_move` the fifth command. It is in 4.7.
     ///
     /// # Errors
@@ -272,13 +272,13 @@ impl Client {
     /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
     /// first.
     ///
-    /// Sends `servo_p` (4.16). Concerns the robot's motion. The robot must be powered, enabled and in servo mode.
+    /// Sends `servo_p` (4.16). The robot must be powered, enabled and in servo mode.
     ///
     /// # Errata
     ///
-    /// - The key of the set-point is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
+    /// - The key is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
     /// - The text writes the key `stepnum`, the sample `stepNum`.
-    /// - The text asks for a set-point every 8 ms, and for a period of 8 ms times `stepnum`. The latter holds (field notes).
+    /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
     /// - The text speaks of points of the six joints and of `servo_j`, as copied from 4.15. The set-point is a pose.
     ///
     /// # Errors
@@ -293,7 +293,7 @@ impl Client {
     ///
     /// It can be set only outside servo mode.
     ///
-    /// Sends `set_servo_move_filter` (4.60). Changes a setting or an output. The robot must be outside servo mode.
+    /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
     /// # Errata
     ///
@@ -301,10 +301,10 @@ impl Client {
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
     /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
     /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
-    /// - Filter 5 is listed as speed look-ahead and then explained as filter 3, the multi-stage mean filter of the joints.
+    /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
     /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
-    /// - `mmf_ka` is explained as coefficient for tracking the acceleration and the position; the key speaks of the former.
+    /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call set_servo_move_filter failed`.
@@ -316,10 +316,10 @@ impl Client {
     }
     /// Sets the rate by which the controller scales the speed of motion.
     ///
-    /// The rate is 1 by default. The document speaks of programs; whether a motion that is running follows the new rate at once
+    /// The document speaks of the rate at which programs run; whether a motion that is running follows the new rate at once
     /// is not stated.
     ///
-    /// Sends `rapid_rate` (4.17). Changes a setting or an output.
+    /// Sends `rapid_rate` (4.17).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -335,7 +335,7 @@ impl Client {
     /// The name ends in `.ngc` on controllers before version 1.5 and in `.jks` from 1.5 on. A trajectory's file has `track/`
     /// before its name.
     ///
-    /// Sends `load_program` (4.18). Changes a setting or an output.
+    /// Sends `load_program` (4.18).
     ///
     /// # Errata
     ///
@@ -366,7 +366,7 @@ impl Client {
     }
     /// Starts the loaded program.
     ///
-    /// Sends `play_program` (4.20). Concerns the robot's motion. The robot must be powered and enabled.
+    /// Sends `play_program` (4.20). The robot must be powered and enabled.
     ///
     /// The document's text for this command is lost; reconstructed from other sources: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
     ///
@@ -377,7 +377,7 @@ impl Client {
     }
     /// Pauses the program that is running.
     ///
-    /// Sends `pause_program` (4.21). Concerns the robot's motion.
+    /// Sends `pause_program` (4.21).
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
     ///
@@ -388,7 +388,7 @@ impl Client {
     }
     /// Resumes the program that is paused.
     ///
-    /// Sends `resume_program` (4.22). Concerns the robot's motion. The robot must be powered and enabled.
+    /// Sends `resume_program` (4.22). The robot must be powered and enabled.
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
     ///
@@ -402,7 +402,7 @@ impl Client {
     /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. It is no emergency
     /// stop: the command travels over the network.
     ///
-    /// Sends `stop_program` (4.23). Concerns the robot's motion.
+    /// Sends `stop_program` (4.23).
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
     ///
@@ -429,7 +429,7 @@ impl Client {
     /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. Check
     /// on the controller at hand which output switches before anything is wired to it.
     ///
-    /// Sends `set_digital_output` (4.25). Changes a setting or an output.
+    /// Sends `set_digital_output` (4.25).
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
     ///
@@ -465,7 +465,7 @@ impl Client {
     ///
     /// The document names no unit for the value and no range.
     ///
-    /// Sends `set_analog_output` (4.27). Changes a setting or an output.
+    /// Sends `set_analog_output` (4.27).
     ///
     /// # Errata
     ///
@@ -536,9 +536,9 @@ impl Client {
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
     /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
-    /// stay raw. Measure which value gives which voltage, with no tool connected, before using this.
+    /// stay raw. With no tool connected, measure first which value gives which voltage.
     ///
-    /// Sends `set_tio_vout_param` (4.80). Changes a setting or an output.
+    /// Sends `set_tio_vout_param` (4.80).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -565,7 +565,7 @@ impl Client {
     ///
     /// Which frame the robot moves in is selected by `set_tool_id`.
     ///
-    /// Sends `set_tool_offsets` (4.28). Changes a setting or an output.
+    /// Sends `set_tool_offsets` (4.28).
     ///
     /// # Errata
     ///
@@ -583,7 +583,7 @@ impl Client {
     ///
     /// Id 0 selects the centre of the flange.
     ///
-    /// Sends `set_tool_id` (4.29). Changes a setting or an output.
+    /// Sends `set_tool_id` (4.29).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -613,7 +613,7 @@ impl Client {
     ///
     /// Which frame the robot moves in is selected by `set_user_id`.
     ///
-    /// Sends `set_user_offsets` (4.31). Changes a setting or an output.
+    /// Sends `set_user_offsets` (4.31).
     ///
     /// # Errata
     ///
@@ -631,7 +631,7 @@ impl Client {
     ///
     /// Id 0 selects the robot's base frame.
     ///
-    /// Sends `set_user_id` (4.32). Changes a setting or an output.
+    /// Sends `set_user_id` (4.32).
     ///
     /// # Errata
     ///
@@ -684,7 +684,7 @@ impl Client {
     ///
     /// The request carries both: to change the value alone, send the present name along.
     ///
-    /// Sends `modify_user_defined_variable` (4.39). Changes a setting or an output.
+    /// Sends `modify_user_defined_variable` (4.39).
     ///
     /// # Errata
     ///
@@ -700,7 +700,7 @@ impl Client {
     }
     /// Sets the mass and the centroid of the payload.
     ///
-    /// Sends `set_payload` (4.42). Changes a setting or an output.
+    /// Sends `set_payload` (4.42).
     ///
     /// # Errata
     ///
@@ -742,7 +742,7 @@ impl Client {
     ///
     /// Level 0 switches collision detection off.
     ///
-    /// Sends `set_clsn_sensitivity` (4.44). Changes a setting or an output.
+    /// Sends `set_clsn_sensitivity` (4.44).
     ///
     /// # Errata
     ///
@@ -776,7 +776,7 @@ impl Client {
     ///
     /// Make sure first that nobody and nothing is in contact with the arm.
     ///
-    /// Sends `clear_error` (4.48). Concerns the robot's power.
+    /// Sends `clear_error` (4.48).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -866,7 +866,7 @@ impl Client {
     }
     /// Sets how finely a trajectory is recorded, and how fast it is run later.
     ///
-    /// Sends `set_traj_config` (4.52). Changes a setting or an output.
+    /// Sends `set_traj_config` (4.52).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -889,7 +889,7 @@ impl Client {
     }
     /// Starts or stops the recording of a trajectory to a file.
     ///
-    /// Sends `set_traj_sample_mode` (4.54). Changes a setting or an output.
+    /// Sends `set_traj_sample_mode` (4.54).
     ///
     /// # Errata
     ///
@@ -927,7 +927,7 @@ impl Client {
     }
     /// Renames a trajectory file.
     ///
-    /// Sends `rename_traj_file_name` (4.57). Changes a setting or an output.
+    /// Sends `rename_traj_file_name` (4.57).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -939,7 +939,7 @@ impl Client {
     }
     /// Deletes a trajectory file.
     ///
-    /// Sends `remove_traj_file` (4.58). Changes a setting or an output.
+    /// Sends `remove_traj_file` (4.58).
     ///
     /// # Errata
     ///
@@ -961,7 +961,7 @@ impl Client {
     ///
     /// The document does not say what the program is called.
     ///
-    /// Sends `generate_traj_exe_file` (4.59). Changes a setting or an output.
+    /// Sends `generate_traj_exe_file` (4.59).
     ///
     /// # Errata
     ///
@@ -983,7 +983,7 @@ impl Client {
     ///
     /// In drag mode the arm gives way to the hand and can be led. `drag_status` reads the mode back.
     ///
-    /// Sends `torque_control_enable` (4.36). Changes a setting or an output. The robot must be powered and enabled.
+    /// Sends `torque_control_enable` (4.36). The robot must be powered and enabled.
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call torque_control_enable failed`.
@@ -1010,7 +1010,7 @@ impl Client {
     }
     /// Sets the brand of the torque sensor.
     ///
-    /// Sends `set_torsenosr_brand` (4.61). Changes a setting or an output.
+    /// Sends `set_torsenosr_brand` (4.61).
     ///
     /// # Errata
     ///
@@ -1051,7 +1051,7 @@ impl Client {
     ///
     /// For moving the arm by hand, the document wants the constant force and the normal tracking of all axes to be zero.
     ///
-    /// Sends `set_admit_ctrl_config` (4.63). Changes a setting or an output.
+    /// Sends `set_admit_ctrl_config` (4.63).
     ///
     /// # Errata
     ///
@@ -1085,7 +1085,7 @@ impl Client {
     ///
     /// Sources contradict each other on which value is on, so the value is sent as given. Try it with the arm clear of people.
     ///
-    /// Sends `set_torque_sensor_mode` (4.65). Changes a setting or an output.
+    /// Sends `set_torque_sensor_mode` (4.65).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -1101,7 +1101,7 @@ impl Client {
     /// This is a motion. `get_torq_sensor_identify_status` says when it is done, and `get_torq_sensor_payload_identify_result`
     /// reads what was found.
     ///
-    /// Sends `start_torq_sensor_payload_identify` (4.66). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `start_torq_sensor_payload_identify` (4.66). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -1155,7 +1155,7 @@ impl Client {
     ///
     /// This is not the payload of the arm: that is `set_payload`.
     ///
-    /// Sends `set_tool_payload` (4.69). Changes a setting or an output.
+    /// Sends `set_tool_payload` (4.69).
     ///
     /// # Errata
     ///
@@ -1186,7 +1186,7 @@ impl Client {
     ///
     /// The document does not say what happens when they are reached.
     ///
-    /// Sends `set_compliance_condition` (4.71). Changes a setting or an output.
+    /// Sends `set_compliance_condition` (4.71).
     ///
     /// # Errata
     ///
@@ -1208,7 +1208,7 @@ impl Client {
     ///
     /// While it is on, the arm may move with the forces that its sensor reads. `set_admit_ctrl_config` sets the axes.
     ///
-    /// Sends `enable_admittance_ctrl` (4.72). Changes a setting or an output.
+    /// Sends `enable_admittance_ctrl` (4.72).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -1235,7 +1235,7 @@ impl Client {
     }
     /// Sets the type of force control, and whether the sensor is compensated.
     ///
-    /// Sends `set_compliant_type` (4.74). Changes a setting or an output.
+    /// Sends `set_compliant_type` (4.74).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -1249,7 +1249,7 @@ impl Client {
     ///
     /// The document does not say what to send as address and port for RS485.
     ///
-    /// Sends `set_torque_sensor_comm` (4.76). Changes a setting or an output.
+    /// Sends `set_torque_sensor_comm` (4.76).
     ///
     /// # Errata
     ///
@@ -1282,7 +1282,7 @@ impl Client {
     ///
     /// The document's heading calls it torque control. It does not say whether drag mode ends too.
     ///
-    /// Sends `disable_force_control` (4.78). Changes a setting or an output.
+    /// Sends `disable_force_control` (4.78).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -1291,7 +1291,7 @@ impl Client {
     }
     /// Sets the parameters of compliance in velocity.
     ///
-    /// Sends `set_vel_compliant_ctrl` (4.79). Changes a setting or an output.
+    /// Sends `set_vel_compliant_ctrl` (4.79).
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -1309,7 +1309,7 @@ impl Client {
     ///
     /// The document does not say what counts as a failure, or whether the setting outlives the connection.
     ///
-    /// Sends `set_network_exception_handle` (4.75). Changes a setting or an output.
+    /// Sends `set_network_exception_handle` (4.75).
     ///
     /// # Errata
     ///
@@ -1329,7 +1329,7 @@ impl Client {
     /// The controller answers as usual, and the client closes the connection then. Closing it without this command leaves power
     /// and enabling as they are.
     ///
-    /// Sends `quit` (4.11). Concerns the connection alone.
+    /// Sends `quit` (4.11).
     ///
     /// # Errors
     /// As [`call`](Self::call).

@@ -79,7 +79,7 @@ pub mod collision {
     ///
     /// Level 0 switches collision detection off.
     ///
-    /// Sends `set_clsn_sensitivity` (4.44). Changes a setting or an output.
+    /// Sends `set_clsn_sensitivity` (4.44).
     ///
     /// # Errata
     ///
@@ -228,7 +228,7 @@ pub mod collision {
     ///
     /// Make sure first that nobody and nothing is in contact with the arm.
     ///
-    /// Sends `clear_error` (4.48). Concerns the robot's power.
+    /// Sends `clear_error` (4.48).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct ClearError;
     impl wire::Fields for ClearError {

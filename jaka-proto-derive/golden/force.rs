@@ -11,7 +11,7 @@ pub mod force {
     ///
     /// In drag mode the arm gives way to the hand and can be led. `drag_status` reads the mode back.
     ///
-    /// Sends `torque_control_enable` (4.36). Changes a setting or an output. The robot must be powered and enabled.
+    /// Sends `torque_control_enable` (4.36). The robot must be powered and enabled.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TorqueControlEnable {
         /// Whether drag mode is on.
@@ -130,7 +130,7 @@ pub mod force {
     ::jaka_proto::__object_impls!(DragStatusReply);
     /// Sets the brand of the torque sensor.
     ///
-    /// Sends `set_torsenosr_brand` (4.61). Changes a setting or an output.
+    /// Sends `set_torsenosr_brand` (4.61).
     ///
     /// # Errata
     ///
@@ -263,7 +263,7 @@ pub mod force {
     ///
     /// For moving the arm by hand, the document wants the constant force and the normal tracking of all axes to be zero.
     ///
-    /// Sends `set_admit_ctrl_config` (4.63). Changes a setting or an output.
+    /// Sends `set_admit_ctrl_config` (4.63).
     ///
     /// # Errata
     ///
@@ -464,7 +464,7 @@ pub mod force {
     ///
     /// Sources contradict each other on which value is on, so the value is sent as given. Try it with the arm clear of people.
     ///
-    /// Sends `set_torque_sensor_mode` (4.65). Changes a setting or an output.
+    /// Sends `set_torque_sensor_mode` (4.65).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetTorqueSensorMode {
         /// Mode, 0 or 1, sent raw because the sources do not agree on the meaning. 0 to 1.
@@ -535,7 +535,7 @@ pub mod force {
     /// This is a motion. `get_torq_sensor_identify_status` says when it is done, and `get_torq_sensor_payload_identify_result`
     /// reads what was found.
     ///
-    /// Sends `start_torq_sensor_payload_identify` (4.66). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `start_torq_sensor_payload_identify` (4.66). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -747,7 +747,7 @@ pub mod force {
     ///
     /// This is not the payload of the arm: that is `set_payload`.
     ///
-    /// Sends `set_tool_payload` (4.69). Changes a setting or an output.
+    /// Sends `set_tool_payload` (4.69).
     ///
     /// # Errata
     ///
@@ -892,7 +892,7 @@ pub mod force {
     ///
     /// The document does not say what happens when they are reached.
     ///
-    /// Sends `set_compliance_condition` (4.71). Changes a setting or an output.
+    /// Sends `set_compliance_condition` (4.71).
     ///
     /// # Errata
     ///
@@ -955,7 +955,7 @@ pub mod force {
     ///
     /// While it is on, the arm may move with the forces that its sensor reads. `set_admit_ctrl_config` sets the axes.
     ///
-    /// Sends `enable_admittance_ctrl` (4.72). Changes a setting or an output.
+    /// Sends `enable_admittance_ctrl` (4.72).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct EnableAdmittanceCtrl {
         /// Whether admittance control is on.
@@ -1089,7 +1089,7 @@ pub mod force {
     ::jaka_proto::__object_impls!(GetCompliantTypeReply);
     /// Sets the type of force control, and whether the sensor is compensated.
     ///
-    /// Sends `set_compliant_type` (4.74). Changes a setting or an output.
+    /// Sends `set_compliant_type` (4.74).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetCompliantType {
         /// Whether sensor compensation is on, which initialises the sensor.
@@ -1166,7 +1166,7 @@ pub mod force {
     ///
     /// The document does not say what to send as address and port for RS485.
     ///
-    /// Sends `set_torque_sensor_comm` (4.76). Changes a setting or an output.
+    /// Sends `set_torque_sensor_comm` (4.76).
     ///
     /// # Errata
     ///
@@ -1342,7 +1342,7 @@ pub mod force {
     ///
     /// The document's heading calls it torque control. It does not say whether drag mode ends too.
     ///
-    /// Sends `disable_force_control` (4.78). Changes a setting or an output.
+    /// Sends `disable_force_control` (4.78).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct DisableForceControl;
     impl wire::Fields for DisableForceControl {
@@ -1375,7 +1375,7 @@ pub mod force {
     }
     /// Sets the parameters of compliance in velocity.
     ///
-    /// Sends `set_vel_compliant_ctrl` (4.79). Changes a setting or an output.
+    /// Sends `set_vel_compliant_ctrl` (4.79).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetVelCompliantCtrl {
         /// Level and ratios.

@@ -12,7 +12,7 @@ pub mod frames {
     ///
     /// Which frame the robot moves in is selected by `set_tool_id`.
     ///
-    /// Sends `set_tool_offsets` (4.28). Changes a setting or an output.
+    /// Sends `set_tool_offsets` (4.28).
     ///
     /// # Errata
     ///
@@ -97,7 +97,7 @@ pub mod frames {
     ///
     /// Id 0 selects the centre of the flange.
     ///
-    /// Sends `set_tool_id` (4.29). Changes a setting or an output.
+    /// Sends `set_tool_id` (4.29).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetToolId {
         /// Id of the tool frame to use. 0 to 10.
@@ -231,7 +231,7 @@ pub mod frames {
     ///
     /// Which frame the robot moves in is selected by `set_user_id`.
     ///
-    /// Sends `set_user_offsets` (4.31). Changes a setting or an output.
+    /// Sends `set_user_offsets` (4.31).
     ///
     /// # Errata
     ///
@@ -316,7 +316,7 @@ pub mod frames {
     ///
     /// Id 0 selects the robot's base frame.
     ///
-    /// Sends `set_user_id` (4.32). Changes a setting or an output.
+    /// Sends `set_user_id` (4.32).
     ///
     /// # Errata
     ///

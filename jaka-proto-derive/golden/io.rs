@@ -9,7 +9,7 @@ pub mod io {
     /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. Check
     /// on the controller at hand which output switches before anything is wired to it.
     ///
-    /// Sends `set_digital_output` (4.25). Changes a setting or an output.
+    /// Sends `set_digital_output` (4.25).
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -173,7 +173,7 @@ pub mod io {
     ///
     /// The document names no unit for the value and no range.
     ///
-    /// Sends `set_analog_output` (4.27). Changes a setting or an output.
+    /// Sends `set_analog_output` (4.27).
     ///
     /// # Errata
     ///
@@ -429,9 +429,9 @@ pub mod io {
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
     /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
-    /// stay raw. Measure which value gives which voltage, with no tool connected, before using this.
+    /// stay raw. With no tool connected, measure first which value gives which voltage.
     ///
-    /// Sends `set_tio_vout_param` (4.80). Changes a setting or an output.
+    /// Sends `set_tio_vout_param` (4.80).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetTioVoutParam {
         /// Raw switch of the voltage output, 0 or 1. 0 to 1. The sources contradict each other on which of them is on.
@@ -850,7 +850,7 @@ pub mod io {
             match self {
                 Self::Rtu { name, connection, pins } => {
                     out.raw("[");
-                    out.int(0i64);
+                    out.int(0);
                     out.comma();
                     wire::Encode::encode(name, out);
                     out.comma();
@@ -861,7 +861,7 @@ pub mod io {
                 }
                 Self::Tcp { name, connection, pins } => {
                     out.raw("[");
-                    out.int(1i64);
+                    out.int(1);
                     out.comma();
                     wire::Encode::encode(name, out);
                     out.comma();
@@ -879,7 +879,7 @@ pub mod io {
             let start = reader.clone();
             reader.begin_array()?;
             match reader.element::<i64>("kind")? {
-                0i64 => {
+                0 => {
                     let this = Self::Rtu {
                         name: reader.element("name")?,
                         connection: reader.element("connection")?,
@@ -888,7 +888,7 @@ pub mod io {
                     reader.end_array()?;
                     Ok(this)
                 }
-                1i64 => {
+                1 => {
                     let this = Self::Tcp {
                         name: reader.element("name")?,
                         connection: reader.element("connection")?,

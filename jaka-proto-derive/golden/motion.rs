@@ -12,7 +12,7 @@ pub mod motion {
     /// Send `Stop` for an axis before the next jog of the same axis. The frame decides what `axis` counts: joints 1 to 6, or
     /// x, y, z, rx, ry, rz, both from 0 to 5.
     ///
-    /// Sends `jog` (4.6). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `jog` (4.6). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -103,7 +103,7 @@ pub mod motion {
             match self {
                 Self::Stop { frame, axis } => {
                     out.key("\"jog_mode\":");
-                    out.int(0i64);
+                    out.int(0);
                     out.key("\"coord_map\":");
                     wire::Encode::encode(frame, out);
                     out.key("\"jnum\":");
@@ -111,7 +111,7 @@ pub mod motion {
                 }
                 Self::Continuous { frame, axis, velocity } => {
                     out.key("\"jog_mode\":");
-                    out.int(1i64);
+                    out.int(1);
                     out.key("\"coord_map\":");
                     wire::Encode::encode(frame, out);
                     out.key("\"jnum\":");
@@ -121,7 +121,7 @@ pub mod motion {
                 }
                 Self::Increment { frame, axis, velocity, distance } => {
                     out.key("\"jog_mode\":");
-                    out.int(2i64);
+                    out.int(2);
                     out.key("\"coord_map\":");
                     wire::Encode::encode(frame, out);
                     out.key("\"jnum\":");
@@ -133,7 +133,7 @@ pub mod motion {
                 }
                 Self::Absolute { frame, axis, velocity, position } => {
                     out.key("\"jog_mode\":");
-                    out.int(3i64);
+                    out.int(3);
                     out.key("\"coord_map\":");
                     wire::Encode::encode(frame, out);
                     out.key("\"jnum\":");
@@ -149,7 +149,7 @@ pub mod motion {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             match reader.tag("jog_mode", "jog_mode")? {
-                0i64 => {
+                0 => {
                     let mut frame = None;
                     let mut axis = None;
                     reader.begin_object()?;
@@ -170,7 +170,7 @@ pub mod motion {
                             .ok_or_else(|| wire::DecodeError::missing("axis", "jnum"))?,
                     })
                 }
-                1i64 => {
+                1 => {
                     let mut frame = None;
                     let mut axis = None;
                     let mut velocity = None;
@@ -198,7 +198,7 @@ pub mod motion {
                             ))?,
                     })
                 }
-                2i64 => {
+                2 => {
                     let mut frame = None;
                     let mut axis = None;
                     let mut velocity = None;
@@ -233,7 +233,7 @@ pub mod motion {
                             ))?,
                     })
                 }
-                3i64 => {
+                3 => {
                     let mut frame = None;
                     let mut axis = None;
                     let mut velocity = None;
@@ -400,7 +400,7 @@ pub mod motion {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
-    /// Sends `joint_move` (4.7). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct JointMove {
         /// Whether `joint_position` is a target or an offset.
@@ -516,7 +516,7 @@ pub mod motion {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
-    /// Sends `end_move` (4.8). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `end_move` (4.8). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct EndMove {
         /// Target pose of the tool centre point.
@@ -613,7 +613,7 @@ pub mod motion {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
-    /// Sends `moveL` (4.9). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `moveL` (4.9). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -751,7 +751,7 @@ pub mod motion {
     /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
     /// path. Begin with small values, and with nobody near the arm.
     ///
-    /// Sends `movc` (4.10). Concerns the robot's motion. The robot must be powered, enabled and outside servo mode.
+    /// Sends `movc` (4.10). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
     ///
@@ -900,7 +900,7 @@ pub mod motion {
     /// The document calls it withdrawn and advises against it, without saying what it does. On old firmware the reply comes
     /// when the motion ends.
     ///
-    /// Sends `wait_complete` (4.41). Concerns the connection alone.
+    /// Sends `wait_complete` (4.41).
     ///
     /// Withdrawn by the vendor. withdrawn by the vendor; watch the status of port 10000 until the robot is in position
     ///

@@ -8,7 +8,7 @@ pub mod network {
     ///
     /// The document does not say what counts as a failure, or whether the setting outlives the connection.
     ///
-    /// Sends `set_network_exception_handle` (4.75). Changes a setting or an output.
+    /// Sends `set_network_exception_handle` (4.75).
     ///
     /// # Errata
     ///

@@ -8,7 +8,7 @@ pub mod payload {
     use ::jaka_proto::{check, wire};
     /// Sets the mass and the centroid of the payload.
     ///
-    /// Sends `set_payload` (4.42). Changes a setting or an output.
+    /// Sends `set_payload` (4.42).
     ///
     /// # Errata
     ///

@@ -11,7 +11,7 @@ pub mod power {
     ///
     /// This takes about 8 s. An errorCode of 0 is no proof that the arm has power: poll the state.
     ///
-    /// Sends `power_on` (4.1). Concerns the robot's power.
+    /// Sends `power_on` (4.1).
     ///
     /// # Errata
     ///
@@ -81,7 +81,7 @@ pub mod power {
     ::jaka_proto::__object_impls!(PowerOnReply);
     /// Switches the arm's power off.
     ///
-    /// Sends `power_off` (4.2). Concerns the robot's power.
+    /// Sends `power_off` (4.2).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct PowerOff;
     impl wire::Fields for PowerOff {
@@ -117,7 +117,7 @@ pub mod power {
     ///
     /// This takes 3 to 4 s as a rule; 20 s is seen. An errorCode of 0 is no proof that the arm is enabled: poll the state.
     ///
-    /// Sends `enable_robot` (4.3). Concerns the robot's power. The robot must be powered.
+    /// Sends `enable_robot` (4.3). The robot must be powered.
     ///
     /// # Errata
     ///
@@ -187,7 +187,7 @@ pub mod power {
     ::jaka_proto::__object_impls!(EnableRobotReply);
     /// Disables the arm.
     ///
-    /// Sends `disable_robot` (4.4). Concerns the robot's power.
+    /// Sends `disable_robot` (4.4).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct DisableRobot;
     impl wire::Fields for DisableRobot {
@@ -223,7 +223,7 @@ pub mod power {
     ///
     /// The document shows a reply, users see none. The connection is of no use afterwards.
     ///
-    /// Sends `shutdown` (4.5). Concerns the robot's power.
+    /// Sends `shutdown` (4.5).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct Shutdown;
     impl wire::Fields for Shutdown {

@@ -8,13 +8,13 @@ pub mod program {
     use ::jaka_proto::{check, wire};
     /// Sets the rate by which the controller scales the speed of motion.
     ///
-    /// The rate is 1 by default. The document speaks of programs; whether a motion that is running follows the new rate at once
+    /// The document speaks of the rate at which programs run; whether a motion that is running follows the new rate at once
     /// is not stated.
     ///
-    /// Sends `rapid_rate` (4.17). Changes a setting or an output.
+    /// Sends `rapid_rate` (4.17).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RapidRate {
-        /// Rate, from 0 to 1, where 1 is full speed. 0 to 1.
+        /// Rate, from 0 to 1. 0 to 1. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
@@ -77,7 +77,7 @@ pub mod program {
     /// The name ends in `.ngc` on controllers before version 1.5 and in `.jks` from 1.5 on. A trajectory's file has `track/`
     /// before its name.
     ///
-    /// Sends `load_program` (4.18). Changes a setting or an output.
+    /// Sends `load_program` (4.18).
     ///
     /// # Errata
     ///
@@ -217,7 +217,7 @@ pub mod program {
     ::jaka_proto::__object_impls!(GetLoadedProgramReply);
     /// Starts the loaded program.
     ///
-    /// Sends `play_program` (4.20). Concerns the robot's motion. The robot must be powered and enabled.
+    /// Sends `play_program` (4.20). The robot must be powered and enabled.
     ///
     /// The document's text for this command is lost; reconstructed from other sources: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -252,7 +252,7 @@ pub mod program {
     }
     /// Pauses the program that is running.
     ///
-    /// Sends `pause_program` (4.21). Concerns the robot's motion.
+    /// Sends `pause_program` (4.21).
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -287,7 +287,7 @@ pub mod program {
     }
     /// Resumes the program that is paused.
     ///
-    /// Sends `resume_program` (4.22). Concerns the robot's motion. The robot must be powered and enabled.
+    /// Sends `resume_program` (4.22). The robot must be powered and enabled.
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -325,7 +325,7 @@ pub mod program {
     /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. It is no emergency
     /// stop: the command travels over the network.
     ///
-    /// Sends `stop_program` (4.23). Concerns the robot's motion.
+    /// Sends `stop_program` (4.23).
     ///
     /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

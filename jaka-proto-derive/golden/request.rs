@@ -253,617 +253,91 @@ impl Request {
         <network::SetNetworkExceptionHandle as ::jaka_proto::Command>::INFO,
         <session::Quit as ::jaka_proto::Command>::INFO,
     ];
-    /// What the spec says about this command.
-    pub fn info(&self) -> &'static ::jaka_proto::CommandInfo {
+    /// Does something with the request, whatever its type.
+    pub fn visit<V: ::jaka_proto::Visit>(&self, visitor: V) -> V::Output {
         match self {
-            Self::PowerOn(_) => <power::PowerOn as ::jaka_proto::Command>::INFO,
-            Self::PowerOff(_) => <power::PowerOff as ::jaka_proto::Command>::INFO,
-            Self::EnableRobot(_) => <power::EnableRobot as ::jaka_proto::Command>::INFO,
-            Self::DisableRobot(_) => <power::DisableRobot as ::jaka_proto::Command>::INFO,
-            Self::Shutdown(_) => <power::Shutdown as ::jaka_proto::Command>::INFO,
-            Self::GetRobotState(_) => {
-                <power::GetRobotState as ::jaka_proto::Command>::INFO
-            }
-            Self::GetVersion(_) => <power::GetVersion as ::jaka_proto::Command>::INFO,
-            Self::Jog(_) => <motion::Jog as ::jaka_proto::Command>::INFO,
-            Self::JointMove(_) => <motion::JointMove as ::jaka_proto::Command>::INFO,
-            Self::EndMove(_) => <motion::EndMove as ::jaka_proto::Command>::INFO,
-            Self::MoveL(_) => <motion::MoveL as ::jaka_proto::Command>::INFO,
-            Self::MoveC(_) => <motion::MoveC as ::jaka_proto::Command>::INFO,
-            Self::WaitComplete(_) => {
-                <motion::WaitComplete as ::jaka_proto::Command>::INFO
-            }
-            Self::IsInServomove(_) => {
-                <servo::IsInServomove as ::jaka_proto::Command>::INFO
-            }
-            Self::ServoMove(_) => <servo::ServoMove as ::jaka_proto::Command>::INFO,
-            Self::ServoJ(_) => <servo::ServoJ as ::jaka_proto::Command>::INFO,
-            Self::ServoP(_) => <servo::ServoP as ::jaka_proto::Command>::INFO,
-            Self::SetServoMoveFilter(_) => {
-                <servo::SetServoMoveFilter as ::jaka_proto::Command>::INFO
-            }
-            Self::RapidRate(_) => <program::RapidRate as ::jaka_proto::Command>::INFO,
-            Self::LoadProgram(_) => <program::LoadProgram as ::jaka_proto::Command>::INFO,
-            Self::GetLoadedProgram(_) => {
-                <program::GetLoadedProgram as ::jaka_proto::Command>::INFO
-            }
-            Self::PlayProgram(_) => <program::PlayProgram as ::jaka_proto::Command>::INFO,
-            Self::PauseProgram(_) => {
-                <program::PauseProgram as ::jaka_proto::Command>::INFO
-            }
-            Self::ResumeProgram(_) => {
-                <program::ResumeProgram as ::jaka_proto::Command>::INFO
-            }
-            Self::StopProgram(_) => <program::StopProgram as ::jaka_proto::Command>::INFO,
-            Self::GetProgramState(_) => {
-                <program::GetProgramState as ::jaka_proto::Command>::INFO
-            }
-            Self::SetDigitalOutput(_) => {
-                <io::SetDigitalOutput as ::jaka_proto::Command>::INFO
-            }
-            Self::GetDigitalInputStatus(_) => {
-                <io::GetDigitalInputStatus as ::jaka_proto::Command>::INFO
-            }
-            Self::SetAnalogOutput(_) => {
-                <io::SetAnalogOutput as ::jaka_proto::Command>::INFO
-            }
-            Self::GetExtioStatus(_) => {
-                <io::GetExtioStatus as ::jaka_proto::Command>::INFO
-            }
-            Self::GetFuncdiStatus(_) => {
-                <io::GetFuncdiStatus as ::jaka_proto::Command>::INFO
-            }
-            Self::SetTioVoutParam(_) => {
-                <io::SetTioVoutParam as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTioVoutParam(_) => {
-                <io::GetTioVoutParam as ::jaka_proto::Command>::INFO
-            }
-            Self::SetToolOffsets(_) => {
-                <frames::SetToolOffsets as ::jaka_proto::Command>::INFO
-            }
-            Self::SetToolId(_) => <frames::SetToolId as ::jaka_proto::Command>::INFO,
-            Self::GetToolOffsets(_) => {
-                <frames::GetToolOffsets as ::jaka_proto::Command>::INFO
-            }
-            Self::SetUserOffsets(_) => {
-                <frames::SetUserOffsets as ::jaka_proto::Command>::INFO
-            }
-            Self::SetUserId(_) => <frames::SetUserId as ::jaka_proto::Command>::INFO,
-            Self::GetUserOffsets(_) => {
-                <frames::GetUserOffsets as ::jaka_proto::Command>::INFO
-            }
-            Self::QueryUserDefinedVariable(_) => {
-                <variables::QueryUserDefinedVariable as ::jaka_proto::Command>::INFO
-            }
-            Self::ModifyUserDefinedVariable(_) => {
-                <variables::ModifyUserDefinedVariable as ::jaka_proto::Command>::INFO
-            }
-            Self::SetPayload(_) => <payload::SetPayload as ::jaka_proto::Command>::INFO,
-            Self::GetPayload(_) => <payload::GetPayload as ::jaka_proto::Command>::INFO,
-            Self::ProtectiveStopStatus(_) => {
-                <collision::ProtectiveStopStatus as ::jaka_proto::Command>::INFO
-            }
-            Self::SetClsnSensitivity(_) => {
-                <collision::SetClsnSensitivity as ::jaka_proto::Command>::INFO
-            }
-            Self::GetClsnSensitivity(_) => {
-                <collision::GetClsnSensitivity as ::jaka_proto::Command>::INFO
-            }
-            Self::ClearError(_) => <collision::ClearError as ::jaka_proto::Command>::INFO,
-            Self::KineForward(_) => {
-                <kinematics::KineForward as ::jaka_proto::Command>::INFO
-            }
-            Self::KineInverse(_) => {
-                <kinematics::KineInverse as ::jaka_proto::Command>::INFO
-            }
-            Self::GetJointPos(_) => {
-                <kinematics::GetJointPos as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTcpPos(_) => <kinematics::GetTcpPos as ::jaka_proto::Command>::INFO,
-            Self::GetDhParam(_) => {
-                <kinematics::GetDhParam as ::jaka_proto::Command>::INFO
-            }
-            Self::SetTrajConfig(_) => {
-                <trajectory::SetTrajConfig as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTrajConfig(_) => {
-                <trajectory::GetTrajConfig as ::jaka_proto::Command>::INFO
-            }
-            Self::SetTrajSampleMode(_) => {
-                <trajectory::SetTrajSampleMode as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTrajSampleStatus(_) => {
-                <trajectory::GetTrajSampleStatus as ::jaka_proto::Command>::INFO
-            }
-            Self::GetExistTrajFileName(_) => {
-                <trajectory::GetExistTrajFileName as ::jaka_proto::Command>::INFO
-            }
-            Self::RenameTrajFileName(_) => {
-                <trajectory::RenameTrajFileName as ::jaka_proto::Command>::INFO
-            }
-            Self::RemoveTrajFile(_) => {
-                <trajectory::RemoveTrajFile as ::jaka_proto::Command>::INFO
-            }
-            Self::GenerateTrajExeFile(_) => {
-                <trajectory::GenerateTrajExeFile as ::jaka_proto::Command>::INFO
-            }
-            Self::TorqueControlEnable(_) => {
-                <force::TorqueControlEnable as ::jaka_proto::Command>::INFO
-            }
-            Self::DragStatus(_) => <force::DragStatus as ::jaka_proto::Command>::INFO,
-            Self::SetTorqueSensorBrand(_) => {
-                <force::SetTorqueSensorBrand as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTorqueSensorBrand(_) => {
-                <force::GetTorqueSensorBrand as ::jaka_proto::Command>::INFO
-            }
-            Self::SetAdmitCtrlConfig(_) => {
-                <force::SetAdmitCtrlConfig as ::jaka_proto::Command>::INFO
-            }
-            Self::GetAdmitCtrlConfig(_) => {
-                <force::GetAdmitCtrlConfig as ::jaka_proto::Command>::INFO
-            }
-            Self::SetTorqueSensorMode(_) => {
-                <force::SetTorqueSensorMode as ::jaka_proto::Command>::INFO
-            }
-            Self::StartTorqSensorPayloadIdentify(_) => {
-                <force::StartTorqSensorPayloadIdentify as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTorqSensorIdentifyStatus(_) => {
-                <force::GetTorqSensorIdentifyStatus as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTorqSensorPayloadIdentifyResult(_) => {
-                <force::GetTorqSensorPayloadIdentifyResult as ::jaka_proto::Command>::INFO
-            }
-            Self::SetToolPayload(_) => {
-                <force::SetToolPayload as ::jaka_proto::Command>::INFO
-            }
-            Self::GetToolPayload(_) => {
-                <force::GetToolPayload as ::jaka_proto::Command>::INFO
-            }
-            Self::SetComplianceCondition(_) => {
-                <force::SetComplianceCondition as ::jaka_proto::Command>::INFO
-            }
-            Self::EnableAdmittanceCtrl(_) => {
-                <force::EnableAdmittanceCtrl as ::jaka_proto::Command>::INFO
-            }
-            Self::GetCompliantType(_) => {
-                <force::GetCompliantType as ::jaka_proto::Command>::INFO
-            }
-            Self::SetCompliantType(_) => {
-                <force::SetCompliantType as ::jaka_proto::Command>::INFO
-            }
-            Self::SetTorqueSensorComm(_) => {
-                <force::SetTorqueSensorComm as ::jaka_proto::Command>::INFO
-            }
-            Self::GetTorqueSensorComm(_) => {
-                <force::GetTorqueSensorComm as ::jaka_proto::Command>::INFO
-            }
-            Self::DisableForceControl(_) => {
-                <force::DisableForceControl as ::jaka_proto::Command>::INFO
-            }
-            Self::SetVelCompliantCtrl(_) => {
-                <force::SetVelCompliantCtrl as ::jaka_proto::Command>::INFO
-            }
-            Self::SetNetworkExceptionHandle(_) => {
-                <network::SetNetworkExceptionHandle as ::jaka_proto::Command>::INFO
-            }
-            Self::Quit(_) => <session::Quit as ::jaka_proto::Command>::INFO,
-        }
-    }
-    /// Writes the request as it goes over the wire.
-    pub fn write(&self, out: &mut ::jaka_proto::wire::Writer) {
-        match self {
-            Self::PowerOn(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::PowerOff(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::EnableRobot(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::DisableRobot(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::Shutdown(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::GetRobotState(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetVersion(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::Jog(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::JointMove(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::EndMove(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::MoveL(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::MoveC(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::WaitComplete(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::IsInServomove(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::ServoMove(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::ServoJ(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::ServoP(request) => ::jaka_proto::Command::write_request(request, out),
-            Self::SetServoMoveFilter(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::RapidRate(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::LoadProgram(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetLoadedProgram(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::PlayProgram(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::PauseProgram(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::ResumeProgram(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::StopProgram(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetProgramState(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetDigitalOutput(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetDigitalInputStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetAnalogOutput(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetExtioStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetFuncdiStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetTioVoutParam(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTioVoutParam(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetToolOffsets(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetToolId(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetToolOffsets(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetUserOffsets(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetUserId(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetUserOffsets(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::QueryUserDefinedVariable(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::ModifyUserDefinedVariable(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetPayload(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetPayload(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::ProtectiveStopStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetClsnSensitivity(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetClsnSensitivity(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::ClearError(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::KineForward(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::KineInverse(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetJointPos(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTcpPos(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetDhParam(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetTrajConfig(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTrajConfig(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetTrajSampleMode(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTrajSampleStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetExistTrajFileName(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::RenameTrajFileName(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::RemoveTrajFile(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GenerateTrajExeFile(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::TorqueControlEnable(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::DragStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetTorqueSensorBrand(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTorqueSensorBrand(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetAdmitCtrlConfig(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetAdmitCtrlConfig(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetTorqueSensorMode(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::StartTorqSensorPayloadIdentify(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTorqSensorIdentifyStatus(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTorqSensorPayloadIdentifyResult(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetToolPayload(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetToolPayload(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetComplianceCondition(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::EnableAdmittanceCtrl(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetCompliantType(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetCompliantType(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetTorqueSensorComm(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::GetTorqueSensorComm(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::DisableForceControl(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetVelCompliantCtrl(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::SetNetworkExceptionHandle(request) => {
-                ::jaka_proto::Command::write_request(request, out)
-            }
-            Self::Quit(request) => ::jaka_proto::Command::write_request(request, out),
-        }
-    }
-    /// Checks the request against the spec.
-    ///
-    /// # Errors
-    /// A field holds what the spec forbids.
-    pub fn check(
-        &self,
-        ranges: ::jaka_proto::check::AdvisoryRanges,
-    ) -> Result<(), ::jaka_proto::check::InvalidArgument> {
-        match self {
-            Self::PowerOn(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::PowerOff(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::EnableRobot(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::DisableRobot(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::Shutdown(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetRobotState(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetVersion(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::Jog(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::JointMove(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::EndMove(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::MoveL(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::MoveC(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::WaitComplete(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::IsInServomove(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::ServoMove(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::ServoJ(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::ServoP(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::SetServoMoveFilter(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::RapidRate(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::LoadProgram(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetLoadedProgram(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::PlayProgram(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::PauseProgram(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::ResumeProgram(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::StopProgram(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetProgramState(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetDigitalOutput(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetDigitalInputStatus(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetAnalogOutput(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetExtioStatus(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetFuncdiStatus(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetTioVoutParam(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetTioVoutParam(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetToolOffsets(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetToolId(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetToolOffsets(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetUserOffsets(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetUserId(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetUserOffsets(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::QueryUserDefinedVariable(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::ModifyUserDefinedVariable(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetPayload(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetPayload(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::ProtectiveStopStatus(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetClsnSensitivity(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetClsnSensitivity(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::ClearError(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::KineForward(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::KineInverse(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetJointPos(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetTcpPos(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetDhParam(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::SetTrajConfig(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::GetTrajConfig(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::SetTrajSampleMode(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetTrajSampleStatus(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetExistTrajFileName(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::RenameTrajFileName(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::RemoveTrajFile(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GenerateTrajExeFile(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::TorqueControlEnable(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::DragStatus(request) => ::jaka_proto::Command::check(request, ranges),
-            Self::SetTorqueSensorBrand(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetTorqueSensorBrand(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetAdmitCtrlConfig(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetAdmitCtrlConfig(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetTorqueSensorMode(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::StartTorqSensorPayloadIdentify(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetTorqSensorIdentifyStatus(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetTorqSensorPayloadIdentifyResult(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetToolPayload(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetToolPayload(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetComplianceCondition(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::EnableAdmittanceCtrl(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetCompliantType(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetCompliantType(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetTorqueSensorComm(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::GetTorqueSensorComm(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::DisableForceControl(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetVelCompliantCtrl(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::SetNetworkExceptionHandle(request) => {
-                ::jaka_proto::Command::check(request, ranges)
-            }
-            Self::Quit(request) => ::jaka_proto::Command::check(request, ranges),
+            Self::PowerOn(request) => visitor.visit(request),
+            Self::PowerOff(request) => visitor.visit(request),
+            Self::EnableRobot(request) => visitor.visit(request),
+            Self::DisableRobot(request) => visitor.visit(request),
+            Self::Shutdown(request) => visitor.visit(request),
+            Self::GetRobotState(request) => visitor.visit(request),
+            Self::GetVersion(request) => visitor.visit(request),
+            Self::Jog(request) => visitor.visit(request),
+            Self::JointMove(request) => visitor.visit(request),
+            Self::EndMove(request) => visitor.visit(request),
+            Self::MoveL(request) => visitor.visit(request),
+            Self::MoveC(request) => visitor.visit(request),
+            Self::WaitComplete(request) => visitor.visit(request),
+            Self::IsInServomove(request) => visitor.visit(request),
+            Self::ServoMove(request) => visitor.visit(request),
+            Self::ServoJ(request) => visitor.visit(request),
+            Self::ServoP(request) => visitor.visit(request),
+            Self::SetServoMoveFilter(request) => visitor.visit(request),
+            Self::RapidRate(request) => visitor.visit(request),
+            Self::LoadProgram(request) => visitor.visit(request),
+            Self::GetLoadedProgram(request) => visitor.visit(request),
+            Self::PlayProgram(request) => visitor.visit(request),
+            Self::PauseProgram(request) => visitor.visit(request),
+            Self::ResumeProgram(request) => visitor.visit(request),
+            Self::StopProgram(request) => visitor.visit(request),
+            Self::GetProgramState(request) => visitor.visit(request),
+            Self::SetDigitalOutput(request) => visitor.visit(request),
+            Self::GetDigitalInputStatus(request) => visitor.visit(request),
+            Self::SetAnalogOutput(request) => visitor.visit(request),
+            Self::GetExtioStatus(request) => visitor.visit(request),
+            Self::GetFuncdiStatus(request) => visitor.visit(request),
+            Self::SetTioVoutParam(request) => visitor.visit(request),
+            Self::GetTioVoutParam(request) => visitor.visit(request),
+            Self::SetToolOffsets(request) => visitor.visit(request),
+            Self::SetToolId(request) => visitor.visit(request),
+            Self::GetToolOffsets(request) => visitor.visit(request),
+            Self::SetUserOffsets(request) => visitor.visit(request),
+            Self::SetUserId(request) => visitor.visit(request),
+            Self::GetUserOffsets(request) => visitor.visit(request),
+            Self::QueryUserDefinedVariable(request) => visitor.visit(request),
+            Self::ModifyUserDefinedVariable(request) => visitor.visit(request),
+            Self::SetPayload(request) => visitor.visit(request),
+            Self::GetPayload(request) => visitor.visit(request),
+            Self::ProtectiveStopStatus(request) => visitor.visit(request),
+            Self::SetClsnSensitivity(request) => visitor.visit(request),
+            Self::GetClsnSensitivity(request) => visitor.visit(request),
+            Self::ClearError(request) => visitor.visit(request),
+            Self::KineForward(request) => visitor.visit(request),
+            Self::KineInverse(request) => visitor.visit(request),
+            Self::GetJointPos(request) => visitor.visit(request),
+            Self::GetTcpPos(request) => visitor.visit(request),
+            Self::GetDhParam(request) => visitor.visit(request),
+            Self::SetTrajConfig(request) => visitor.visit(request),
+            Self::GetTrajConfig(request) => visitor.visit(request),
+            Self::SetTrajSampleMode(request) => visitor.visit(request),
+            Self::GetTrajSampleStatus(request) => visitor.visit(request),
+            Self::GetExistTrajFileName(request) => visitor.visit(request),
+            Self::RenameTrajFileName(request) => visitor.visit(request),
+            Self::RemoveTrajFile(request) => visitor.visit(request),
+            Self::GenerateTrajExeFile(request) => visitor.visit(request),
+            Self::TorqueControlEnable(request) => visitor.visit(request),
+            Self::DragStatus(request) => visitor.visit(request),
+            Self::SetTorqueSensorBrand(request) => visitor.visit(request),
+            Self::GetTorqueSensorBrand(request) => visitor.visit(request),
+            Self::SetAdmitCtrlConfig(request) => visitor.visit(request),
+            Self::GetAdmitCtrlConfig(request) => visitor.visit(request),
+            Self::SetTorqueSensorMode(request) => visitor.visit(request),
+            Self::StartTorqSensorPayloadIdentify(request) => visitor.visit(request),
+            Self::GetTorqSensorIdentifyStatus(request) => visitor.visit(request),
+            Self::GetTorqSensorPayloadIdentifyResult(request) => visitor.visit(request),
+            Self::SetToolPayload(request) => visitor.visit(request),
+            Self::GetToolPayload(request) => visitor.visit(request),
+            Self::SetComplianceCondition(request) => visitor.visit(request),
+            Self::EnableAdmittanceCtrl(request) => visitor.visit(request),
+            Self::GetCompliantType(request) => visitor.visit(request),
+            Self::SetCompliantType(request) => visitor.visit(request),
+            Self::SetTorqueSensorComm(request) => visitor.visit(request),
+            Self::GetTorqueSensorComm(request) => visitor.visit(request),
+            Self::DisableForceControl(request) => visitor.visit(request),
+            Self::SetVelCompliantCtrl(request) => visitor.visit(request),
+            Self::SetNetworkExceptionHandle(request) => visitor.visit(request),
+            Self::Quit(request) => visitor.visit(request),
         }
     }
     /// Reads the request `name` from its JSON; `None` if the spec has no such command.

@@ -85,7 +85,7 @@ pub mod servo {
     /// The reply comes at once, before the mode has changed. `servo_j` is refused until `is_in_servomove` says that servo mode
     /// is on.
     ///
-    /// Sends `servo_move` (4.14). Concerns the robot's motion. The robot must be powered and enabled.
+    /// Sends `servo_move` (4.14). The robot must be powered and enabled.
     ///
     /// # Errata
     ///
@@ -150,12 +150,12 @@ pub mod servo {
     /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
     /// first.
     ///
-    /// Sends `servo_j` (4.15). Concerns the robot's motion. The robot must be powered, enabled and in servo mode.
+    /// Sends `servo_j` (4.15). The robot must be powered, enabled and in servo mode.
     ///
     /// # Errata
     ///
     /// - The text writes the key `stepnum`, the sample `stepNum`.
-    /// - The text asks for a set-point every 8 ms, and for a period of 8 ms times `stepnum`. The latter holds (field notes).
+    /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
     /// - The text calls `joint_move` the fifth command. It is in 4.7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ServoJ {
@@ -254,13 +254,13 @@ pub mod servo {
     /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
     /// first.
     ///
-    /// Sends `servo_p` (4.16). Concerns the robot's motion. The robot must be powered, enabled and in servo mode.
+    /// Sends `servo_p` (4.16). The robot must be powered, enabled and in servo mode.
     ///
     /// # Errata
     ///
-    /// - The key of the set-point is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
+    /// - The key is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
     /// - The text writes the key `stepnum`, the sample `stepNum`.
-    /// - The text asks for a set-point every 8 ms, and for a period of 8 ms times `stepnum`. The latter holds (field notes).
+    /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
     /// - The text speaks of points of the six joints and of `servo_j`, as copied from 4.15. The set-point is a pose.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ServoP {
@@ -350,7 +350,7 @@ pub mod servo {
     ///
     /// It can be set only outside servo mode.
     ///
-    /// Sends `set_servo_move_filter` (4.60). Changes a setting or an output. The robot must be outside servo mode.
+    /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
     /// # Errata
     ///
@@ -358,10 +358,10 @@ pub mod servo {
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
     /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
     /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
-    /// - Filter 5 is listed as speed look-ahead and then explained as filter 3, the multi-stage mean filter of the joints.
+    /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
     /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
-    /// - `mmf_ka` is explained as coefficient for tracking the acceleration and the position; the key speaks of the former.
+    /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub enum SetServoMoveFilter {
         /// No filter.
@@ -468,11 +468,11 @@ pub mod servo {
             match self {
                 Self::Disabled {} => {
                     out.key("\"filter_type\":");
-                    out.int(0i64);
+                    out.int(0);
                 }
                 Self::JointLowPass { cutoff_frequency } => {
                     out.key("\"filter_type\":");
-                    out.int(1i64);
+                    out.int(1);
                     out.key("\"lpf_cf\":");
                     wire::Encode::encode(cutoff_frequency, out);
                 }
@@ -482,7 +482,7 @@ pub mod servo {
                     max_rotation_jerk,
                 } => {
                     out.key("\"filter_type\":");
-                    out.int(2i64);
+                    out.int(2);
                     out.key("\"nlf_max_vr\":");
                     wire::Encode::encode(max_rotation_speed, out);
                     out.key("\"nlf_max_ar\":");
@@ -497,7 +497,7 @@ pub mod servo {
                     acceleration_coefficient,
                 } => {
                     out.key("\"filter_type\":");
-                    out.int(3i64);
+                    out.int(3);
                     out.key("\"mmf_max_buf\":");
                     wire::Encode::encode(window_width, out);
                     out.key("\"mmf_kp\":");
@@ -516,7 +516,7 @@ pub mod servo {
                     max_translation_jerk,
                 } => {
                     out.key("\"filter_type\":");
-                    out.int(4i64);
+                    out.int(4);
                     out.key("\"nlf_max_vr\":");
                     wire::Encode::encode(max_rotation_speed, out);
                     out.key("\"nlf_max_ar\":");
@@ -532,7 +532,7 @@ pub mod servo {
                 }
                 Self::SpeedLookahead { buffer_size, coefficient } => {
                     out.key("\"filter_type\":");
-                    out.int(5i64);
+                    out.int(5);
                     out.key("\"mmf_max_buf\":");
                     wire::Encode::encode(buffer_size, out);
                     out.key("\"mmf_kp\":");
@@ -544,7 +544,7 @@ pub mod servo {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             match reader.tag("filter_type", "filter_type")? {
-                0i64 => {
+                0 => {
                     reader.begin_object()?;
                     while let Some(key) = reader.next_key()? {
                         match &*key {
@@ -553,7 +553,7 @@ pub mod servo {
                     }
                     Ok(Self::Disabled {})
                 }
-                1i64 => {
+                1 => {
                     let mut cutoff_frequency = None;
                     reader.begin_object()?;
                     while let Some(key) = reader.next_key()? {
@@ -572,7 +572,7 @@ pub mod servo {
                             ))?,
                     })
                 }
-                2i64 => {
+                2 => {
                     let mut max_rotation_speed = None;
                     let mut max_rotation_acceleration = None;
                     let mut max_rotation_jerk = None;
@@ -613,7 +613,7 @@ pub mod servo {
                             ))?,
                     })
                 }
-                3i64 => {
+                3 => {
                     let mut window_width = None;
                     let mut position_coefficient = None;
                     let mut speed_coefficient = None;
@@ -664,7 +664,7 @@ pub mod servo {
                             ))?,
                     })
                 }
-                4i64 => {
+                4 => {
                     let mut max_rotation_speed = None;
                     let mut max_rotation_acceleration = None;
                     let mut max_rotation_jerk = None;
@@ -738,7 +738,7 @@ pub mod servo {
                             ))?,
                     })
                 }
-                5i64 => {
+                5 => {
                     let mut buffer_size = None;
                     let mut coefficient = None;
                     reader.begin_object()?;

@@ -12,7 +12,7 @@ pub mod session {
     /// The controller answers as usual, and the client closes the connection then. Closing it without this command leaves power
     /// and enabling as they are.
     ///
-    /// Sends `quit` (4.11). Concerns the connection alone.
+    /// Sends `quit` (4.11).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct Quit;
     impl wire::Fields for Quit {

@@ -1116,7 +1116,7 @@ pub mod status {
             match self {
                 Self::Rtu { name, connection, pins } => {
                     out.raw("[");
-                    out.int(0i64);
+                    out.int(0);
                     out.comma();
                     wire::Encode::encode(name, out);
                     out.comma();
@@ -1127,7 +1127,7 @@ pub mod status {
                 }
                 Self::Tcp { name, connection, pins } => {
                     out.raw("[");
-                    out.int(1i64);
+                    out.int(1);
                     out.comma();
                     wire::Encode::encode(name, out);
                     out.comma();
@@ -1145,7 +1145,7 @@ pub mod status {
             let start = reader.clone();
             reader.begin_array()?;
             match reader.element::<i64>("kind")? {
-                0i64 => {
+                0 => {
                     let this = Self::Rtu {
                         name: reader.element("name")?,
                         connection: reader.element("connection")?,
@@ -1154,7 +1154,7 @@ pub mod status {
                     reader.end_array()?;
                     Ok(this)
                 }
-                1i64 => {
+                1 => {
                     let this = Self::Tcp {
                         name: reader.element("name")?,
                         connection: reader.element("connection")?,
@@ -1486,7 +1486,7 @@ pub mod status {
             match self {
                 Self::Tcp { connection, payload } => {
                     out.raw("[");
-                    out.int(0i64);
+                    out.int(0);
                     out.comma();
                     wire::Encode::encode(connection, out);
                     out.comma();
@@ -1495,7 +1495,7 @@ pub mod status {
                 }
                 Self::Serial { connection, payload } => {
                     out.raw("[");
-                    out.int(1i64);
+                    out.int(1);
                     out.comma();
                     wire::Encode::encode(connection, out);
                     out.comma();
@@ -1511,7 +1511,7 @@ pub mod status {
             let start = reader.clone();
             reader.begin_array()?;
             match reader.element::<i64>("kind")? {
-                0i64 => {
+                0 => {
                     let this = Self::Tcp {
                         connection: reader.element("connection")?,
                         payload: reader.element("payload")?,
@@ -1519,7 +1519,7 @@ pub mod status {
                     reader.end_array()?;
                     Ok(this)
                 }
-                1i64 => {
+                1 => {
                     let this = Self::Serial {
                         connection: reader.element("connection")?,
                         payload: reader.element("payload")?,

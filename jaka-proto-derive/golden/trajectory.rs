@@ -9,7 +9,7 @@ pub mod trajectory {
     use ::jaka_proto::{check, wire};
     /// Sets how finely a trajectory is recorded, and how fast it is run later.
     ///
-    /// Sends `set_traj_config` (4.52). Changes a setting or an output.
+    /// Sends `set_traj_config` (4.52).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetTrajConfig {
         /// Acceleration at which the trajectory is run. In mm/s², at least 0.
@@ -249,7 +249,7 @@ pub mod trajectory {
     ::jaka_proto::__object_impls!(GetTrajConfigReply);
     /// Starts or stops the recording of a trajectory to a file.
     ///
-    /// Sends `set_traj_sample_mode` (4.54). Changes a setting or an output.
+    /// Sends `set_traj_sample_mode` (4.54).
     ///
     /// # Errata
     ///
@@ -451,7 +451,7 @@ pub mod trajectory {
     ::jaka_proto::__object_impls!(GetExistTrajFileNameReply);
     /// Renames a trajectory file.
     ///
-    /// Sends `rename_traj_file_name` (4.57). Changes a setting or an output.
+    /// Sends `rename_traj_file_name` (4.57).
     #[derive(Debug, Clone, PartialEq)]
     pub struct RenameTrajFileName {
         /// Present name of the trajectory file.
@@ -517,7 +517,7 @@ pub mod trajectory {
     }
     /// Deletes a trajectory file.
     ///
-    /// Sends `remove_traj_file` (4.58). Changes a setting or an output.
+    /// Sends `remove_traj_file` (4.58).
     ///
     /// # Errata
     ///
@@ -577,7 +577,7 @@ pub mod trajectory {
     ///
     /// The document does not say what the program is called.
     ///
-    /// Sends `generate_traj_exe_file` (4.59). Changes a setting or an output.
+    /// Sends `generate_traj_exe_file` (4.59).
     ///
     /// # Errata
     ///

@@ -44,7 +44,7 @@ pub mod types {
     }
     /// Position and orientation of a frame, or an offset from one.
     ///
-    /// The orientation is given by Euler angles in the order x, y, z (4.16).
+    /// The orientation is given by Euler angles in the order x, y, z (4.16). Some sections call them a, b, c.
     ///
     /// Sections 4.16 and 4.47 state the units. Elsewhere the document leaves them out; the field notes find the same
     /// throughout.

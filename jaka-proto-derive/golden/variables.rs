@@ -77,7 +77,7 @@ pub mod variables {
     ///
     /// The request carries both: to change the value alone, send the present name along.
     ///
-    /// Sends `modify_user_defined_variable` (4.39). Changes a setting or an output.
+    /// Sends `modify_user_defined_variable` (4.39).
     ///
     /// # Errata
     ///

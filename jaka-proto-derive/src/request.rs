@@ -29,30 +29,10 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
             pub const COMMANDS: &'static [&'static ::jaka_proto::CommandInfo] =
                 &[#(<#modules::#names as ::jaka_proto::Command>::INFO),*];
 
-            /// What the spec says about this command.
-            pub fn info(&self) -> &'static ::jaka_proto::CommandInfo {
+            /// Does something with the request, whatever its type.
+            pub fn visit<V: ::jaka_proto::Visit>(&self, visitor: V) -> V::Output {
                 match self {
-                    #(Self::#names(_) => <#modules::#names as ::jaka_proto::Command>::INFO),*
-                }
-            }
-
-            /// Writes the request as it goes over the wire.
-            pub fn write(&self, out: &mut ::jaka_proto::wire::Writer) {
-                match self {
-                    #(Self::#names(request) => ::jaka_proto::Command::write_request(request, out)),*
-                }
-            }
-
-            /// Checks the request against the spec.
-            ///
-            /// # Errors
-            /// A field holds what the spec forbids.
-            pub fn check(
-                &self,
-                ranges: ::jaka_proto::check::AdvisoryRanges,
-            ) -> Result<(), ::jaka_proto::check::InvalidArgument> {
-                match self {
-                    #(Self::#names(request) => ::jaka_proto::Command::check(request, ranges)),*
+                    #(Self::#names(request) => visitor.visit(request)),*
                 }
             }
 

@@ -32,6 +32,15 @@ pub trait Command: Fields + Validate {
     }
 }
 
+/// Something to do with a request, whatever its type: see [`Request::visit`](crate::Request::visit).
+pub trait Visit {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn visit<C: Command>(self, command: &C) -> Self::Output;
+}
+
 /// What the spec says about a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use crate::check::{AdvisoryRanges, InvalidArgument};
+use crate::command::{Command, CommandInfo, Visit};
 use crate::messages::Request;
-use crate::wire::{DecodeError, Reader};
+use crate::wire::{DecodeError, Reader, Writer};
 
 impl Request {
     /// Reads a request as it goes over the wire.
@@ -16,6 +18,50 @@ impl Request {
             return Err(RequestError::Unknown { command: name });
         };
         request.map_err(|source| RequestError::Field { command: name, source })
+    }
+}
+
+impl Request {
+    /// What the spec says about the command.
+    pub fn info(&self) -> &'static CommandInfo {
+        struct Info;
+        impl Visit for Info {
+            type Output = &'static CommandInfo;
+
+            fn visit<C: Command>(self, _command: &C) -> Self::Output {
+                C::INFO
+            }
+        }
+        self.visit(Info)
+    }
+
+    /// Writes the request as it goes over the wire.
+    pub fn write(&self, out: &mut Writer) {
+        struct Write<'w>(&'w mut Writer);
+        impl Visit for Write<'_> {
+            type Output = ();
+
+            fn visit<C: Command>(self, command: &C) {
+                command.write_request(self.0);
+            }
+        }
+        self.visit(Write(out));
+    }
+
+    /// Checks the request against the spec.
+    ///
+    /// # Errors
+    /// A field holds what the spec forbids.
+    pub fn check(&self, ranges: AdvisoryRanges) -> Result<(), InvalidArgument> {
+        struct Check(AdvisoryRanges);
+        impl Visit for Check {
+            type Output = Result<(), InvalidArgument>;
+
+            fn visit<C: Command>(self, command: &C) -> Self::Output {
+                command.check(self.0)
+            }
+        }
+        self.visit(Check(ranges))
     }
 }
 

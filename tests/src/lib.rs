@@ -1,0 +1,170 @@
+//! What several end-to-end tests share: the document's messages, and random messages made from the spec.
+
+use jaka_spec::{Field, Request, Spec, Type, TypeDef, TypeKind};
+use proptest::prelude::*;
+use serde_json::{Map, Number, Value};
+
+/// One message that the document prints.
+#[derive(Debug)]
+pub struct Printed {
+    /// Section, such as `4.7`.
+    pub section: String,
+    /// True for a request, false for a reply.
+    pub is_request: bool,
+    /// The message as printed, with numbers in place of placeholders.
+    pub text: String,
+}
+
+/// All messages that the document prints.
+///
+/// # Panics
+/// The data file is damaged.
+pub fn printed() -> Vec<Printed> {
+    let line = |line: &str| {
+        let line: Value = serde_json::from_str(line).expect("each line is JSON");
+        let text = |key: &str| line[key].as_str().expect("each line has the key").to_owned();
+        Printed { section: text("section"), is_request: text("direction") == "request", text: text("text") }
+    };
+    include_str!("../data/examples.jsonl").lines().map(line).collect()
+}
+
+/// The built-in spec.
+///
+/// # Panics
+/// It has errors.
+pub fn spec() -> Spec {
+    jaka_spec::builtin().expect("the built-in spec is correct")
+}
+
+/// True if two JSON values are the same, where 1 and 1.0 are the same number.
+pub fn same(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => a.as_f64() == b.as_f64(),
+        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b)),
+        (Value::Object(a), Value::Object(b)) => {
+            a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| same(a, b)))
+        }
+        _ => a == b,
+    }
+}
+
+/// Random requests, for each command of the spec.
+pub fn any_request(spec: &'static Spec) -> BoxedStrategy<Value> {
+    let commands: Vec<_> = spec.commands().collect();
+    let request = move |command: &'static jaka_spec::Command| {
+        let body = match &command.request {
+            Request::Fields(fields) => any_object(spec, fields),
+            Request::Choice(choice) => {
+                let variants = choice.variants.iter().map(move |variant| {
+                    let (tag, value) = (choice.tag.clone(), variant.wire);
+                    let with_tag = move |mut object: Map<String, Value>| {
+                        object.insert(tag.clone(), value.into());
+                        object
+                    };
+                    any_object(spec, &variant.fields).prop_map(with_tag).boxed()
+                });
+                proptest::strategy::Union::new(variants).boxed()
+            }
+        };
+        let name = command.wire.clone();
+        body.prop_map(move |mut object| {
+            object.insert("cmdName".to_owned(), name.clone().into());
+            Value::Object(object)
+        })
+    };
+    proptest::sample::select(commands).prop_flat_map(request).boxed()
+}
+
+/// Random objects with these fields.
+pub fn any_object(spec: &'static Spec, fields: &'static [Field]) -> BoxedStrategy<Map<String, Value>> {
+    let fields: Vec<_> = fields.iter().map(|field| any_field(spec, field)).collect();
+    fields.prop_map(|fields| fields.into_iter().flatten().collect()).boxed()
+}
+
+fn any_field(spec: &'static Spec, field: &'static Field) -> BoxedStrategy<Option<(String, Value)>> {
+    let value = any_value(spec, &field.ty).prop_map(|value| (field.wire.clone(), value));
+    if field.optional { proptest::option::of(value).boxed() } else { value.prop_map(Some).boxed() }
+}
+
+/// Random values of a type, in the form in which the wire has them.
+pub fn any_value(spec: &'static Spec, ty: &'static Type) -> BoxedStrategy<Value> {
+    match ty {
+        Type::Bool { off, on } => {
+            let form = |json: &str| serde_json::from_str::<Value>(json).expect("the spec holds JSON");
+            proptest::sample::select(vec![form(off), form(on)]).boxed()
+        }
+        Type::Int => any::<i64>().prop_map(Value::from).boxed(),
+        Type::Float => any_float().prop_map(Value::from).boxed(),
+        Type::Text => any_text().prop_map(Value::from).boxed(),
+        Type::Json => prop_oneof![any::<i64>().prop_map(Value::from), any_text().prop_map(Value::from)].boxed(),
+        Type::List(element) => {
+            proptest::collection::vec(any_value(spec, element), 0..4).prop_map(Value::from).boxed()
+        }
+        Type::Array(element, len) => {
+            proptest::collection::vec(any_value(spec, element), *len).prop_map(Value::from).boxed()
+        }
+        Type::Named(name) => any_named(spec, spec.type_def(name).expect("the spec is resolved")),
+        Type::Python(inner) => any_value(spec, inner)
+            .prop_map(|value| jaka_proto::python::from_json(&value.to_string()).expect("a value is JSON").into())
+            .boxed(),
+    }
+}
+
+fn any_named(spec: &'static Spec, def: &'static TypeDef) -> BoxedStrategy<Value> {
+    match &def.kind {
+        TypeKind::Object(fields) => any_object(spec, fields).prop_map(Value::Object).boxed(),
+        TypeKind::Array { fields, .. } => any_elements(spec, fields),
+        TypeKind::IntEnum(values) => {
+            let listed: Vec<_> = values.iter().map(|value| value.wire).collect();
+            prop_oneof![3 => proptest::sample::select(listed), 1 => any::<i64>()].prop_map(Value::from).boxed()
+        }
+        TypeKind::TextEnum(values) => {
+            let listed: Vec<_> = values.iter().map(|value| value.wire.clone()).collect();
+            prop_oneof![3 => proptest::sample::select(listed), 1 => any_text()].prop_map(Value::from).boxed()
+        }
+        TypeKind::Choice(choice) => {
+            let variants = choice.variants.iter().map(move |variant| {
+                let tag = Value::from(variant.wire);
+                let with_tag = move |elements: Value| match elements {
+                    Value::Array(rest) => std::iter::once(tag.clone()).chain(rest).collect(),
+                    other => other,
+                };
+                any_elements(spec, &variant.fields).prop_map(with_tag).boxed()
+            });
+            proptest::strategy::Union::new(variants).boxed()
+        }
+        TypeKind::Wrapper(ty, _) => any_value(spec, ty),
+    }
+}
+
+/// An array of these elements; the optional ones at the end may be left out from some place on.
+fn any_elements(spec: &'static Spec, fields: &'static [Field]) -> BoxedStrategy<Value> {
+    let required = fields.iter().filter(|field| !field.optional).count();
+    let elements: Vec<_> = fields.iter().map(|field| any_value(spec, &field.ty)).collect();
+    (elements, required..=fields.len())
+        .prop_map(|(mut elements, len)| {
+            elements.truncate(len);
+            Value::Array(elements)
+        })
+        .boxed()
+}
+
+fn any_float() -> impl Strategy<Value = f64> {
+    let finite = any::<f64>().prop_filter("JSON has finite numbers only", |float| float.is_finite());
+    prop_oneof![finite, (-1000i32..1000).prop_map(f64::from), -720.0..720.0]
+}
+
+fn any_text() -> impl Strategy<Value = String> {
+    proptest::string::string_regex("[a-zA-Z0-9 {}\\[\\]\"'\\\\/_.,:é中\n]{0,12}").expect("the pattern is correct")
+}
+
+/// The same value in another form that the field notes list: numbers as strings, whole numbers as floats.
+pub fn drifted_number(number: &Number, form: u8) -> Value {
+    let whole = number.as_i64().filter(|int| int.abs() < 1 << 53);
+    match (form % 4, whole) {
+        (0, _) => Value::Number(number.clone()),
+        (1, Some(int)) => serde_json::from_str(&format!("{int}.0")).expect("a float is JSON"),
+        (2, _) => Value::String(format!(" {number} ")),
+        _ => Value::String(number.to_string()),
+    }
+}
