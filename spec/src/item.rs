@@ -35,13 +35,10 @@ impl<'a, 's> Item<'a, 's> {
         self.at.source
     }
 
-    pub(crate) fn report(&self) -> &'a Report {
-        self.report
-    }
-
     /// Reports an error about this table, at `at`.
     pub(crate) fn error(&self, at: At<'s>, message: &str) {
-        self.report.error(at, format!("{}: {message}", self.what));
+        let message = if self.what.is_empty() { message.to_owned() } else { format!("{}: {message}", self.what) };
+        self.report.error(at, message);
     }
 
     fn get(&self, key: &'static str) -> Option<(At<'s>, &'a DeValue<'s>)> {

@@ -30,8 +30,8 @@ pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Repo
     let topic = Topic {
         title: root.required_text("title").value,
         doc: doc(&root).unwrap_or_default(),
-        types: root.items("type", "type").iter().map(|item| type_def(item, index)).collect(),
         commands: root.items("command", "command").iter().map(|item| command(item, index)).collect(),
+        types: root.items("type", "type").iter().map(|item| type_def(item, index)).collect(),
         errors: root.items("error", "error code").iter().map(|item| error_code(item, index)).collect(),
         name,
     };
@@ -56,12 +56,16 @@ fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command {
     if let Some(bare) = bare_reply.as_ref().filter(|bare| reply.iter().all(|field| field.name != bare.value)) {
         item.error(bare.at, &format!("`bare_reply` names `{}`, which is no field of the reply", bare.value));
     }
+    let reply_certain = item.flag("reply_certain").is_none_or(|flag| flag.value);
+    if !reply_certain && reply.iter().any(|field| !field.optional) {
+        item.error(item.at, "a reply that may never come can have optional fields only");
+    }
     let command = Command {
         section: section.map(|text| text.value),
         effect: keyword(item, "effect", EFFECTS).unwrap_or(Effect::Query),
         requires: requires(item),
         deadline: deadline(item),
-        reply_certain: item.flag("reply_certain").is_none_or(|flag| flag.value),
+        reply_certain,
         ends_session: item.flag("ends_session").is_some_and(|flag| flag.value),
         reconstructed: item.text("reconstructed").map(|text| text.value),
         deprecated: item.text("deprecated").map(|text| text.value),

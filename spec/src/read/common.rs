@@ -53,8 +53,7 @@ pub(super) fn word<T: Copy>(
     let found = words.iter().find(|(word, _)| *word == text.value).map(|(_, value)| *value);
     if found.is_none() && !text.value.is_empty() {
         let known: Vec<_> = words.iter().map(|(word, _)| *word).collect();
-        let message = format!("`{key}` is one of {}, not `{}`", known.join(", "), text.value);
-        item.report().error(text.at, format!("{}: {message}", item.what));
+        item.error(text.at, &format!("`{key}` is one of {}, not `{}`", known.join(", "), text.value));
     }
     found
 }

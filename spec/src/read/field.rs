@@ -75,12 +75,21 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
     if field.range.advisory && field.range.min.is_none() && field.range.max.is_none() {
         item.error(item.at, "`advisory` is for a range: give `min` or `max`");
     }
+    if has_words(scalar) && (field.wire.is_empty() || field.ty != *scalar) {
+        item.error(item.at, "words for false and true are read only where the field itself is a bool with a key");
+    }
     if field.ascii && *scalar != Type::Text {
         item.error(item.at, "`ascii` is for text");
     }
     if field.disputed.len() == 1 {
         item.error(item.at, "`disputed` lists the readings of at least two sources");
     }
+}
+
+/// True for a bool that is written in words of its own, such as `robot_enabled`.
+fn has_words(ty: &Type) -> bool {
+    let usual = |form: &str| matches!(form.to_ascii_lowercase().trim_matches('"'), "false" | "true" | "0" | "1");
+    matches!(ty, Type::Bool { off, on } if !usual(off) || !usual(on))
 }
 
 fn innermost(ty: &Type) -> &Type {

@@ -1,0 +1,218 @@
+//! Every drift that the field notes list decodes; what is no such drift is an error that names the field.
+
+use jaka_proto::messages::collision::ProtectiveStopStatusReply;
+use jaka_proto::messages::io::GetExtioStatusReply;
+use jaka_proto::messages::kinematics::GetJointPosReply;
+use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply, PowerOn};
+use jaka_proto::messages::program::{GetProgramStateReply, ProgramState};
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Typed, Value, Writer};
+use jaka_proto::{Command, Envelope, ErrorCode, read_payload};
+
+fn read<R: Fields>(json: &str) -> Result<R, DecodeError> {
+    R::read_fields(&mut Reader::new(json))
+}
+
+fn decode<T: Decode>(json: &str) -> Result<T, DecodeError> {
+    T::decode(&mut Reader::new(json))
+}
+
+#[test]
+fn truth_values_in_all_forms() {
+    for (json, expected) in [
+        ("true", true),
+        ("false", false),
+        ("1", true),
+        ("0", false),
+        ("1.0", true),
+        ("\"1\"", true),
+        ("\"0\"", false),
+        ("\"True\"", true),
+        ("\"False\"", false),
+        ("\"true\"", true),
+        ("\" False \"", false),
+    ] {
+        let reply = format!("{{\"protective_stop\": {json}}}");
+        let stopped = read::<ProtectiveStopStatusReply>(&reply).expect(json).protective_stop;
+        assert_eq!(stopped, expected, "{json}");
+    }
+    for json in ["2", "\"yes\"", "\"\"", "[]", "{}", "-1", "0.5"] {
+        let reply = format!("{{\"protective_stop\": {json}}}");
+        let error = read::<ProtectiveStopStatusReply>(&reply).expect_err(json);
+        assert_eq!(error.field(), "protective_stop");
+        assert!(error.to_string().contains("expected a truth value"), "{error}");
+    }
+}
+
+#[test]
+fn robot_state_of_old_and_new_firmware() {
+    let state = |json| {
+        let GetRobotStateReply { enabled, powered_on, .. } = read(json).expect(json);
+        (enabled, powered_on)
+    };
+    assert_eq!(state(r#"{"enable": "robot_disabled", "power": "powered_off"}"#), (false, false));
+    assert_eq!(state(r#"{"enable": "robot_enabled", "power": "powered_on"}"#), (true, true));
+    assert_eq!(state(r#"{"enable": true, "power": 1, "errcode": "0x0", "msg": ""}"#), (true, true));
+    assert_eq!(state(r#"{"enable": "1", "power": 0}"#), (true, false));
+    assert_eq!(state(r#"{"enable": 1, "power": true}"#), (true, true));
+    let error = read::<GetRobotStateReply>(r#"{"enable": "robot_confused", "power": 1}"#).expect_err("no state");
+    assert_eq!(error.to_string(), "field `enabled`: expected a truth value, found `\"robot_confused\"`");
+}
+
+#[test]
+fn keys_with_a_blank_and_missing_messages() {
+    let reply: <PowerOn as Command>::Reply =
+        read_payload(PowerOn::INFO, r#"{"errorCode": "0", "power status": "True", "cmdName": "power_on"}"#)
+            .expect("a real reply");
+    assert_eq!(reply.powered_on, Some(true));
+    let without: <PowerOn as Command>::Reply =
+        read_payload(PowerOn::INFO, r#"{"errorCode": "0", "cmdName": "power_on"}"#).expect("the key may be absent");
+    assert_eq!(without.powered_on, None);
+}
+
+#[test]
+fn numbers_as_strings_and_whole_numbers_as_floats() {
+    let joints = |json: &str| read::<GetJointPosReply>(&format!("{{\"joint_pos\": {json}}}"));
+    let expected = [0.0, -90.5, 1e-7, 3.0, 40.0, 5.123_456_789_012_345];
+    let reply = joints(r#"[0, "-90.5", 1e-7, 3.0, " 4e1 ", 5.123456789012345]"#).expect("all are numbers");
+    assert_eq!(<[f64; 6]>::from(reply.joint_position), expected);
+    for (json, message) in [
+        ("[1,2,3,4,5]", "field `joint_position`: expected an array of 6, found `[1,2,3,4,5]`"),
+        ("[1,2,3,4,5,6,7]", "field `joint_position`: expected an array of 6, found `[1,2,3,4,5,6,7]`"),
+        ("[1,2,3,4,5,\"x\"]", "field `joint_position[5]`: expected a number, found `\"x\"`"),
+        ("[1,2,3,4,5,\"nan\"]", "field `joint_position[5]`: expected a number, found `\"nan\"`"),
+        ("[1,2,3,4,5,1e999]", "field `joint_position[5]`: expected a number, found `1e999`"),
+        ("[1,2,3,4,5,null]", "field `joint_position[5]`: expected a number, found `null`"),
+        ("null", "field `joint_position`: the key `joint_pos` is missing"),
+        ("7", "field `joint_position`: expected an array, found `7`"),
+    ] {
+        assert_eq!(joints(json).expect_err(json).to_string(), message);
+    }
+    assert_eq!(decode::<i64>("5.0"), Ok(5));
+    assert_eq!(decode::<i64>("\"-7\""), Ok(-7));
+    assert_eq!(decode::<i64>("1e3"), Ok(1000));
+    assert!(decode::<i64>("5.5").is_err());
+    assert!(decode::<i64>("1e300").is_err());
+    assert!(decode::<i64>("true").is_err());
+}
+
+#[test]
+fn floats_read_back_as_they_were_sent() {
+    for value in [0.1, 1.0 / 3.0, 89.999_999_999_999_99, -179.123_456_789_012_3, f64::MIN_POSITIVE, f64::MAX, -0.0] {
+        let mut out = Writer::new();
+        out.float(value);
+        let read: f64 = decode(out.as_str()).expect("a float is a number");
+        assert_eq!(read.to_bits(), value.to_bits(), "{}", out.as_str());
+    }
+}
+
+#[test]
+fn success_and_refusal_in_all_forms() {
+    for (json, code) in [
+        ("\"0\"", 0),
+        ("0", 0),
+        ("\"0x0\"", 0),
+        ("0.0", 0),
+        ("\"-1\"", -1),
+        ("-1", -1),
+        ("\"2\"", 2),
+        ("3", 3),
+        ("\"0x10f0005\"", 0x10f_0005),
+        ("\" 1 \"", 1),
+    ] {
+        let reply = format!("{{\"errorCode\": {json}, \"cmdName\": \"jog\"}}");
+        assert_eq!(Envelope::read(&reply).expect("the reply is JSON").code, Ok(ErrorCode(code)), "{json}");
+    }
+    let unclear = Envelope::read(r#"{"errorCode": "fine", "cmdName": "jog"}"#).expect("the reply is JSON");
+    assert!(unclear.refusal().is_none());
+    assert_eq!(
+        unclear.code.expect_err("no number").to_string(),
+        "field `error_code`: expected a whole number, found `\"fine\"`"
+    );
+    let absent = Envelope::read(r#"{"cmdName": "jog"}"#).expect("the reply is JSON");
+    assert_eq!(absent.code.expect_err("no code").to_string(), "field `error_code`: the key `errorCode` is missing");
+}
+
+#[test]
+fn a_refusal_is_read_whatever_else_the_reply_holds() {
+    let refused = r#"{"errorMsg": "call get_joint_pos failed", "joint_pos": "?", "errorCode": "2", "cmdName": " x "}"#;
+    let refusal = Envelope::read(refused).expect("the reply is JSON").refusal().expect("it is a refusal");
+    assert_eq!((refusal.command.as_str(), refusal.code), ("x", ErrorCode(2)));
+    assert_eq!(refusal.message, "call get_joint_pos failed");
+}
+
+#[test]
+fn unknown_keys_unknown_enum_values_and_any_array_length() {
+    let state = read::<GetProgramStateReply>(r#"{"new": {"deep": [1, {"er": null}]}, "programState": "jogging"}"#);
+    assert_eq!(state.expect("it decodes").program_state, ProgramState::Other("jogging".to_owned()));
+    for len in [0, 64, 135, 136, 144, 200] {
+        let packet = format!("{{\"len\": 1, \"din\": [{}]}}", vec!["0"; len].join(","));
+        let status: RobotStatus = read(&packet).expect("any length decodes");
+        assert_eq!(status.digital_inputs.expect("the key is there").len(), len);
+    }
+}
+
+#[test]
+fn nothing_is_invented_for_an_absent_key() {
+    let status: RobotStatus = read("{}").expect("any key may be absent");
+    assert_eq!(status, RobotStatus::default());
+    assert!(status.joint_actual_position.is_none() && status.enabled.is_none() && status.digital_inputs.is_none());
+}
+
+#[test]
+fn a_nested_value_of_another_shape_is_kept() {
+    let status: RobotStatus = read(r#"{"torqsensor": [[0,0,0],[1]], "enabled": true}"#).expect("the packet decodes");
+    assert_eq!(status.enabled, Some(true));
+    let raw: Value = serde_json::from_str("[[0,0,0],[1]]").expect("it is JSON");
+    assert_eq!(status.torque_sensor, Some(Typed::Raw(raw)));
+}
+
+#[test]
+fn extension_modules_in_both_forms() {
+    let info = jaka_proto::messages::io::GetExtioStatus::INFO;
+    let inside = r#"{"errorCode": "0", "extio_status": "(0, [], {'state': 0})", "cmdName": "get_extio_status"}"#;
+    let from_string: GetExtioStatusReply = read_payload(info, inside).expect("the form inside a string");
+    let from_bare: GetExtioStatusReply = read_payload(info, "(0, [], {'state': 0})").expect("the bare form");
+    assert_eq!(from_string, from_bare);
+    assert_eq!((from_bare.extio_status.count, from_bare.extio_status.modules.len()), (0, 0));
+    let error = read_payload::<GetExtioStatusReply>(info, "(0, [)").expect_err("no literal");
+    assert_eq!(error.field(), "extio_status");
+}
+
+#[test]
+fn text_that_is_no_json_is_told_from_json_of_another_shape() {
+    for json in ["", "{", "{\"a\"}", "{\"a\":}", "{\"a\":1,}", "{\"a\":01x}", "{a:1}", "{\"a\":tru}", "{\"a\":\"\\x\"}"] {
+        assert!(Envelope::read(json).is_err_and(|error| error.is_malformed()), "{json}");
+    }
+    assert!(Envelope::read("{} {}").is_err_and(|error| error.is_malformed()));
+    assert!(read::<GetJointPosReply>("{}").is_err_and(|error| !error.is_malformed()));
+    let deep = format!("{{\"a\":{}1{}}}", "[".repeat(100_000), "]".repeat(100_000));
+    assert!(Envelope::read(&deep).is_err_and(|error| error.is_malformed()));
+}
+
+#[test]
+fn a_key_that_appears_twice_is_an_error() {
+    let twice = r#"{"joint_pos": [0,0,0,0,0,0], "joint_pos": [1,1,1,1,1,1]}"#;
+    let error = read::<GetJointPosReply>(twice).expect_err("which one is meant?");
+    assert_eq!(error.to_string(), "field `joint_position`: the key appears twice");
+}
+
+#[test]
+fn strings_with_escapes_and_bare_control_characters() {
+    let text = |json: &str| decode::<String>(json);
+    assert_eq!(text(r#""a\"b\\c\n\u4e2d\ud83d\ude00""#).as_deref(), Ok("a\"b\\c\n中😀"));
+    assert_eq!(text("\"a\nb\\t\u{1}\"").as_deref(), Ok("a\nb\t\u{1}"));
+    assert!(text(r#""\ud800""#).is_err());
+    assert!(text("\"abc").is_err());
+    assert!(text("\"abc\\").is_err());
+}
+
+#[test]
+fn serde_sees_the_json_of_the_wire() {
+    let state = GetRobotState;
+    assert_eq!(serde_json::to_string(&state).expect("it serialises"), "{}");
+    let reply: GetJointPosReply = serde_json::from_str(r#"{"joint_pos": [1, 2, 3, 4, 5, 6]}"#).expect("it decodes");
+    assert_eq!(serde_json::to_string(&reply).expect("it serialises"), r#"{"joint_pos":[1,2,3,4,5,6]}"#);
+    let error = serde_json::from_str::<GetJointPosReply>("{}").expect_err("the field is missing");
+    assert!(error.to_string().contains("`joint_pos` is missing"), "{error}");
+}
