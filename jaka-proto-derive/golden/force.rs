@@ -143,7 +143,7 @@ pub mod force {
         ///
         /// `sensor_brand` on the wire.
         #[doc(alias = "sensor_brand")]
-        pub brand: super::force::TorqueSensorBrand,
+        pub brand: TorqueSensorBrand,
     }
     impl wire::Fields for SetTorqueSensorBrand {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -234,7 +234,7 @@ pub mod force {
         ///
         /// `sensor_brand` on the wire.
         #[doc(alias = "sensor_brand")]
-        pub brand: super::force::TorqueSensorBrand,
+        pub brand: TorqueSensorBrand,
     }
     impl wire::Fields for GetTorqueSensorBrandReply {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -272,7 +272,7 @@ pub mod force {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetAdmitCtrlConfig {
         /// Axis to set.
-        pub axis: super::force::CartesianAxis,
+        pub axis: CartesianAxis,
         /// Whether the axis is on.
         ///
         /// `opt` on the wire.
@@ -435,7 +435,7 @@ pub mod force {
         ///
         /// `admitConfig` on the wire.
         #[doc(alias = "admitConfig")]
-        pub axes: wire::Typed<Vec<Vec<super::force::AdmittanceAxis>>>,
+        pub axes: wire::Typed<Vec<Vec<AdmittanceAxis>>>,
     }
     impl wire::Fields for GetAdmitCtrlConfigReply {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -644,7 +644,7 @@ pub mod force {
         ///
         /// `identify_status` on the wire.
         #[doc(alias = "identify_status")]
-        pub status: super::force::IdentifyStatus,
+        pub status: IdentifyStatus,
     }
     impl wire::Fields for GetTorqSensorIdentifyStatusReply {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -903,7 +903,7 @@ pub mod force {
         ///
         /// `compliant_condition` on the wire.
         #[doc(alias = "compliant_condition")]
-        pub condition: super::force::ComplianceCondition,
+        pub condition: ComplianceCondition,
     }
     impl wire::Fields for SetComplianceCondition {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -1044,7 +1044,7 @@ pub mod force {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct GetCompliantTypeReply {
         /// Type of force control.
-        pub compliance_type: super::force::ComplianceType,
+        pub compliance_type: ComplianceType,
         /// Whether sensor compensation is on, which initialises the sensor.
         pub sensor_compensation: bool,
     }
@@ -1095,7 +1095,7 @@ pub mod force {
         /// Whether sensor compensation is on, which initialises the sensor.
         pub sensor_compensation: super::types::Switch,
         /// Type of force control.
-        pub compliance_type: super::force::ComplianceType,
+        pub compliance_type: ComplianceType,
     }
     impl wire::Fields for SetCompliantType {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -1177,7 +1177,7 @@ pub mod force {
         ///
         /// `type` on the wire.
         #[doc(alias = "type")]
-        pub communication: super::force::TorqueSensorCommunication,
+        pub communication: TorqueSensorCommunication,
         /// IP address of the sensor.
         ///
         /// `ip_addr` on the wire.
@@ -1300,7 +1300,7 @@ pub mod force {
         ///
         /// `type` on the wire.
         #[doc(alias = "type")]
-        pub communication: super::force::TorqueSensorCommunication,
+        pub communication: TorqueSensorCommunication,
         /// Port of the sensor, for TCP/IP.
         pub port: i64,
     }
@@ -1382,7 +1382,7 @@ pub mod force {
         ///
         /// `compliant_ctrl` on the wire.
         #[doc(alias = "compliant_ctrl")]
-        pub compliance: super::force::VelocityCompliance,
+        pub compliance: VelocityCompliance,
     }
     impl wire::Fields for SetVelCompliantCtrl {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -1684,12 +1684,12 @@ pub mod force {
         }
     }
     ::jaka_proto::__serde_impls!(ComplianceCondition);
-    impl From<[f64; 6usize]> for ComplianceCondition {
-        fn from([fx, fy, fz, tx, ty, tz]: [f64; 6usize]) -> Self {
+    impl From<[f64; 6]> for ComplianceCondition {
+        fn from([fx, fy, fz, tx, ty, tz]: [f64; 6]) -> Self {
             Self { fx, fy, fz, tx, ty, tz }
         }
     }
-    impl From<ComplianceCondition> for [f64; 6usize] {
+    impl From<ComplianceCondition> for [f64; 6] {
         fn from(value: ComplianceCondition) -> Self {
             [value.fx, value.fy, value.fz, value.tx, value.ty, value.tz]
         }

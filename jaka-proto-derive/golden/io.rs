@@ -18,7 +18,7 @@ pub mod io {
         ///
         /// `type` on the wire.
         #[doc(alias = "type")]
-        pub kind: super::io::DigitalOutputKind,
+        pub kind: DigitalOutputKind,
         /// Number of the output, sent as given: counted from 0 on some firmware, from 1 on other. At least 0.
         pub index: i64,
         /// State to set.
@@ -184,7 +184,7 @@ pub mod io {
         ///
         /// `type` on the wire.
         #[doc(alias = "type")]
-        pub kind: super::io::AnalogOutputKind,
+        pub kind: AnalogOutputKind,
         /// Number of the output, sent as given. At least 0. The document numbers the cabinet's outputs from 0 to 7. Some firmware counts
         /// digital outputs from 1 (field notes); whether it does so for analog outputs is not known.
         pub index: i64,
@@ -301,7 +301,7 @@ pub mod io {
     #[derive(Debug, Clone, PartialEq)]
     pub struct GetExtioStatusReply {
         /// All modules. On the wire a Python literal inside a string.
-        pub extio_status: super::io::ExtioStatus,
+        pub extio_status: ExtioStatus,
     }
     impl wire::Fields for GetExtioStatusReply {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -396,7 +396,7 @@ pub mod io {
         ///
         /// `funcdi_status` on the wire.
         #[doc(alias = "funcdi_status")]
-        pub function_inputs: Vec<super::io::FunctionInput>,
+        pub function_inputs: Vec<FunctionInput>,
     }
     impl wire::Fields for GetFuncdiStatusReply {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -749,9 +749,9 @@ pub mod io {
         /// Number of modules.
         pub count: i64,
         /// One entry for each module.
-        pub modules: Vec<super::io::ExtioModule>,
+        pub modules: Vec<ExtioModule>,
         /// Whether the modules run, and the state of their pins.
-        pub state: super::io::ExtioState,
+        pub state: ExtioState,
     }
     impl wire::Encode for ExtioStatus {
         fn encode(&self, out: &mut wire::Writer) {
@@ -782,12 +782,12 @@ pub mod io {
     #[derive(Debug, Clone, PartialEq)]
     pub struct ExtioModule {
         /// How the module is connected, and its pins.
-        pub setup: super::io::ExtioSetup,
+        pub setup: ExtioSetup,
         /// Where the module's pins start; of interest with several modules.
         ///
         /// `pinmap` on the wire.
         #[doc(alias = "pinmap")]
-        pub pin_map: super::io::ExtioPinMap,
+        pub pin_map: ExtioPinMap,
     }
     impl wire::Fields for ExtioModule {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -829,18 +829,18 @@ pub mod io {
             /// Serial settings of the connection. The document prints no sample of them.
             ///
             /// No source prints a whole sample: a value of another shape is kept as raw JSON.
-            connection: wire::Typed<super::io::ExtioRtu>,
+            connection: wire::Typed<ExtioRtu>,
             /// The module's pins.
-            pins: super::io::ExtioPins,
+            pins: ExtioPins,
         },
         /// Connected by Modbus TCP.
         Tcp {
             /// Name of the module.
             name: String,
             /// Network address of the module.
-            connection: super::io::ExtioTcp,
+            connection: ExtioTcp,
             /// The module's pins.
-            pins: super::io::ExtioPins,
+            pins: ExtioPins,
         },
         /// A kind that the spec does not list, as raw JSON.
         Other(wire::Value),
@@ -1001,22 +1001,22 @@ pub mod io {
         ///
         /// `ai` on the wire.
         #[doc(alias = "ai")]
-        pub analog_inputs: super::io::ExtioPinRange,
+        pub analog_inputs: ExtioPinRange,
         /// Digital outputs.
         ///
         /// `do` on the wire.
         #[doc(alias = "do")]
-        pub digital_outputs: super::io::ExtioPinRange,
+        pub digital_outputs: ExtioPinRange,
         /// Analog outputs.
         ///
         /// `ao` on the wire.
         #[doc(alias = "ao")]
-        pub analog_outputs: super::io::ExtioPinRange,
+        pub analog_outputs: ExtioPinRange,
         /// Digital inputs.
         ///
         /// `di` on the wire.
         #[doc(alias = "di")]
-        pub digital_inputs: super::io::ExtioPinRange,
+        pub digital_inputs: ExtioPinRange,
     }
     impl wire::Fields for ExtioPins {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -1248,7 +1248,7 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct FunctionInput {
         /// Where the input is.
-        pub kind: super::io::FunctionInputKind,
+        pub kind: FunctionInputKind,
         /// Number of the input, counted from 0, or -1 where there is none.
         pub index: i64,
     }

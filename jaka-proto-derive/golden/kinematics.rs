@@ -405,16 +405,16 @@ pub mod kinematics {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct GetDhParamReply {
         /// DH parameter alpha, one for each joint. Unit not stated.
-        pub alpha: [f64; 6usize],
+        pub alpha: [f64; 6],
         /// DH parameter a, one for each joint. Unit not stated.
-        pub a: [f64; 6usize],
+        pub a: [f64; 6],
         /// DH parameter d, one for each joint. Unit not stated.
-        pub d: [f64; 6usize],
+        pub d: [f64; 6],
         /// Home offset, by the key's name, one for each joint. Unit not stated.
         ///
         /// `joint_homeoff` on the wire.
         #[doc(alias = "joint_homeoff")]
-        pub joint_home_offset: [f64; 6usize],
+        pub joint_home_offset: [f64; 6],
     }
     impl wire::Fields for GetDhParamReply {
         fn write_fields(&self, out: &mut wire::Writer) {

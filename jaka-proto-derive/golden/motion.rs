@@ -26,7 +26,7 @@ pub mod motion {
             ///
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
-            frame: super::motion::JogFrame,
+            frame: JogFrame,
             /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
             ///
             /// `jnum` on the wire.
@@ -39,7 +39,7 @@ pub mod motion {
             ///
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
-            frame: super::motion::JogFrame,
+            frame: JogFrame,
             /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
             ///
             /// `jnum` on the wire.
@@ -57,7 +57,7 @@ pub mod motion {
             ///
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
-            frame: super::motion::JogFrame,
+            frame: JogFrame,
             /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
             ///
             /// `jnum` on the wire.
@@ -80,7 +80,7 @@ pub mod motion {
             ///
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
-            frame: super::motion::JogFrame,
+            frame: JogFrame,
             /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
             ///
             /// `jnum` on the wire.

@@ -25,7 +25,7 @@ pub mod network {
         ///
         /// `motType` on the wire.
         #[doc(alias = "motType")]
-        pub action: super::network::NetworkExceptionAction,
+        pub action: NetworkExceptionAction,
     }
     impl wire::Fields for SetNetworkExceptionHandle {
         fn write_fields(&self, out: &mut wire::Writer) {

@@ -18,7 +18,7 @@ pub mod payload {
         /// Mass of the payload. In kg, at least 0.
         pub mass: f64,
         /// Centroid of the payload.
-        pub centroid: super::payload::Centroid,
+        pub centroid: Centroid,
     }
     impl wire::Fields for SetPayload {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -115,7 +115,7 @@ pub mod payload {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct GetPayloadReply {
         /// Centroid of the payload.
-        pub centroid: super::payload::Centroid,
+        pub centroid: Centroid,
         /// Mass of the payload. In kg.
         pub mass: f64,
     }
@@ -184,12 +184,12 @@ pub mod payload {
         }
     }
     ::jaka_proto::__serde_impls!(Centroid);
-    impl From<[f64; 3usize]> for Centroid {
-        fn from([x, y, z]: [f64; 3usize]) -> Self {
+    impl From<[f64; 3]> for Centroid {
+        fn from([x, y, z]: [f64; 3]) -> Self {
             Self { x, y, z }
         }
     }
-    impl From<Centroid> for [f64; 3usize] {
+    impl From<Centroid> for [f64; 3] {
         fn from(value: Centroid) -> Self {
             [value.x, value.y, value.z]
         }

@@ -400,7 +400,7 @@ pub mod program {
         ///
         /// `programState` on the wire.
         #[doc(alias = "programState")]
-        pub program_state: super::program::ProgramState,
+        pub program_state: ProgramState,
     }
     impl wire::Fields for GetProgramStateReply {
         fn write_fields(&self, out: &mut wire::Writer) {

@@ -28,7 +28,7 @@ pub mod status {
         /// Configuration and state of the extension I/O modules. Absent on firmware 1.5.14.
         ///
         /// No source prints a whole sample: a value of another shape is kept as raw JSON.
-        pub extio: Option<wire::Typed<super::status::ExtioReport>>,
+        pub extio: Option<wire::Typed<ExtioReport>>,
         /// Error code of the controller, a hexadecimal number such as `0x0`.
         ///
         /// `errcode` on the wire.
@@ -42,14 +42,14 @@ pub mod status {
         /// Measurements in the cabinet and the joints, for diagnosis.
         ///
         /// No source prints a whole sample: a value of another shape is kept as raw JSON.
-        pub monitor_data: Option<wire::Typed<super::status::MonitorData>>,
+        pub monitor_data: Option<wire::Typed<MonitorData>>,
         /// Settings and state of the torque sensor.
         ///
         /// No source prints a whole sample: a value of another shape is kept as raw JSON.
         ///
         /// `torqsensor` on the wire.
         #[doc(alias = "torqsensor")]
-        pub torque_sensor: Option<wire::Typed<super::status::TorqueSensorReport>>,
+        pub torque_sensor: Option<wire::Typed<TorqueSensorReport>>,
         /// Actual positions of the six joints.
         pub joint_actual_position: Option<super::types::JointPosition>,
         /// Actual pose of the tool centre point in Cartesian space.
@@ -90,7 +90,7 @@ pub mod status {
         #[doc(alias = "tio_ain")]
         pub tool_analog_inputs: Option<Vec<f64>>,
         /// Whether the robot has power and is enabled.
-        pub task_state: Option<super::status::TaskState>,
+        pub task_state: Option<TaskState>,
         /// Whether each joint is homed. Withdrawn.
         ///
         /// The document prints the length 9 and no element.
@@ -98,12 +98,12 @@ pub mod status {
         /// No source prints a whole sample: a value of another shape is kept as raw JSON.
         pub homed: Option<wire::Typed<Vec<bool>>>,
         /// Task mode of the robot.
-        pub task_mode: Option<super::status::TaskMode>,
+        pub task_mode: Option<TaskMode>,
         /// State of the program.
         ///
         /// `interp_state` on the wire.
         #[doc(alias = "interp_state")]
-        pub interpreter_state: Option<super::status::InterpreterState>,
+        pub interpreter_state: Option<InterpreterState>,
         /// Whether the robot is enabled.
         pub enabled: Option<bool>,
         /// Whether the program is paused.
@@ -971,9 +971,9 @@ pub mod status {
         ///
         /// `status` on the wire.
         #[doc(alias = "status")]
-        pub pin_states: super::status::ExtioPinStates,
+        pub pin_states: ExtioPinStates,
         /// How each module is connected, and its pins; 8 modules at most.
-        pub setup: Vec<super::status::ExtioReportSetup>,
+        pub setup: Vec<ExtioReportSetup>,
         /// Number of modules.
         ///
         /// `num` on the wire.
@@ -983,11 +983,11 @@ pub mod status {
         ///
         /// `pinmap` on the wire.
         #[doc(alias = "pinmap")]
-        pub pin_maps: Vec<super::status::ExtioReportPinMap>,
+        pub pin_maps: Vec<ExtioReportPinMap>,
         /// Whether the modules run.
         ///
         /// The document counts the other way round in 4.34, where `state` 0 says that the modules do not run and 1 that they do.
-        pub mode: super::status::ExtioMode,
+        pub mode: ExtioMode,
     }
     impl wire::Fields for ExtioReport {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -1097,7 +1097,7 @@ pub mod status {
             /// No source prints a whole sample: a value of another shape is kept as raw JSON.
             connection: wire::Typed<super::io::ExtioRtu>,
             /// The module's pins.
-            pins: super::status::ExtioReportPins,
+            pins: ExtioReportPins,
         },
         /// Connected by Modbus TCP.
         Tcp {
@@ -1106,7 +1106,7 @@ pub mod status {
             /// Network address of the module.
             connection: super::io::ExtioTcp,
             /// The module's pins.
-            pins: super::status::ExtioReportPins,
+            pins: ExtioReportPins,
         },
         /// A kind that the spec does not list, as raw JSON.
         Other(wire::Value),
@@ -1302,7 +1302,7 @@ pub mod status {
         /// Average current of the cabinet's bus. Unit not stated.
         pub bus_average_current: f64,
         /// Measurements of joints 1 to 6.
-        pub joints: Vec<super::status::JointMonitor>,
+        pub joints: Vec<JointMonitor>,
     }
     impl wire::Encode for MonitorData {
         fn encode(&self, out: &mut wire::Writer) {
@@ -1424,9 +1424,9 @@ pub mod status {
     #[derive(Debug, Clone, PartialEq)]
     pub struct TorqueSensorReport {
         /// How the sensor is connected, and its payload.
-        pub settings: super::status::TorqueSensorSettings,
+        pub settings: TorqueSensorSettings,
         /// Whether the sensor works, and what it reads.
-        pub state: super::status::TorqueSensorState,
+        pub state: TorqueSensorState,
     }
     impl wire::Encode for TorqueSensorReport {
         fn encode(&self, out: &mut wire::Writer) {
@@ -1457,26 +1457,26 @@ pub mod status {
         /// Connected by TCP/IP.
         Tcp {
             /// Network address of the sensor.
-            connection: super::status::TorqueSensorTcp,
+            connection: TorqueSensorTcp,
             /// Payload at the sensor.
             ///
             /// The document does not print how mass and centroid are nested.
             ///
             /// No source prints a whole sample: a value of another shape is kept as raw JSON.
-            payload: wire::Typed<super::status::TorqueSensorPayload>,
+            payload: wire::Typed<TorqueSensorPayload>,
         },
         /// Connected by a serial line.
         Serial {
             /// Serial settings of the connection.
             ///
             /// No source prints a whole sample: a value of another shape is kept as raw JSON.
-            connection: wire::Typed<super::status::TorqueSensorSerial>,
+            connection: wire::Typed<TorqueSensorSerial>,
             /// Payload at the sensor.
             ///
             /// The document does not print how mass and centroid are nested.
             ///
             /// No source prints a whole sample: a value of another shape is kept as raw JSON.
-            payload: wire::Typed<super::status::TorqueSensorPayload>,
+            payload: wire::Typed<TorqueSensorPayload>,
         },
         /// A kind that the spec does not list, as raw JSON.
         Other(wire::Value),
@@ -1647,9 +1647,9 @@ pub mod status {
         /// No source prints a whole sample: a value of another shape is kept as raw JSON.
         pub error_code: wire::Typed<i64>,
         /// Actual contact force, six values. Unit and order not stated.
-        pub contact_force: [f64; 6usize],
+        pub contact_force: [f64; 6],
         /// What the sensor reads before any correction, six values. Unit and order not stated.
-        pub raw_reading: [f64; 6usize],
+        pub raw_reading: [f64; 6],
     }
     impl wire::Encode for TorqueSensorState {
         fn encode(&self, out: &mut wire::Writer) {

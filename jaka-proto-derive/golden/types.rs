@@ -6,13 +6,13 @@ pub mod types {
     use ::jaka_proto::{check, wire};
     /// Positions, or offsets, of joints 1 to 6. In deg.
     #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct JointPosition(pub [f64; 6usize]);
-    impl From<[f64; 6usize]> for JointPosition {
-        fn from(value: [f64; 6usize]) -> Self {
+    pub struct JointPosition(pub [f64; 6]);
+    impl From<[f64; 6]> for JointPosition {
+        fn from(value: [f64; 6]) -> Self {
             Self(value)
         }
     }
-    impl From<JointPosition> for [f64; 6usize] {
+    impl From<JointPosition> for [f64; 6] {
         fn from(value: JointPosition) -> Self {
             value.0
         }
@@ -97,12 +97,12 @@ pub mod types {
         }
     }
     ::jaka_proto::__serde_impls!(Pose);
-    impl From<[f64; 6usize]> for Pose {
-        fn from([x, y, z, rx, ry, rz]: [f64; 6usize]) -> Self {
+    impl From<[f64; 6]> for Pose {
+        fn from([x, y, z, rx, ry, rz]: [f64; 6]) -> Self {
             Self { x, y, z, rx, ry, rz }
         }
     }
-    impl From<Pose> for [f64; 6usize] {
+    impl From<Pose> for [f64; 6] {
         fn from(value: Pose) -> Self {
             [value.x, value.y, value.z, value.rx, value.ry, value.rz]
         }

@@ -48,7 +48,7 @@ pub mod variables {
         ///
         /// `var_list` on the wire.
         #[doc(alias = "var_list")]
-        pub variables: Vec<super::variables::UserVariable>,
+        pub variables: Vec<UserVariable>,
     }
     impl wire::Fields for QueryUserDefinedVariableReply {
         fn write_fields(&self, out: &mut wire::Writer) {

@@ -1,15 +1,16 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Choice, Field, Spec, Type, TypeKind, Variant};
-use proc_macro2::{Ident, TokenStream};
+use jaka_spec::{Choice, Field, Spec, Topic, Type, TypeKind, Variant};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::docs;
 
-/// Where generated code looks for types: the topic of each is a module beside the one that names it.
+/// Where generated code stands, and so how it names types: the topics are modules beside one another.
 #[derive(Clone, Copy)]
 pub(crate) struct Scope<'s> {
     pub(crate) spec: &'s Spec,
+    pub(crate) topic: &'s Topic,
 }
 
 impl Scope<'_> {
@@ -27,19 +28,20 @@ impl Scope<'_> {
                 quote!(Vec<#element>)
             }
             Type::Array(element, len) => {
-                let element = self.rust_type(element);
+                let (element, len) = (self.rust_type(element), Literal::usize_unsuffixed(*len));
                 quote!([#element; #len])
             }
             Type::Named(name) => self.path(name),
         }
     }
 
-    /// The path of a named type, from inside a topic's module.
+    /// The path of a named type, from inside the topic's module.
     fn path(self, name: &str) -> TokenStream {
-        let topic = self.spec.topics.iter().find(|topic| topic.types.iter().any(|def| def.name == name));
-        let module = format_ident!("{}", topic.map_or("", |topic| topic.name.as_str()));
-        let name = format_ident!("{name}");
-        quote!(super::#module::#name)
+        let defined_in = |topic: &&Topic| topic.types.iter().any(|def| def.name == name);
+        let elsewhere = self.spec.topics.iter().find(defined_in).filter(|topic| topic.name != self.topic.name);
+        let module = elsewhere.map(|topic| ident(&topic.name)).map(|module| quote!(super::#module::));
+        let name = ident(name);
+        quote!(#module #name)
     }
 
     /// The type of a struct's field.

@@ -15,7 +15,7 @@ fn pretty(tokens: TokenStream) -> String {
 fn messages() {
     let spec = jaka_spec::builtin().expect("the built-in spec is correct");
     for topic in &spec.topics {
-        if let Some(module) = topic::module(Scope { spec: &spec }, topic) {
+        if let Some(module) = topic::module(Scope { spec: &spec, topic }) {
             expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&pretty(module));
         }
     }

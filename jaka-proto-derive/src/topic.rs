@@ -1,6 +1,6 @@
 //! A module for each topic.
 
-use jaka_spec::{Spec, Topic};
+use jaka_spec::Spec;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -9,15 +9,15 @@ use crate::{command, docs, error_codes, request, typedef};
 
 /// All messages of the spec.
 pub(crate) fn messages(spec: &Spec) -> TokenStream {
-    let scope = Scope { spec };
-    let topics = spec.topics.iter().map(|topic| module(scope, topic));
+    let topics = spec.topics.iter().map(|topic| module(Scope { spec, topic }));
     let request = request::render(spec);
     let codes = error_codes::render(spec);
     quote!(#(#topics)* #request #codes)
 }
 
 /// The module of one topic; nothing for a topic without types and commands.
-pub(crate) fn module(scope: Scope<'_>, topic: &Topic) -> Option<TokenStream> {
+pub(crate) fn module(scope: Scope<'_>) -> Option<TokenStream> {
+    let topic = scope.topic;
     if topic.types.is_empty() && topic.commands.is_empty() {
         return None;
     }

@@ -95,7 +95,7 @@ fn is_floats(fields: &[Field]) -> bool {
 
 fn float_conversions(name: &Ident, fields: &[Field]) -> TokenStream {
     let names = names(fields);
-    let len = fields.len();
+    let len = Literal::usize_unsuffixed(fields.len());
     quote! {
         impl From<[f64; #len]> for #name {
             fn from([#(#names),*]: [f64; #len]) -> Self {
