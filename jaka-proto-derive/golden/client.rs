@@ -36,7 +36,7 @@ impl Client {
     /// - The reply's key `enabled status` has a blank in it.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call enable_robot failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn enable_robot(
         &mut self,
     ) -> Result<::jaka_proto::messages::power::EnableRobotReply, Error> {
@@ -98,9 +98,10 @@ impl Client {
     ///
     /// - The document says that there are three jog modes and lists four.
     /// - The document's samples for increment and absolute send `jnum` 3, axis 4, and call it joint 2.
+    /// - The text gives `poscmd` in millimetres on every Cartesian axis, rotations included, and `jogvel` a unit only on a joint, deg/s. The other units follow from the field notes, which find degrees and millimetres throughout.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call jog failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn jog(
         &mut self,
         request: &::jaka_proto::messages::motion::Jog,
@@ -111,10 +112,12 @@ impl Client {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call joint_move failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn joint_move(
         &mut self,
         request: &::jaka_proto::messages::motion::JointMove,
@@ -128,10 +131,12 @@ impl Client {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `end_move` (4.8). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call end_move failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn end_move(
         &mut self,
         request: &::jaka_proto::messages::motion::EndMove,
@@ -142,6 +147,8 @@ impl Client {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `moveL` (4.9). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
@@ -149,7 +156,7 @@ impl Client {
     /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit; millimetres follow from the field notes, which find them throughout.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call moveL failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     #[doc(alias = "moveL")]
     pub fn move_l(
         &mut self,
@@ -162,6 +169,8 @@ impl Client {
     /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
     /// path. Begin with small values, and with nobody near the arm.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `movc` (4.10). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
@@ -172,7 +181,7 @@ impl Client {
     /// - The `cmdName` is `movc`, while the section is titled MoveC.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call movc failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     #[doc(alias = "movc")]
     pub fn move_c(
         &mut self,
@@ -187,7 +196,7 @@ impl Client {
     ///
     /// Sends `wait_complete` (4.41).
     ///
-    /// Withdrawn by the vendor. withdrawn by the vendor; watch the status of port 10000 until the robot is in position
+    /// Withdrawn by the vendor: watch the status of port 10000 until the robot is in position.
     ///
     /// # Errata
     ///
@@ -195,9 +204,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
-    #[deprecated(
-        note = "withdrawn by the vendor; watch the status of port 10000 until the robot is in position"
-    )]
+    #[deprecated(note = "watch the status of port 10000 until the robot is in position")]
     pub fn wait_complete(&mut self) -> Result<(), Error> {
         self.call(&::jaka_proto::messages::motion::WaitComplete)
     }
@@ -228,7 +235,7 @@ impl Client {
     /// - The key `relFlag` means enter or leave here. In other commands it chooses between target and offset.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call servo_move failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn servo_move(
         &mut self,
         servo_mode: ::jaka_proto::messages::types::Switch,
@@ -282,7 +289,7 @@ impl Client {
     /// - The text speaks of points of the six joints and of `servo_j`, as copied from 4.15. The set-point is a pose.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call servo_p failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn servo_p(
         &mut self,
         request: &::jaka_proto::messages::servo::ServoP,
@@ -307,7 +314,7 @@ impl Client {
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call set_servo_move_filter failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn set_servo_move_filter(
         &mut self,
         request: &::jaka_proto::messages::servo::SetServoMoveFilter,
@@ -368,10 +375,10 @@ impl Client {
     ///
     /// Sends `play_program` (4.20). The robot must be powered and enabled.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
+    /// Reconstructed, since the document's page is lost: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call play_program failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn play_program(&mut self) -> Result<(), Error> {
         self.call(&::jaka_proto::messages::program::PlayProgram)
     }
@@ -379,7 +386,7 @@ impl Client {
     ///
     /// Sends `pause_program` (4.21).
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply likely.
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -390,21 +397,22 @@ impl Client {
     ///
     /// Sends `resume_program` (4.22). The robot must be powered and enabled.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply likely.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call resume_program failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn resume_program(&mut self) -> Result<(), Error> {
         self.call(&::jaka_proto::messages::program::ResumeProgram)
     }
     /// Stops the program, or the motion, that is running.
     ///
-    /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. It is no emergency
-    /// stop: the command travels over the network.
+    /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. No source says whether
+    /// it ends `move_c`, a jog or servo motion too, nor what becomes of motions that wait their turn. It is no emergency stop:
+    /// the command travels over the network.
     ///
     /// Sends `stop_program` (4.23).
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -415,7 +423,7 @@ impl Client {
     ///
     /// Sends `get_program_state` (4.24). Changes nothing on the robot.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -431,7 +439,7 @@ impl Client {
     ///
     /// Sends `set_digital_output` (4.25).
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -448,7 +456,7 @@ impl Client {
     ///
     /// Sends `get_digital_input_status` (4.26). Changes nothing on the robot.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
+    /// Reconstructed, since the document's page is lost: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
     ///
     /// # Errata
     ///
@@ -832,9 +840,9 @@ impl Client {
     ) -> Result<::jaka_proto::messages::kinematics::GetJointPosReply, Error> {
         self.call(&::jaka_proto::messages::kinematics::GetJointPos)
     }
-    /// Reads the pose of the robot's end in the tool frame that is set.
+    /// Reads the pose of the robot's end, which the selected tool frame defines.
     ///
-    /// With no tool frame set, the end is the centre of the flange.
+    /// By default that is the centre of the flange. The document does not say which user frame the pose refers to.
     ///
     /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot.
     ///
@@ -986,7 +994,7 @@ impl Client {
     /// Sends `torque_control_enable` (4.36). The robot must be powered and enabled.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call torque_control_enable failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn torque_control_enable(
         &mut self,
         enable_flag: ::jaka_proto::messages::types::Switch,
@@ -1098,8 +1106,8 @@ impl Client {
     }
     /// Moves the arm to a joint position to identify the payload at the end of the tool.
     ///
-    /// This is a motion. `get_torq_sensor_identify_status` says when it is done, and `get_torq_sensor_payload_identify_result`
-    /// reads what was found.
+    /// This is a motion, and the document does not say how fast it is. `get_torq_sensor_identify_status` says when the
+    /// identification is done, and `get_torq_sensor_payload_identify_result` reads what was found.
     ///
     /// Sends `start_torq_sensor_payload_identify` (4.66). The robot must be powered, enabled and outside servo mode.
     ///
@@ -1108,7 +1116,7 @@ impl Client {
     /// - The document's text also spells the key `jointposition`; its sample sends `jointPosition`.
     ///
     /// # Errors
-    /// As [`call`](Self::call). In another state than the one it needs, the controller refuses with code 2, `call start_torq_sensor_payload_identify failed`.
+    /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     pub fn start_torq_sensor_payload_identify(
         &mut self,
         joint_position: impl Into<::jaka_proto::messages::types::JointPosition>,
@@ -1190,19 +1198,16 @@ impl Client {
     ///
     /// # Errata
     ///
-    /// - The document names only `fx` and `tx` of the six, and prints no order. Forces before torques is an assumption.
+    /// - The heading speaks of a torque condition, the text of force components and torque components.
+    /// - The text names only `fx` and `tx` of the six values, and prints no order.
     ///
     /// # Errors
     /// As [`call`](Self::call).
     pub fn set_compliance_condition(
         &mut self,
-        condition: impl Into<::jaka_proto::messages::force::ComplianceCondition>,
+        request: &::jaka_proto::messages::force::SetComplianceCondition,
     ) -> Result<(), Error> {
-        self.call(
-            &::jaka_proto::messages::force::SetComplianceCondition {
-                condition: condition.into(),
-            },
-        )
+        self.call(request)
     }
     /// Switches admittance control on or off.
     ///

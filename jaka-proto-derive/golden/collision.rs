@@ -2,7 +2,8 @@
 ///
 /// How hard a contact must be for the arm to stop, whether it has stopped, and the way back.
 ///
-/// A collision usually ends in a protective stop (4.40). `clear_error` leaves it.
+/// A protective stop usually follows a collision (4.40). `clear_error` leaves the collision protection (4.48); the document
+/// does not say whether that is the same state.
 pub mod collision {
     #[allow(unused_imports)]
     use ::jaka_proto::{check, wire};

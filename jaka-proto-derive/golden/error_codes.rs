@@ -5,7 +5,10 @@ impl ::jaka_proto::ErrorCode {
     pub const REJECTED: Self = Self(-1i64);
     /// The command was accepted.
     ///
-    /// It may not have ended yet: a motion is only accepted, and `power_on` and `enable_robot` need seconds.
+    /// The document says executed, but it may not have ended yet: a motion is only accepted, and `power_on` and `enable_robot`
+    /// need seconds.
+    ///
+    /// The message is empty by chapter 5, while chapter 3 prints `unknown`. It may be absent too (field notes).
     pub const SUCCESS: Self = Self(0i64);
     /// An exception arose in the controller's program.
     ///

@@ -431,7 +431,7 @@ pub mod force {
         /// In the document's sample the outer array holds one array, and that one holds the six rows. The document's text describes
         /// one level less.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `admitConfig` on the wire.
         #[doc(alias = "admitConfig")]
@@ -532,8 +532,8 @@ pub mod force {
     }
     /// Moves the arm to a joint position to identify the payload at the end of the tool.
     ///
-    /// This is a motion. `get_torq_sensor_identify_status` says when it is done, and `get_torq_sensor_payload_identify_result`
-    /// reads what was found.
+    /// This is a motion, and the document does not say how fast it is. `get_torq_sensor_identify_status` says when the
+    /// identification is done, and `get_torq_sensor_payload_identify_result` reads what was found.
     ///
     /// Sends `start_torq_sensor_payload_identify` (4.66). The robot must be powered, enabled and outside servo mode.
     ///
@@ -896,14 +896,18 @@ pub mod force {
     ///
     /// # Errata
     ///
-    /// - The document names only `fx` and `tx` of the six, and prints no order. Forces before torques is an assumption.
+    /// - The heading speaks of a torque condition, the text of force components and torque components.
+    /// - The text names only `fx` and `tx` of the six values, and prints no order.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetComplianceCondition {
-        /// Forces along, and torques about, x, y and z.
+        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. Units not stated.
+        ///
+        /// The document names `fx`, the force along x, and `tx`, the torque about x, and prints no order. Forces before torques,
+        /// so fx, fy, fz, tx, ty, tz, is the usual one: confirm it on the robot.
         ///
         /// `compliant_condition` on the wire.
         #[doc(alias = "compliant_condition")]
-        pub condition: ComplianceCondition,
+        pub condition: [f64; 6],
     }
     impl wire::Fields for SetComplianceCondition {
         fn write_fields(&self, out: &mut wire::Writer) {
@@ -1631,85 +1635,6 @@ pub mod force {
         }
     }
     ::jaka_proto::__int_enum_impls!(IdentifyStatus);
-    /// Forces and torques at the torque sensor that are the condition for compliant control.
-    ///
-    /// The document states no units, names only `fx` and `tx`, and prints no order: forces before torques is an
-    /// assumption.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct ComplianceCondition {
-        /// Force along x. Unit not stated.
-        pub fx: f64,
-        /// Force along y. Unit not stated.
-        pub fy: f64,
-        /// Force along z. Unit not stated.
-        pub fz: f64,
-        /// Torque about x. Unit not stated.
-        pub tx: f64,
-        /// Torque about y. Unit not stated.
-        pub ty: f64,
-        /// Torque about z. Unit not stated.
-        pub tz: f64,
-    }
-    impl wire::Encode for ComplianceCondition {
-        fn encode(&self, out: &mut wire::Writer) {
-            out.raw("[");
-            out.comma();
-            wire::Encode::encode(&self.fx, out);
-            out.comma();
-            wire::Encode::encode(&self.fy, out);
-            out.comma();
-            wire::Encode::encode(&self.fz, out);
-            out.comma();
-            wire::Encode::encode(&self.tx, out);
-            out.comma();
-            wire::Encode::encode(&self.ty, out);
-            out.comma();
-            wire::Encode::encode(&self.tz, out);
-            out.raw("]");
-        }
-    }
-    impl wire::Decode for ComplianceCondition {
-        fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-            reader.begin_array()?;
-            let this = Self {
-                fx: reader.element("fx")?,
-                fy: reader.element("fy")?,
-                fz: reader.element("fz")?,
-                tx: reader.element("tx")?,
-                ty: reader.element("ty")?,
-                tz: reader.element("tz")?,
-            };
-            reader.end_array()?;
-            Ok(this)
-        }
-    }
-    ::jaka_proto::__serde_impls!(ComplianceCondition);
-    impl From<[f64; 6]> for ComplianceCondition {
-        fn from([fx, fy, fz, tx, ty, tz]: [f64; 6]) -> Self {
-            Self { fx, fy, fz, tx, ty, tz }
-        }
-    }
-    impl From<ComplianceCondition> for [f64; 6] {
-        fn from(value: ComplianceCondition) -> Self {
-            [value.fx, value.fy, value.fz, value.tx, value.ty, value.tz]
-        }
-    }
-    impl check::Validate for ComplianceCondition {
-        #[allow(unused_variables)]
-        fn validate(
-            &self,
-            place: &check::Place<'_>,
-            limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
-            place.check("fx", &self.fx, &check::Limits::NONE)?;
-            place.check("fy", &self.fy, &check::Limits::NONE)?;
-            place.check("fz", &self.fz, &check::Limits::NONE)?;
-            place.check("tx", &self.tx, &check::Limits::NONE)?;
-            place.check("ty", &self.ty, &check::Limits::NONE)?;
-            place.check("tz", &self.tz, &check::Limits::NONE)?;
-            Ok(())
-        }
-    }
     /// Type of force control.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]

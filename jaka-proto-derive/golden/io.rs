@@ -11,7 +11,7 @@ pub mod io {
     ///
     /// Sends `set_digital_output` (4.25).
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetDigitalOutput {
         /// Where the output is.
@@ -94,7 +94,7 @@ pub mod io {
     ///
     /// Sends `get_digital_input_status` (4.26). Changes nothing on the robot.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
+    /// Reconstructed, since the document's page is lost: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
     ///
     /// # Errata
     ///
@@ -434,7 +434,7 @@ pub mod io {
     /// Sends `set_tio_vout_param` (4.80).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SetTioVoutParam {
-        /// Raw switch of the voltage output, 0 or 1. 0 to 1. The sources contradict each other on which of them is on.
+        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
@@ -444,7 +444,7 @@ pub mod io {
         /// `tio_vout_ena` on the wire.
         #[doc(alias = "tio_vout_ena")]
         pub output_enable: i64,
-        /// Raw choice of the voltage, 0 or 1. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V.
+        /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
@@ -569,7 +569,7 @@ pub mod io {
     /// What the controller answers to [`GetTioVoutParam`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct GetTioVoutParamReply {
-        /// Raw switch of the voltage output, 0 or 1. 0 to 1. The sources contradict each other on which of them is on.
+        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
@@ -579,7 +579,7 @@ pub mod io {
         /// `tio_vout_ena` on the wire.
         #[doc(alias = "tio_vout_ena")]
         pub output_enable: i64,
-        /// Raw choice of the voltage, 0 or 1. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V.
+        /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
@@ -828,7 +828,7 @@ pub mod io {
             name: String,
             /// Serial settings of the connection. The document prints no sample of them.
             ///
-            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
             connection: wire::Typed<ExtioRtu>,
             /// The module's pins.
             pins: ExtioPins,

@@ -294,9 +294,9 @@ pub mod kinematics {
         }
     }
     ::jaka_proto::__object_impls!(GetJointPosReply);
-    /// Reads the pose of the robot's end in the tool frame that is set.
+    /// Reads the pose of the robot's end, which the selected tool frame defines.
     ///
-    /// With no tool frame set, the end is the centre of the flange.
+    /// By default that is the centre of the flange. The document does not say which user frame the pose refers to.
     ///
     /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot.
     ///
@@ -337,7 +337,7 @@ pub mod kinematics {
     /// What the controller answers to [`GetTcpPos`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct GetTcpPosReply {
-        /// Pose of the robot's end in the tool frame that is set.
+        /// Pose of the robot's end, which the selected tool frame defines.
         ///
         /// `tcp_pos` on the wire.
         #[doc(alias = "tcp_pos")]

@@ -3,7 +3,8 @@
 /// The controller's own planner drives these motions. The reply says that a motion was accepted, not that it has ended:
 /// newer firmware replies at once, firmware 1.4, or any firmware that is still moving, may reply seconds later.
 ///
-/// Motions queue: the next one starts when the one before has ended. `stop_program` ends the motion that is running.
+/// Motions queue (4.7 to 4.9): the next one starts when the one before has ended. `stop_program` ends the motion that is
+/// running.
 pub mod motion {
     #[allow(unused_imports)]
     use ::jaka_proto::{check, wire};
@@ -18,6 +19,7 @@ pub mod motion {
     ///
     /// - The document says that there are three jog modes and lists four.
     /// - The document's samples for increment and absolute send `jnum` 3, axis 4, and call it joint 2.
+    /// - The text gives `poscmd` in millimetres on every Cartesian axis, rotations included, and `jogvel` a unit only on a joint, deg/s. The other units follow from the field notes, which find degrees and millimetres throughout.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub enum Jog {
         /// Stops the jog of one axis.
@@ -27,20 +29,22 @@ pub mod motion {
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
             frame: JogFrame,
-            /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
             ///
             /// `jnum` on the wire.
             #[doc(alias = "jnum")]
             axis: i64,
         },
-        /// Moves until a stop, or to the end of the range.
+        /// Moves on and on.
+        ///
+        /// Send `Stop` for the axis to end it: the document names nothing else that does.
         Continuous {
             /// Frame of the motion.
             ///
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
             frame: JogFrame,
-            /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
             ///
             /// `jnum` on the wire.
             #[doc(alias = "jnum")]
@@ -58,12 +62,14 @@ pub mod motion {
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
             frame: JogFrame,
-            /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
             ///
             /// `jnum` on the wire.
             #[doc(alias = "jnum")]
             axis: i64,
             /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
+            ///
+            /// The direction can be given by the sign of `distance`. The document does not say what a negative velocity does here.
             ///
             /// `jogvel` on the wire.
             #[doc(alias = "jogvel")]
@@ -81,12 +87,12 @@ pub mod motion {
             /// `coord_map` on the wire.
             #[doc(alias = "coord_map")]
             frame: JogFrame,
-            /// Joint 1 to 6, or x, y, z, rx, ry, rz, counted from 0. 0 to 5.
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
             ///
             /// `jnum` on the wire.
             #[doc(alias = "jnum")]
             axis: i64,
-            /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
+            /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation. The document does not say what a negative one does here.
             ///
             /// `jogvel` on the wire.
             #[doc(alias = "jogvel")]
@@ -390,15 +396,18 @@ pub mod motion {
     impl ::jaka_proto::Command for Jog {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "jog",
-            "{\"cmdName\":\"jog\"",
-            "4.6",
-            ::jaka_proto::Effect::Motion,
-        );
+                "jog",
+                "{\"cmdName\":\"jog\"",
+                "4.6",
+                ::jaka_proto::Effect::Motion,
+            )
+            .deadline_ms(60000u64);
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    ///
+    /// The reply says that the motion was accepted, not that it has ended.
     ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -415,7 +424,7 @@ pub mod motion {
         pub joint_position: super::types::JointPosition,
         /// Joint speed; the direction comes from `joint_position` alone. In deg/s, at least 0.
         pub speed: f64,
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers choose one where it is left out (field notes).
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
         ///
         /// `accel` on the wire.
         #[doc(alias = "accel")]
@@ -516,6 +525,8 @@ pub mod motion {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `end_move` (4.8). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct EndMove {
@@ -613,6 +624,8 @@ pub mod motion {
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `moveL` (4.9). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
@@ -626,7 +639,7 @@ pub mod motion {
         /// `relFlag` on the wire.
         #[doc(alias = "relFlag")]
         pub mode: super::types::MoveMode,
-        /// Target pose of the tool centre point, or offset from its present one.
+        /// Target pose, or offset, of the tool centre point.
         ///
         /// `cartPosition` on the wire.
         #[doc(alias = "cartPosition")]
@@ -751,6 +764,8 @@ pub mod motion {
     /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
     /// path. Begin with small values, and with nobody near the arm.
     ///
+    /// The reply says that the motion was accepted, not that it has ended.
+    ///
     /// Sends `movc` (4.10). The robot must be powered, enabled and outside servo mode.
     ///
     /// # Errata
@@ -777,9 +792,9 @@ pub mod motion {
         /// `pos_end` on the wire.
         #[doc(alias = "pos_end")]
         pub end_pose: super::types::Pose,
-        /// Speed. In uncertain: deg/s as printed, mm/s by the kind of motion, at least 0. The document calls it a joint speed, although the motion follows a path.
+        /// Speed. In deg/s as printed or mm/s by the kind of motion (uncertain), at least 0. The document calls it a joint speed, although the motion follows a path.
         pub speed: f64,
-        /// Acceleration. In uncertain: deg/s² as printed, mm/s² by the kind of motion, at least 0. The document calls it a joint acceleration and advises 720 at most.
+        /// Acceleration. In deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0. The document calls it a joint acceleration and advises 720 at most.
         ///
         /// `accel` on the wire.
         #[doc(alias = "accel")]
@@ -858,7 +873,7 @@ pub mod motion {
                     &self.speed,
                     &check::Limits {
                         min: Some(0f64),
-                        unit: "uncertain: deg/s as printed, mm/s by the kind of motion",
+                        unit: "deg/s as printed or mm/s by the kind of motion (uncertain)",
                         ..check::Limits::NONE
                     },
                 )?;
@@ -868,7 +883,7 @@ pub mod motion {
                     &self.acceleration,
                     &check::Limits {
                         min: Some(0f64),
-                        unit: "uncertain: deg/s² as printed, mm/s² by the kind of motion",
+                        unit: "deg/s² as printed or mm/s² by the kind of motion (uncertain)",
                         ..check::Limits::NONE
                     },
                 )?;
@@ -902,7 +917,7 @@ pub mod motion {
     ///
     /// Sends `wait_complete` (4.41).
     ///
-    /// Withdrawn by the vendor. withdrawn by the vendor; watch the status of port 10000 until the robot is in position
+    /// Withdrawn by the vendor: watch the status of port 10000 until the robot is in position.
     ///
     /// # Errata
     ///

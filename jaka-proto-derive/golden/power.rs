@@ -309,7 +309,7 @@ pub mod power {
         /// The controller's error code, which newer firmware adds. How it is written here is not known; on port 10000 it is a
         /// hexadecimal string such as `0x0`.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `errcode` on the wire.
         #[doc(alias = "errcode")]

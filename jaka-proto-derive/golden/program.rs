@@ -14,7 +14,7 @@ pub mod program {
     /// Sends `rapid_rate` (4.17).
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RapidRate {
-        /// Rate, from 0 to 1. 0 to 1. The default is 1.
+        /// Rate. 0 to 1. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
@@ -219,7 +219,7 @@ pub mod program {
     ///
     /// Sends `play_program` (4.20). The robot must be powered and enabled.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
+    /// Reconstructed, since the document's page is lost: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct PlayProgram;
     impl wire::Fields for PlayProgram {
@@ -254,7 +254,7 @@ pub mod program {
     ///
     /// Sends `pause_program` (4.21).
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply likely.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct PauseProgram;
     impl wire::Fields for PauseProgram {
@@ -289,7 +289,7 @@ pub mod program {
     ///
     /// Sends `resume_program` (4.22). The robot must be powered and enabled.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply likely.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply likely.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct ResumeProgram;
     impl wire::Fields for ResumeProgram {
@@ -322,12 +322,13 @@ pub mod program {
     }
     /// Stops the program, or the motion, that is running.
     ///
-    /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. It is no emergency
-    /// stop: the command travels over the network.
+    /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. No source says whether
+    /// it ends `move_c`, a jog or servo motion too, nor what becomes of motions that wait their turn. It is no emergency stop:
+    /// the command travels over the network.
     ///
     /// Sends `stop_program` (4.23).
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct StopProgram;
     impl wire::Fields for StopProgram {
@@ -362,7 +363,7 @@ pub mod program {
     ///
     /// Sends `get_program_state` (4.24). Changes nothing on the robot.
     ///
-    /// The document's text for this command is lost; reconstructed from other sources: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct GetProgramState;
     impl wire::Fields for GetProgramState {

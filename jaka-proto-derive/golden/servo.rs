@@ -433,17 +433,17 @@ pub mod servo {
             /// `nlf_max_jr` on the wire.
             #[doc(alias = "nlf_max_jr")]
             max_rotation_jerk: f64,
-            /// Greatest speed that is commanded along the path. In mm/s, at least 0.
+            /// Greatest speed of the commanded translation in Cartesian space. In mm/s, at least 0.
             ///
             /// `nlf_max_vp` on the wire.
             #[doc(alias = "nlf_max_vp")]
             max_translation_speed: f64,
-            /// Greatest acceleration that is commanded along the path. In mm/s², at least 0.
+            /// Greatest acceleration of the commanded translation in Cartesian space. In mm/s², at least 0.
             ///
             /// `nlf_max_ap` on the wire.
             #[doc(alias = "nlf_max_ap")]
             max_translation_acceleration: f64,
-            /// Greatest jerk that is commanded along the path. In mm/s³, at least 0.
+            /// Greatest jerk of the commanded translation in Cartesian space. In mm/s³, at least 0.
             ///
             /// `nlf_max_jp` on the wire.
             #[doc(alias = "nlf_max_jp")]

@@ -27,7 +27,7 @@ pub mod status {
         pub drag_status: Option<bool>,
         /// Configuration and state of the extension I/O modules. Absent on firmware 1.5.14.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub extio: Option<wire::Typed<ExtioReport>>,
         /// Error code of the controller, a hexadecimal number such as `0x0`.
         ///
@@ -41,11 +41,11 @@ pub mod status {
         pub error_message: Option<String>,
         /// Measurements in the cabinet and the joints, for diagnosis.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub monitor_data: Option<wire::Typed<MonitorData>>,
         /// Settings and state of the torque sensor.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `torqsensor` on the wire.
         #[doc(alias = "torqsensor")]
@@ -95,7 +95,7 @@ pub mod status {
         ///
         /// The document prints the length 9 and no element.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub homed: Option<wire::Typed<Vec<bool>>>,
         /// Task mode of the robot.
         pub task_mode: Option<TaskMode>,
@@ -120,22 +120,22 @@ pub mod status {
         /// `current_user_id` on the wire.
         #[doc(alias = "current_user_id")]
         pub current_user_frame_id: Option<i64>,
-        /// Whether a soft limit is reached, by the key's name.
+        /// Whether a soft limit is reached, by the key's name; passed on as it is.
         ///
-        /// The document does not explain it, and prints 1 in its sample.
-        pub on_soft_limit: Option<bool>,
+        /// The document does not explain it, and prints 1 in its sample, for a robot that is enabled and in position.
+        pub on_soft_limit: Option<i64>,
         /// Whether the robot is in an emergency stop, by the key's name. The document does not explain it.
         pub emergency_stop: Option<bool>,
         /// Not explained. The document prints the length 6 and no element.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub drag_near_limit: Option<wire::Typed<Vec<i64>>>,
         /// The input of each function.
         ///
         /// The document prints only the length, 15; 12 and 13 have been seen too. `get_funcdi_status` names the
         /// functions, and the shape of an entry is taken from there.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `funcdi` on the wire.
         #[doc(alias = "funcdi")]
@@ -179,105 +179,105 @@ pub mod status {
         pub commanded_position: Option<super::types::Pose>,
         /// Keys at the tool, by the name; 3 of them. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `tio_key` on the wire.
         #[doc(alias = "tio_key")]
         pub tool_keys: Option<wire::Typed<Vec<i64>>>,
         /// Instantaneous velocities, by the name; 6 of them. Sent by newer firmware, not explained. Unit not stated.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `instVel` on the wire.
         #[doc(alias = "instVel")]
         pub instantaneous_velocities: Option<wire::Typed<Vec<f64>>>,
         /// Relays, by the name; 2 of them. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `relay_io` on the wire.
         #[doc(alias = "relay_io")]
         pub relay_outputs: Option<wire::Typed<Vec<bool>>>,
         /// Digital inputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `mb_slave_din` on the wire.
         #[doc(alias = "mb_slave_din")]
         pub modbus_slave_digital_inputs: Option<wire::Typed<Vec<bool>>>,
         /// Digital outputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `mb_slave_dout` on the wire.
         #[doc(alias = "mb_slave_dout")]
         pub modbus_slave_digital_outputs: Option<wire::Typed<Vec<bool>>>,
         /// Analog inputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `mb_slave_ain` on the wire.
         #[doc(alias = "mb_slave_ain")]
         pub modbus_slave_analog_inputs: Option<wire::Typed<Vec<f64>>>,
         /// Analog outputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `mb_slave_aout` on the wire.
         #[doc(alias = "mb_slave_aout")]
         pub modbus_slave_analog_outputs: Option<wire::Typed<Vec<f64>>>,
         /// Digital inputs of the Profinet device, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `pn_dev_din` on the wire.
         #[doc(alias = "pn_dev_din")]
         pub profinet_device_digital_inputs: Option<wire::Typed<Vec<bool>>>,
         /// Digital outputs of the Profinet device, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `pn_dev_dout` on the wire.
         #[doc(alias = "pn_dev_dout")]
         pub profinet_device_digital_outputs: Option<wire::Typed<Vec<bool>>>,
         /// Analog inputs of the Profinet device, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `pn_dev_ain` on the wire.
         #[doc(alias = "pn_dev_ain")]
         pub profinet_device_analog_inputs: Option<wire::Typed<Vec<f64>>>,
         /// Analog outputs of the Profinet device, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `pn_dev_aout` on the wire.
         #[doc(alias = "pn_dev_aout")]
         pub profinet_device_analog_outputs: Option<wire::Typed<Vec<f64>>>,
         /// Digital inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `eip_adpt_din` on the wire.
         #[doc(alias = "eip_adpt_din")]
         pub ethernet_ip_adapter_digital_inputs: Option<wire::Typed<Vec<bool>>>,
         /// Digital outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `eip_adpt_dout` on the wire.
         #[doc(alias = "eip_adpt_dout")]
         pub ethernet_ip_adapter_digital_outputs: Option<wire::Typed<Vec<bool>>>,
         /// Analog inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `eip_adpt_ain` on the wire.
         #[doc(alias = "eip_adpt_ain")]
         pub ethernet_ip_adapter_analog_inputs: Option<wire::Typed<Vec<f64>>>,
         /// Analog outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `eip_adpt_aout` on the wire.
         #[doc(alias = "eip_adpt_aout")]
@@ -289,11 +289,11 @@ pub mod status {
         pub tool_rs_signals: Option<wire::Value>,
         /// A line that belongs to a motion, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub motion_line: Option<wire::Typed<i64>>,
         /// A line that belongs to an error, by the name. Sent by newer firmware, not explained.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `err_add_line` on the wire.
         #[doc(alias = "err_add_line")]
@@ -423,7 +423,7 @@ pub mod status {
             }
             if let Some(value) = &self.on_soft_limit {
                 out.key("\"on_soft_limit\":");
-                out.choose(*value, "0", "1");
+                wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.emergency_stop {
                 out.key("\"emergency_stop\":");
@@ -1094,7 +1094,7 @@ pub mod status {
             name: String,
             /// Serial settings of the connection. The document prints no sample of them.
             ///
-            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
             connection: wire::Typed<super::io::ExtioRtu>,
             /// The module's pins.
             pins: ExtioReportPins,
@@ -1462,20 +1462,20 @@ pub mod status {
             ///
             /// The document does not print how mass and centroid are nested.
             ///
-            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
             payload: wire::Typed<TorqueSensorPayload>,
         },
         /// Connected by a serial line.
         Serial {
             /// Serial settings of the connection.
             ///
-            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
             connection: wire::Typed<TorqueSensorSerial>,
             /// Payload at the sensor.
             ///
             /// The document does not print how mass and centroid are nested.
             ///
-            /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
             payload: wire::Typed<TorqueSensorPayload>,
         },
         /// A kind that the spec does not list, as raw JSON.
@@ -1644,11 +1644,11 @@ pub mod status {
         pub working: bool,
         /// Error code of the sensor. The document does not say how it is written.
         ///
-        /// No source prints a whole sample: a value of another shape is kept as raw JSON.
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub error_code: wire::Typed<i64>,
         /// Actual contact force, six values. Unit and order not stated.
         pub contact_force: [f64; 6],
-        /// What the sensor reads before any correction, six values. Unit and order not stated.
+        /// Raw reading of the sensor, six values. Unit and order not stated.
         pub raw_reading: [f64; 6],
     }
     impl wire::Encode for TorqueSensorState {

@@ -177,7 +177,10 @@ pub mod types {
     pub enum MoveMode {
         /// The coordinates are the target. `0` on the wire.
         Absolute,
-        /// The coordinates are an offset from the present position. `1` on the wire.
+        /// The coordinates are an offset.
+        ///
+        /// The document does not say from which position it counts, nor, for a pose, along the axes of which frame. Try a small
+        /// one first. `1` on the wire.
         Relative,
         /// A value that the spec does not list.
         Other(i64),

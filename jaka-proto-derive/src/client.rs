@@ -78,14 +78,14 @@ fn named(spec: &Spec, name: &str) -> TokenStream {
     quote!(::jaka_proto::messages::#module::#name)
 }
 
-/// What the controller says where a requirement is not met.
+/// What the controller does where a requirement is not met.
 fn refusal(command: &Command) -> String {
-    if command.requires.is_empty() {
-        return String::new();
+    match &command.refusal {
+        _ if command.requires.is_empty() => String::new(),
+        None => " In another state than the one it needs, expect a refusal.".to_owned(),
+        Some(refusal) => format!(
+            " In another state than the one it needs, the controller refuses with code {}, `{}`.",
+            refusal.code, refusal.message
+        ),
     }
-    let (code, message) = match &command.refusal {
-        Some(refusal) => (refusal.code, refusal.message.clone()),
-        None => (2, format!("call {} failed", command.wire)),
-    };
-    format!(" In another state than the one it needs, the controller refuses with code {code}, `{message}`.")
 }

@@ -38,7 +38,7 @@ pub(crate) fn field(field: &Field) -> TokenStream {
         }
     }
     if field.or_raw {
-        text += "\n\nNo source prints a whole sample: a value of another shape is kept as raw JSON.";
+        text += "\n\nThe sources leave doubt about the shape: a value of another shape is kept as raw JSON.";
     }
     text += &versions(&field.versions);
     if field.wire != field.name && !field.wire.is_empty() {
@@ -98,11 +98,11 @@ pub(crate) fn request(command: &Command) -> String {
     }
     text += &versions(&command.versions);
     if let Some(instead) = &command.deprecated {
-        text = format!("{text}\n\nWithdrawn by the vendor. {instead}");
+        text = format!("{text}\n\nWithdrawn by the vendor: {instead}.");
     }
     if let Some(evidence) = &command.reconstructed {
         text = format!(
-            "{text}\n\nThe document's text for this command is lost; reconstructed from other sources: {evidence}"
+            "{text}\n\nReconstructed, since the document's page is lost: {evidence}"
         );
     }
     if !command.errata.is_empty() {

@@ -1,10 +1,11 @@
 //! The expansion, as committed for review.
 
-use expect_test::expect_file;
+use expect_test::{expect, expect_file};
+use jaka_spec::Source;
 use proc_macro2::TokenStream;
 
 use crate::codec::Scope;
-use crate::{client, error_codes, request, topic};
+use crate::{client, compile_errors, error_codes, request, topic};
 
 fn pretty(tokens: TokenStream) -> String {
     let file = syn::parse2(tokens).expect("the expansion is valid Rust");
@@ -27,4 +28,17 @@ fn messages() {
 fn client_methods() {
     let spec = jaka_spec::builtin().expect("the built-in spec is correct");
     expect_file!["../golden/client.rs"].assert_eq(&pretty(client::methods(&spec)));
+}
+
+#[test]
+fn each_error_of_the_spec_is_a_compiler_error() {
+    let text = "title = \"Motion\"\n\n[[command]]\nwire = \"go\"\neffect = \"fly\"\n";
+    let errors = jaka_spec::load(&[Source { path: "spec/motion.toml", text }]).expect_err("the spec is wrong");
+    expect![[r#"
+        ::core::compile_error!("spec/motion.toml:3:1: command `go`: `doc` is missing");
+        ::core::compile_error!(
+            "spec/motion.toml:5:10: command `go`: `effect` is one of query, setting, motion, power, session, not `fly`"
+        );
+    "#]]
+    .assert_eq(&pretty(compile_errors(&errors)));
 }

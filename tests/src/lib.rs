@@ -4,6 +4,11 @@ use jaka_spec::{Field, Request, Spec, Type, TypeDef, TypeKind};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
+/// The project's README, for its example to be compiled.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;
+
 /// One message that the document prints.
 #[derive(Debug)]
 pub struct Printed {

@@ -1,0 +1,249 @@
+//! The exchange where nothing is wrong with the wire: sessions, stop handles, deadlines, raw calls.
+
+use std::net::TcpListener;
+use std::thread;
+use std::time::Duration;
+
+use jaka_sim::{Controller, Fault};
+use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::kinematics::GetJointPos;
+use jaka_sync::motion::{Jog, JogFrame, JointMove};
+use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::{AdvisoryRanges, Client, Command, Config, Error, ErrorCode, StopHandle};
+use serde_json::{Value, json};
+
+fn connected() -> (Controller, Client) {
+    let controller = Controller::start().expect("loopback has free ports");
+    let client = Client::connect(controller.command_addr()).expect("the controller listens");
+    (controller, client)
+}
+
+/// As [`connected`], with power and enabled.
+fn ready() -> (Controller, Client) {
+    let (controller, mut client) = connected();
+    client.power_on().expect("the simulator has power");
+    client.enable_robot().expect("the arm has power");
+    (controller, client)
+}
+
+fn one_degree() -> JointMove {
+    let joint_position = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0].into();
+    JointMove { mode: MoveMode::Relative, joint_position, speed: 10.0, acceleration: None }
+}
+
+#[test]
+fn a_refused_motion_is_an_error_with_the_controllers_own_words() {
+    let (_controller, mut client) = connected();
+    let error = client.joint_move(&one_degree()).expect_err("the arm has no power");
+    let refusal = error.refusal().expect("the controller refuses");
+    assert_eq!((refusal.code, refusal.message.as_str()), (ErrorCode(2), "call joint_move failed"));
+    assert!(!error.may_have_run() && !error.is_disconnected());
+}
+
+#[test]
+fn a_motion_moves_the_simulated_arm() {
+    let (_controller, mut client) = ready();
+    let before = client.get_joint_pos().expect("it answers").joint_position;
+    client.joint_move(&one_degree()).expect("the arm is enabled");
+    let after = client.get_joint_pos().expect("it answers").joint_position;
+    assert!((after.0[0] - before.0[0] - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn the_bytes_of_a_request_are_the_documents() {
+    let (controller, mut client) = ready();
+    client.jog(&Jog::Continuous { frame: JogFrame::Joint, axis: 1, velocity: 30.0 }).expect("the arm is enabled");
+    client.joint_move(&one_degree()).expect("the arm is enabled");
+    client.get_joint_pos().expect("it answers");
+    assert_eq!(
+        controller.requests()[2..],
+        [
+            r#"{"cmdName":"jog","jog_mode":1,"coord_map":1,"jnum":1,"jogvel":30}"#,
+            r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[1,0,0,0,0,0],"speed":10}"#,
+            r#"{"cmdName":"get_joint_pos"}"#,
+        ]
+    );
+}
+
+#[test]
+fn code_can_be_generic_over_the_command() {
+    fn twice<C: Command>(client: &mut Client, command: &C) -> Result<(C::Reply, C::Reply), Error> {
+        Ok((client.call(command)?, client.call(command)?))
+    }
+    let (_controller, mut client) = connected();
+    let (first, second) = twice(&mut client, &GetJointPos).expect("it answers");
+    assert_eq!(first, second);
+}
+
+#[test]
+fn ranges_of_newer_firmware_can_be_switched_off() {
+    let (controller, mut strict) = connected();
+    let relay = SetDigitalOutput { kind: DigitalOutputKind::Relay, index: 1, value: Switch::On };
+    let error = strict.set_digital_output(&relay).expect_err("the relay is of newer firmware");
+    assert!(error.to_string().contains("newer firmware may take it"), "{error}");
+    drop(strict);
+    let config = Config::new().advisory_ranges(AdvisoryRanges::Ignored);
+    let mut open = config.connect(controller.command_addr()).expect("the controller listens");
+    open.set_digital_output(&relay).expect("it is left to the controller");
+    assert!(open.rapid_rate(1.5).is_err_and(|error| error.is_invalid_argument()));
+}
+
+#[test]
+fn raw_calls_give_the_whole_reply() {
+    let (controller, mut client) = connected();
+    let reply = client.call_raw("get_robot_state", &Value::Null).expect("it answers");
+    assert_eq!(reply["cmdName"], "get_robot_state");
+    let rate = json!({"rate_value": 0.25});
+    client.call_raw("rapid_rate", &rate).expect("it answers");
+    assert_eq!(controller.requests()[1], r#"{"cmdName":"rapid_rate","rate_value":0.25}"#);
+    assert_eq!(client.last_reply(), Some(r#"{"errorCode":"0","errorMsg":"","cmdName":"rapid_rate"}"#));
+}
+
+#[test]
+fn quit_ends_the_session() {
+    let (controller, mut client) = connected();
+    client.quit().expect("it answers");
+    let error = client.get_version().expect_err("the session has ended");
+    assert!(error.is_disconnected() && !error.may_have_run());
+    let source = std::error::Error::source(&error).expect("the cause is told");
+    assert_eq!(source.to_string(), "`quit` ended the session");
+    assert_eq!(controller.requests().len(), 1);
+}
+
+#[test]
+fn shutdown_succeeds_with_a_reply_and_with_a_controller_that_just_goes_away() {
+    let (_controller, mut client) = connected();
+    client.shutdown().expect("it answers");
+    for fault in [Fault::Close, Fault::Reset] {
+        let (controller, mut client) = connected();
+        controller.inject(fault);
+        client.shutdown().expect("a controller that shuts down closes the connection");
+        assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
+    }
+    // Other commands get no such benefit of the doubt.
+    let (controller, mut client) = connected();
+    controller.inject(Fault::Close);
+    assert!(client.power_off().is_err_and(|error| error.is_disconnected()));
+}
+
+#[test]
+fn a_deadline_of_ones_own() {
+    let (controller, mut client) = connected();
+    controller.inject(Fault::Drop);
+    let timeout = Duration::from_millis(20);
+    let error = client.call_within(&GetJointPos, timeout).expect_err("no reply comes");
+    assert!(matches!(error, Error::Timeout { after, .. } if after == timeout));
+}
+
+#[test]
+fn a_stop_handle_stops_while_a_call_waits() {
+    let (controller, mut client) = ready();
+    let stop = client.stop_handle();
+    // The reply to the motion is held back until the next reply goes out: that to the stop.
+    controller.inject(Fault::Hold);
+    let sent = controller.requests().len();
+    let moving = thread::spawn(move || client.joint_move(&one_degree()).map(|()| client));
+    assert!(controller.wait_for_requests(sent + 1, Duration::from_secs(30)));
+    stop.stop().expect("the controller takes the stop");
+    let mut client = moving.join().expect("the thread does not panic").expect("the motion was accepted");
+    assert_eq!(controller.requests().last().map(String::as_str), Some(r#"{"cmdName":"stop_program"}"#));
+    client.get_version().expect("the connection works");
+}
+
+#[test]
+fn a_call_whose_reply_is_lost_learns_it_from_the_stop() {
+    let (controller, mut client) = ready();
+    let stop = client.stop_handle();
+    controller.inject(Fault::Drop);
+    let sent = controller.requests().len();
+    let moving = thread::spawn(move || (client.joint_move(&one_degree()), client));
+    assert!(controller.wait_for_requests(sent + 1, Duration::from_secs(30)));
+    stop.stop().expect("the controller takes the stop");
+    let (moved, mut client) = moving.join().expect("the thread does not panic");
+    let error = moved.expect_err("its reply is lost");
+    assert!(error.may_have_run() && !error.is_disconnected());
+    assert_eq!(
+        error.to_string(),
+        "the reply to `joint_move` is lost, a later command was answered; it may have run"
+    );
+    client.get_version().expect("the connection works");
+}
+
+#[test]
+fn stop_handles_work_while_no_call_waits_and_beside_each_other() {
+    let (controller, client) = ready();
+    let stop = client.stop_handle();
+    let threads: Vec<_> = (0..8)
+        .map(|_| {
+            let stop: StopHandle = stop.clone();
+            thread::spawn(move || (0..50).try_for_each(|_| stop.stop()))
+        })
+        .collect();
+    for thread in threads {
+        thread.join().expect("the thread does not panic").expect("each stop is answered");
+    }
+    assert_eq!(controller.requests().iter().filter(|request| request.contains("stop_program")).count(), 400);
+    drop(client);
+}
+
+#[test]
+fn stops_beside_calls_each_get_their_own_reply() {
+    let (controller, mut client) = ready();
+    let stop = client.stop_handle();
+    let stopping = thread::spawn(move || (0..300).try_for_each(|_| stop.stop()));
+    for n in 0..300 {
+        let position = [f64::from(n); 6];
+        controller.set_state(|state| state.joint_position = position.into());
+        assert_eq!(client.get_joint_pos().expect("it answers").joint_position, position.into());
+    }
+    stopping.join().expect("the thread does not panic").expect("each stop is answered");
+}
+
+#[test]
+fn a_stop_that_is_refused_or_unanswered_is_an_error() {
+    let (controller, client) = ready();
+    let stop = client.stop_handle();
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call stop_program failed", "cmdName": "stop_program"}"#;
+    controller.inject(Fault::Instead(refusal.to_vec()));
+    let error = stop.stop().expect_err("the controller refuses");
+    assert_eq!(error.to_string(), "the controller refused `stop_program` with code 2: call stop_program failed");
+    controller.disconnect();
+    assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
+}
+
+#[test]
+fn addresses_with_and_without_a_port() {
+    let (controller, mut client) = connected();
+    let address = controller.command_addr();
+    assert_eq!(client.peer_addr().expect("it is connected"), address);
+    drop(client);
+    let by_name = format!("localhost:{}", address.port());
+    client = Client::connect(by_name).expect("the name is known everywhere");
+    client.get_version().expect("it answers");
+    // Without a port, it is the protocol's.
+    let error = Config::new().connect_timeout(Duration::from_millis(100)).connect("127.0.0.1");
+    if let Err(error) = error {
+        assert_eq!(error.to_string(), "cannot connect to 127.0.0.1");
+    }
+}
+
+#[test]
+fn handles_can_move_and_be_shared_between_threads() {
+    fn assert_send<T: Send>() {}
+    fn assert_sync<T: Sync>() {}
+    assert_send::<Client>();
+    assert_send::<StopHandle>();
+    assert_sync::<StopHandle>();
+    assert_send::<jaka_sync::StatusStream>();
+    assert_send::<Error>();
+    assert_sync::<Error>();
+}
+
+#[test]
+fn a_listener_that_closes_at_once() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let address = listener.local_addr().expect("it is bound");
+    let mut client = Client::connect(address).expect("it listens");
+    drop(listener.accept().expect("the client waits"));
+    assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
+}

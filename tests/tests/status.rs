@@ -1,0 +1,118 @@
+//! The status port.
+
+use std::time::Duration;
+
+use jaka_sim::Controller;
+use jaka_sync::{Config, Disconnect, Error, StatusStream};
+
+/// A controller that sends packets only when told to, but for the first one.
+fn quiet() -> (Controller, StatusStream) {
+    let controller =
+        Controller::builder().status_period(Duration::from_secs(3600)).start().expect("loopback has free ports");
+    let mut status = StatusStream::connect(controller.status_addr()).expect("the controller listens");
+    status.next_packet().expect("the first packet comes at once");
+    (controller, status)
+}
+
+#[test]
+fn packets_show_the_state() {
+    let (controller, mut status) = quiet();
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+        state.joint_position = [1.5, -2.0, 3.0, 0.0, 0.0, 0.25].into();
+    });
+    controller.publish();
+    let packet = status.next_packet().expect("a packet comes");
+    assert_eq!((packet.powered_on, packet.enabled), (Some(true), Some(true)));
+    assert_eq!(packet.joint_actual_position, Some([1.5, -2.0, 3.0, 0.0, 0.0, 0.25].into()));
+    let length = status.last_packet().expect("it is kept").len();
+    assert_eq!(packet.length, i64::try_from(length).ok());
+}
+
+#[test]
+fn the_newest_packet_is_the_newest() {
+    let (controller, mut status) = quiet();
+    for n in 0..20 {
+        controller.set_state(|state| state.joint_position = [f64::from(n); 6].into());
+        controller.publish();
+    }
+    let mut last = status.newest_packet().expect("packets wait").joint_actual_position;
+    // All packets are sent, but the last ones may still be on their way through loopback.
+    while last != Some([19.0; 6].into()) {
+        last = status.newest_packet().expect("the others follow").joint_actual_position;
+    }
+}
+
+#[test]
+fn the_next_packet_is_each_in_turn() {
+    let (controller, mut status) = quiet();
+    for n in 0..20 {
+        controller.set_state(|state| state.joint_position = [f64::from(n); 6].into());
+        controller.publish();
+    }
+    for n in 0..20 {
+        let packet = status.next_packet().expect("a packet comes");
+        assert_eq!(packet.joint_actual_position, Some([f64::from(n); 6].into()));
+    }
+}
+
+#[test]
+fn a_silent_controller_is_a_timeout_and_the_stream_goes_on() {
+    let controller =
+        Controller::builder().status_period(Duration::from_secs(3600)).start().expect("loopback has free ports");
+    let config = Config::new().reply_timeout(Duration::from_millis(50));
+    let mut status = config.connect_status(controller.status_addr()).expect("the controller listens");
+    let slow = loop {
+        // The first packet comes at once, which on a busy machine can be later than the timeout.
+        if let Err(error) = status.next_packet() {
+            break error;
+        }
+    };
+    assert!(slow.is_timeout());
+    assert_eq!(slow.to_string(), "no status packet within 50ms");
+    controller.publish();
+    let mut patient = 0..100;
+    assert!(patient.any(|_| status.newest_packet().is_ok()));
+}
+
+#[test]
+fn packets_cut_anywhere_and_packets_in_one_piece() {
+    let (controller, mut status) = quiet();
+    controller.send_status(b"{\"len\": 42, \"ena");
+    controller.send_status(b"bled\": true}{\"len\": 43}");
+    assert_eq!(status.next_packet().expect("the pieces are put together").enabled, Some(true));
+    assert_eq!(status.next_packet().expect("the second one follows").length, Some(43));
+}
+
+#[test]
+fn a_packet_that_does_not_fit_is_an_error_and_the_stream_goes_on() {
+    let (controller, mut status) = quiet();
+    controller.send_status(b"{\"len\": 42, \"enabled\": \"perhaps\"}");
+    let error = status.next_packet().expect_err("that is no truth value");
+    let Error::UnexpectedStatus { source } = &error else { panic!("it is told apart: {error:?}") };
+    assert_eq!(source.to_string(), "field `enabled`: expected a truth value, found `\"perhaps\"`");
+    assert_eq!(status.last_packet(), Some("{\"len\": 42, \"enabled\": \"perhaps\"}"));
+    controller.publish();
+    status.next_packet().expect("the next one fits");
+}
+
+#[test]
+fn text_lines_of_very_old_firmware_are_told_clearly() {
+    let (controller, mut status) = quiet();
+    controller.send_status(b"joint_actual_position:(0,0,0,0,0,0)\n");
+    for _ in 0..2 {
+        let error = status.next_packet().expect_err("that is no packet");
+        let Error::Disconnected { command: None, cause, .. } = &error else { panic!("it is told apart: {error:?}") };
+        assert!(matches!(**cause, Disconnect::Frame(_)));
+        assert!(cause.to_string().contains("only very old versions do"), "{cause}");
+    }
+}
+
+#[test]
+fn a_closed_stream_says_so() {
+    let (controller, mut status) = quiet();
+    controller.disconnect();
+    assert!(status.next_packet().is_err_and(|error| error.is_disconnected()));
+    assert!(status.newest_packet().is_err_and(|error| error.is_disconnected()));
+}
