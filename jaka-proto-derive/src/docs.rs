@@ -101,9 +101,7 @@ pub(crate) fn request(command: &Command) -> String {
         text = format!("{text}\n\nWithdrawn by the vendor: {instead}.");
     }
     if let Some(evidence) = &command.reconstructed {
-        text = format!(
-            "{text}\n\nReconstructed, since the document's page is lost: {evidence}"
-        );
+        text = format!("{text}\n\nReconstructed, since the document's page is lost: {evidence}");
     }
     if !command.errata.is_empty() {
         text += "\n\n# Errata\n";

@@ -48,10 +48,7 @@ fn numbers_out_of_range() {
         "`set_clsn_sensitivity` was not sent: field `level` is 9, allowed is 0 to 5"
     );
     let frame = SetToolOffsets { offset: [0.0; 6].into(), id: 0, name: "gripper".to_owned() };
-    assert_eq!(
-        refused(&frame).to_string(),
-        "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10"
-    );
+    assert_eq!(refused(&frame).to_string(), "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10");
     assert_eq!(SetToolId { tool_id: 0 }.check(AdvisoryRanges::Enforced), Ok(()));
     let jog = Jog::Continuous { frame: JogFrame::Joint, axis: 6, velocity: 1.0 };
     assert_eq!(refused(&jog).to_string(), "`jog` was not sent: field `axis` is 6, allowed is 0 to 5");

@@ -181,7 +181,8 @@ fn extension_modules_in_both_forms() {
 
 #[test]
 fn text_that_is_no_json_is_told_from_json_of_another_shape() {
-    for json in ["", "{", "{\"a\"}", "{\"a\":}", "{\"a\":1,}", "{\"a\":01x}", "{a:1}", "{\"a\":tru}", "{\"a\":\"\\x\"}"] {
+    for json in ["", "{", "{\"a\"}", "{\"a\":}", "{\"a\":1,}", "{\"a\":01x}", "{a:1}", "{\"a\":tru}", "{\"a\":\"\\x\"}"]
+    {
         assert!(Envelope::read(json).is_err_and(|error| error.is_malformed()), "{json}");
     }
     assert!(Envelope::read("{} {}").is_err_and(|error| error.is_malformed()));

@@ -9,10 +9,10 @@ use std::time::Duration;
 
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
-use jaka_proto::{Command, CommandInfo, Envelope, read_payload};
+use jaka_proto::{Command, CommandInfo, read_payload};
 use serde_json::Value;
 
-use crate::link::{Link, Sent};
+use crate::link::Link;
 use crate::{COMMAND_PORT, Config, Disconnect, Error, StopHandle, address};
 
 /// A connection to a controller's command port.
@@ -72,7 +72,7 @@ impl Client {
         command.check(self.config.advisory_ranges)?;
         let info = C::INFO;
         let sent = self.link.send(info.name, Cow::Borrowed(info.name), timeout, |out| command.write_request(out))?;
-        match self.accept(&sent) {
+        match self.link.wait(&sent, &mut self.reply) {
             Ok(()) => {}
             Err(error) if !info.reply_certain && closed(&error) => return without_reply(info),
             Err(error) => return Err(error),
@@ -104,18 +104,12 @@ impl Client {
         let timeout = self.config.reply_timeout;
         let owed = Cow::Owned(command.trim().to_owned());
         let sent = self.link.send(command, owed, timeout, |out| out.raw(&request))?;
-        self.accept(&sent)?;
+        self.link.wait(&sent, &mut self.reply)?;
         let reply = serde_json::from_str(&self.reply);
         reply.map_err(|error| Error::UnexpectedReply {
             command: command.to_owned(),
             source: DecodeError::unfit(format!("JSON ({error})"), &self.reply),
         })
-    }
-
-    /// Waits for a reply, and fails if it is a refusal.
-    fn accept(&mut self, sent: &Sent<'_>) -> Result<(), Error> {
-        self.link.wait(sent, &mut self.reply)?;
-        accepted(sent.command, &self.reply)
     }
 
     /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec.
@@ -140,20 +134,6 @@ impl Client {
     pub fn peer_addr(&self) -> io::Result<SocketAddr> {
         self.link.peer_addr()
     }
-}
-
-/// Fails if the reply is a refusal, or does not say whether it is one.
-pub(crate) fn accepted(command: &str, reply: &str) -> Result<(), Error> {
-    if reply.starts_with('(') {
-        return Ok(());
-    }
-    let unexpected = |source| Error::UnexpectedReply { command: command.to_owned(), source };
-    let envelope = Envelope::read(reply).map_err(unexpected)?;
-    if let Some(mut refusal) = envelope.refusal() {
-        command.clone_into(&mut refusal.command);
-        return Err(Error::Refused(refusal));
-    }
-    envelope.code.map(drop).map_err(unexpected)
 }
 
 /// True if the controller closed the connection, as it does when it goes down.

@@ -7,6 +7,7 @@ mod error;
 mod link;
 mod methods;
 mod receive;
+mod reply;
 mod status_stream;
 mod stop;
 

@@ -11,9 +11,10 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::framing::Framer;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Arrival, CommandInfo, Envelope, Ledger, Mistrust, Request, Ticket};
+use jaka_proto::{Arrival, CommandInfo, Ledger, Mistrust, Request, Ticket};
 
 use crate::receive::{self, Chunk};
+use crate::reply::Reply;
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.
@@ -104,6 +105,9 @@ impl Link {
     ) -> Result<Sent<'c>, Error> {
         let since = Instant::now();
         let mut state = self.lock();
+        if let Some(cause) = self.unasked(&state) {
+            self.break_off(&mut state, cause);
+        }
         if let Some(cause) = state.broken.clone() {
             return Err(Error::Disconnected { command: Some(command.to_owned()), sent: false, cause });
         }
@@ -117,6 +121,20 @@ impl Link {
             return Err(Error::Disconnected { command: Some(command.to_owned()), sent: true, cause });
         }
         Ok(Sent { ticket, command, since, timeout })
+    }
+
+    /// Why nothing must be sent: a reply has been read that nobody is owed.
+    fn unasked(&self, state: &State) -> Option<Disconnect> {
+        let mut inbound = self.inbound.try_lock().ok().filter(|_| state.ledger.outstanding() == 0)?;
+        match inbound.framer.next_frame() {
+            Ok(None) => None,
+            Ok(Some(frame)) => {
+                let reply = std::str::from_utf8(frame).ok().and_then(|text| Reply::read(text).ok());
+                let command = reply.and_then(Reply::into_command).unwrap_or_default();
+                Some(Disconnect::Mistrust(Mistrust::Unasked { command }))
+            }
+            Err(error) => Some(Disconnect::Frame(error)),
+        }
     }
 
     /// Breaks the connection for good. The first cause stays.
@@ -140,7 +158,7 @@ impl Link {
         }
     }
 
-    /// Waits for the reply to a command that was sent, and puts its text into `reply`.
+    /// Waits for the reply to a command that was sent, and puts its text into `reply`. A refusal is an error.
     pub(crate) fn wait(&self, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
         let mut state = self.lock();
         loop {
@@ -167,7 +185,7 @@ impl Link {
             state.reader = Reader::Nobody;
             self.wake(&state);
             match read {
-                Ok(ReadEnd::Mine) => return Ok(()),
+                Ok(ReadEnd::Mine(accepted)) => return accepted,
                 Ok(ReadEnd::TimeUp) => {}
                 Err(cause) => drop(self.break_off(&mut state, cause)),
             }
@@ -199,10 +217,14 @@ impl Link {
             while let Some(frame) = framer.next_frame().map_err(Disconnect::Frame)? {
                 let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
                 log::trace!(target: "jaka_sync::wire", "<- {text}");
-                if self.settle(text, sent)? {
-                    reply.clear();
-                    reply.push_str(text);
-                    return Ok(ReadEnd::Mine);
+                match self.settle(text, sent)? {
+                    Settled::Mine(accepted) => {
+                        reply.clear();
+                        reply.push_str(text);
+                        return Ok(ReadEnd::Mine(accepted));
+                    }
+                    Settled::MineLost => return Ok(ReadEnd::Mine(Err(lost(sent)))),
+                    Settled::Other => {}
                 }
             }
             match receive::chunk(&self.stream, framer, timeout, sent.left()) {
@@ -213,48 +235,63 @@ impl Link {
         }
     }
 
-    /// Settles the debt that a reply belongs to; true if it is the caller's own.
-    fn settle(&self, text: &str, sent: &Sent<'_>) -> Result<bool, Disconnect> {
+    /// Settles the debt that a reply belongs to.
+    fn settle(&self, text: &str, sent: &Sent<'_>) -> Result<Settled, Disconnect> {
+        let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
         let mut state = self.lock();
-        let arrival = state.arrived(text)?;
-        for lost in arrival.lost {
-            state.aside.push((lost, Answer::Lost));
-        }
+        let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
         if arrival.ticket == sent.ticket {
-            return Ok(true);
+            state.set_aside_lost(&arrival, sent);
+            self.wake(&state);
+            return Ok(Settled::Mine(reply.accepted(sent.command)));
         }
         if arrival.awaited {
             state.aside.push((arrival.ticket, Answer::Reply(text.to_owned())));
         } else {
             log::debug!(target: "jaka_sync::wire", "late reply to `{}` dropped", arrival.command);
         }
+        state.set_aside_lost(&arrival, sent);
         self.wake(&state);
-        Ok(false)
+        Ok(if arrival.lost.contains(&sent.ticket) { Settled::MineLost } else { Settled::Other })
     }
 }
 
-/// How reading ended.
-#[derive(Debug, PartialEq, Eq)]
+/// Whose debt a reply settled: the caller's own, and whether the command was accepted, or another's.
+#[derive(Debug)]
+enum Settled {
+    Mine(Result<(), Error>),
+    /// A later command was answered: the caller's reply will not come any more.
+    MineLost,
+    Other,
+}
+
+/// How reading ended: with the caller's own reply, and whether the command was accepted, or with its time.
+#[derive(Debug)]
 enum ReadEnd {
-    Mine,
+    Mine(Result<(), Error>),
     TimeUp,
 }
 
 impl State {
     /// Whose reply this is.
-    fn arrived(&mut self, reply: &str) -> Result<Arrival, Disconnect> {
-        if reply.starts_with('(') {
-            let bare = Request::COMMANDS.iter().find(|info| info.bare_reply.is_some());
-            let command = bare.map_or("", |info| info.name);
-            return self.ledger.arrived(command).map_err(Disconnect::Mistrust);
+    fn arrived(&mut self, reply: &Reply<'_>) -> Result<Arrival, Mistrust> {
+        match reply {
+            Reply::Bare => {
+                let bare = Request::COMMANDS.iter().find(|info| info.bare_reply.is_some());
+                self.ledger.arrived(bare.map_or("", |info| info.name))
+            }
+            Reply::Json(envelope) => match &envelope.command {
+                Some(command) => self.ledger.arrived(command),
+                None if envelope.refusal().is_some() => self.ledger.arrived_nameless(),
+                None => Err(Mistrust::Nameless),
+            },
         }
-        let envelope = Envelope::read(reply).map_err(Disconnect::NotJson)?;
-        let arrival = match (&envelope.command, envelope.refusal()) {
-            (Some(command), _) => self.ledger.arrived(command),
-            (None, Some(_)) => self.ledger.arrived_nameless(),
-            (None, None) => Err(Mistrust::Nameless),
-        };
-        arrival.map_err(Disconnect::Mistrust)
+    }
+
+    /// Puts aside, for others than the caller, that their replies are lost.
+    fn set_aside_lost(&mut self, arrival: &Arrival, sent: &Sent<'_>) {
+        let others = arrival.lost.iter().filter(|ticket| **ticket != sent.ticket);
+        self.aside.extend(others.map(|ticket| (*ticket, Answer::Lost)));
     }
 
     fn take(&mut self, ticket: Ticket) -> Option<Answer> {
@@ -267,10 +304,15 @@ fn deliver(answer: Answer, sent: &Sent<'_>, reply: &mut String) -> Result<(), Er
     match answer {
         Answer::Reply(text) => {
             *reply = text;
-            Ok(())
+            let unexpected = |source| Error::UnexpectedReply { command: sent.command.to_owned(), source };
+            Reply::read(reply).map_err(unexpected)?.accepted(sent.command)
         }
-        Answer::Lost => Err(Error::ReplyLost { command: sent.command.to_owned() }),
+        Answer::Lost => Err(lost(sent)),
     }
+}
+
+fn lost(sent: &Sent<'_>) -> Error {
+    Error::ReplyLost { command: sent.command.to_owned() }
 }
 
 fn disconnected(sent: &Sent<'_>, cause: Arc<Disconnect>) -> Error {

@@ -8,7 +8,6 @@ use jaka_proto::Command;
 use jaka_proto::messages::program::StopProgram;
 
 use crate::Error;
-use crate::client::accepted;
 use crate::link::Link;
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
@@ -46,8 +45,6 @@ impl StopHandle {
         let info = StopProgram::INFO;
         let write = |out: &mut _| StopProgram.write_request(out);
         let sent = self.link.send(info.name, Cow::Borrowed(info.name), self.timeout, write)?;
-        let mut reply = String::new();
-        self.link.wait(&sent, &mut reply)?;
-        accepted(info.name, &reply)
+        self.link.wait(&sent, &mut String::new())
     }
 }

@@ -325,7 +325,8 @@ doc = "A kind that does not exist."
 
 #[test]
 fn errors_of_several_files_come_together() {
-    let sources = [Source { path: "spec/b.toml", text: "titel = 1" }, Source { path: "spec/a.toml", text: "title = \"\"" }];
+    let sources =
+        [Source { path: "spec/b.toml", text: "titel = 1" }, Source { path: "spec/a.toml", text: "title = \"\"" }];
     let errors = load(&sources).expect_err("both files are wrong");
     expect![[r#"
         spec/a.toml:1:9: `title` is empty
@@ -336,9 +337,12 @@ fn errors_of_several_files_come_together() {
 
 #[test]
 fn columns_count_characters() {
-    check("title = \"中文\" \u{e9} = 1\n", expect![[r#"
+    check(
+        "title = \"中文\" \u{e9} = 1\n",
+        expect![[r#"
         spec/test.toml:1:14: not valid TOML: unexpected key or value, expected newline, `#`
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

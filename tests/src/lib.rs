@@ -102,9 +102,7 @@ pub fn any_value(spec: &'static Spec, ty: &'static Type) -> BoxedStrategy<Value>
         Type::Float => any_float().prop_map(Value::from).boxed(),
         Type::Text => any_text().prop_map(Value::from).boxed(),
         Type::Json => prop_oneof![any::<i64>().prop_map(Value::from), any_text().prop_map(Value::from)].boxed(),
-        Type::List(element) => {
-            proptest::collection::vec(any_value(spec, element), 0..4).prop_map(Value::from).boxed()
-        }
+        Type::List(element) => proptest::collection::vec(any_value(spec, element), 0..4).prop_map(Value::from).boxed(),
         Type::Array(element, len) => {
             proptest::collection::vec(any_value(spec, element), *len).prop_map(Value::from).boxed()
         }

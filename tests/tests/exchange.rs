@@ -162,10 +162,7 @@ fn a_call_whose_reply_is_lost_learns_it_from_the_stop() {
     let (moved, mut client) = moving.join().expect("the thread does not panic");
     let error = moved.expect_err("its reply is lost");
     assert!(error.may_have_run() && !error.is_disconnected());
-    assert_eq!(
-        error.to_string(),
-        "the reply to `joint_move` is lost, a later command was answered; it may have run"
-    );
+    assert_eq!(error.to_string(), "the reply to `joint_move` is lost, a later command was answered; it may have run");
     client.get_version().expect("the connection works");
 }
 

@@ -80,7 +80,8 @@ fn connect_to_a_name_that_does_not_exist() {
 #[test]
 fn connect_timeout() {
     // A backlog that is full lets further attempts wait without an answer.
-    let socket = socket2::Socket::new(socket2::Domain::IPV4, socket2::Type::STREAM, None).expect("sockets are to be had");
+    let socket =
+        socket2::Socket::new(socket2::Domain::IPV4, socket2::Type::STREAM, None).expect("sockets are to be had");
     let any = std::net::SocketAddr::from(([127, 0, 0, 1], 0));
     socket.bind(&any.into()).expect("loopback has free ports");
     socket.listen(1).expect("it is bound");
@@ -212,8 +213,8 @@ fn unasked_reply_before_the_own() {
 fn reply_that_comes_twice() {
     let (controller, mut client) = patient(Fault::Twice);
     client.get_version().expect("the first copy is the reply");
-    let error = client.get_joint_pos().expect_err("the second copy is unasked");
-    assert!(cause_of(error).contains("Unasked"));
+    // Usually the copy has been read already, and nothing is sent; it may also come only now.
+    assert!(client.get_joint_pos().expect_err("the second copy is unasked").is_disconnected());
     assert_broken(&controller, &mut client, "a reply to `get_version` came that nobody is owed");
 }
 
@@ -274,7 +275,8 @@ fn reply_that_does_not_fit_the_spec() {
 
 #[test]
 fn refusal_with_a_payload_that_does_not_fit() {
-    let reply = br#"{"joint_pos": "?", "errorMsg": "call get_joint_pos failed", "errorCode": "2", "cmdName": "get_joint_pos"}"#;
+    let reply =
+        br#"{"joint_pos": "?", "errorMsg": "call get_joint_pos failed", "errorCode": "2", "cmdName": "get_joint_pos"}"#;
     let (controller, mut client) = patient(Fault::Instead(reply.to_vec()));
     let error = client.get_joint_pos().expect_err("the controller refuses");
     assert_eq!(error.to_string(), "the controller refused `get_joint_pos` with code 2: call get_joint_pos failed");

@@ -107,8 +107,8 @@ fn drifted(ty: &jaka_spec::Type, value: &Value, form: u8) -> Value {
     match (ty, value) {
         (Type::Bool { on, .. }, value) => {
             let is_on = value.to_string() == *on;
-            let (off, on) = [("false", "true"), ("0", "1"), ("\"0\"", "\"1\""), ("\"False\"", "\"True\"")]
-                [usize::from(form % 4)];
+            let (off, on) =
+                [("false", "true"), ("0", "1"), ("\"0\"", "\"1\""), ("\"False\"", "\"True\"")][usize::from(form % 4)];
             serde_json::from_str(if is_on { on } else { off }).expect("the forms are JSON")
         }
         (Type::Int | Type::Float, Value::Number(number)) => drifted_number(number, form),

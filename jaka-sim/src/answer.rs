@@ -1,0 +1,122 @@
+//! What the controller answers to a request.
+//!
+//! Each topic of the spec has a module of its own that changes the state and replies. What none of them handles is
+//! answered with the spec's example, so a new command in the spec is answered without code.
+
+mod collision;
+mod force;
+mod frames;
+mod io;
+mod kinematics;
+mod motion;
+mod network;
+mod payload;
+mod power;
+mod program;
+mod servo;
+mod torque_sensor;
+mod trajectory;
+mod variables;
+
+use jaka_proto::check::AdvisoryRanges;
+use jaka_proto::messages::types::Switch;
+use jaka_proto::wire::Writer;
+use jaka_proto::{Command, ErrorCode, Request, RequestError, write_refusal, write_reply};
+
+use crate::State;
+use crate::book::{Book, Entry, usual_refusal};
+
+/// What a topic made of a request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    /// The reply is written.
+    Replied,
+    /// The request cannot be carried out.
+    Refused,
+    /// The request is not one of the topic's, or the example is as good a reply as any.
+    Unhandled,
+}
+
+type Topic = fn(&Request, &mut State, &mut Writer) -> Outcome;
+
+const TOPICS: [Topic; 14] = [
+    power::answer,
+    motion::answer,
+    servo::answer,
+    program::answer,
+    io::answer,
+    frames::answer,
+    variables::answer,
+    payload::answer,
+    collision::answer,
+    kinematics::answer,
+    trajectory::answer,
+    force::answer,
+    torque_sensor::answer,
+    network::answer,
+];
+
+/// Carries out a request, and writes the reply.
+pub(crate) fn answer(text: &str, book: &Book, state: &mut State, out: &mut Writer) {
+    match Request::read(text) {
+        Ok(request) => carry_out(&request, book, state, out),
+        Err(RequestError::Field { command, .. }) => refuse(&command, &usual_refusal(&command), out),
+        Err(_) => refuse_unknown(book, out),
+    }
+}
+
+/// Writes the reply to what is no request.
+pub(crate) fn refuse_unknown(book: &Book, out: &mut Writer) {
+    write_refusal(None, ErrorCode::EXCEPTION, &book.unknown, out);
+}
+
+fn carry_out(request: &Request, book: &Book, state: &mut State, out: &mut Writer) {
+    let name = request.info().name;
+    let entry = book.entry(name);
+    let requires = entry.map_or(&[][..], |entry| &entry.requires);
+    if let (Some(entry), false) = (entry, requires.iter().all(|requirement| state.meets(*requirement))) {
+        return refuse(name, &entry.refusal, out);
+    }
+    let outcome = match request.check(AdvisoryRanges::Ignored) {
+        Ok(()) => ask_topics(request, state, out),
+        Err(_) => Outcome::Refused,
+    };
+    match outcome {
+        Outcome::Replied => {}
+        Outcome::Refused => refuse(name, &usual_refusal(name), out),
+        Outcome::Unhandled => show_example(request, entry, out),
+    }
+    state.settle();
+}
+
+fn ask_topics(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    let mut outcomes = TOPICS.iter().map(|topic| topic(request, state, out));
+    outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
+}
+
+fn show_example(request: &Request, entry: Option<&Entry>, out: &mut Writer) {
+    match entry.and_then(|entry| entry.example.as_deref()) {
+        Some(example) => out.raw(example),
+        None => write_reply(request.info(), &(), out),
+    }
+}
+
+fn refuse(command: &str, (code, message): &(ErrorCode, String), out: &mut Writer) {
+    write_refusal(Some(command), *code, message, out);
+}
+
+/// Writes a reply, which can only be of the type that belongs to the command.
+fn reply<C: Command>(_command: &C, reply: C::Reply, out: &mut Writer) -> Outcome {
+    write_reply(C::INFO, &reply, out);
+    Outcome::Replied
+}
+
+/// Accepts a command that answers nothing more.
+fn accept<C: Command<Reply = ()>>(command: &C, out: &mut Writer) -> Outcome {
+    reply(command, (), out)
+}
+
+/// True for on; anything but on and off has been refused before.
+fn is_on(switch: Switch) -> bool {
+    switch == Switch::On
+}

@@ -1,0 +1,29 @@
+//! Collision detection and protective stop.
+
+use jaka_proto::Request;
+use jaka_proto::messages::collision::{GetClsnSensitivityReply, ProtectiveStopStatusReply};
+use jaka_proto::wire::Writer;
+
+use super::{Outcome, accept, reply};
+use crate::State;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::ProtectiveStopStatus(command) => {
+            reply(command, ProtectiveStopStatusReply { protective_stop: state.protective_stop }, out)
+        }
+        Request::SetClsnSensitivity(command) => {
+            state.collision_level = command.level;
+            accept(command, out)
+        }
+        Request::GetClsnSensitivity(command) => {
+            reply(command, GetClsnSensitivityReply { level: state.collision_level }, out)
+        }
+        Request::ClearError(command) => {
+            state.protective_stop = false;
+            state.clear_error();
+            accept(command, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}

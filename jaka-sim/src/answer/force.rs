@@ -1,0 +1,78 @@
+//! Drag mode and control that yields to forces.
+
+use jaka_proto::Request;
+use jaka_proto::messages::force::{
+    AdmittanceAxis, ComplianceType, DragStatusReply, GetAdmitCtrlConfigReply, GetCompliantTypeReply, SetAdmitCtrlConfig,
+};
+use jaka_proto::wire::{Typed, Writer};
+
+use super::{Outcome, accept, is_on, reply};
+use crate::State;
+use crate::state::AdmittanceControl;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::TorqueControlEnable(command) => {
+            state.drag_mode = is_on(command.enable_flag);
+            accept(command, out)
+        }
+        Request::DragStatus(command) => reply(command, DragStatusReply { drag_status: state.drag_mode }, out),
+        Request::EnableAdmittanceCtrl(command) => {
+            state.admittance.enabled = is_on(command.enable_flag);
+            accept(command, out)
+        }
+        // The document does not say whether drag mode ends too; here it goes on.
+        Request::DisableForceControl(command) => {
+            state.admittance.enabled = false;
+            state.admittance.compliance_type = ComplianceType::Off;
+            accept(command, out)
+        }
+        _ => settings(request, &mut state.admittance, out),
+    }
+}
+
+fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer) -> Outcome {
+    match request {
+        Request::SetAdmitCtrlConfig(command) => {
+            set_axis(&mut control.axes, command);
+            accept(command, out)
+        }
+        Request::GetAdmitCtrlConfig(command) => {
+            // One more level than the document's text has, as in its sample.
+            let axes = Typed::Known(vec![control.axes.to_vec()]);
+            reply(command, GetAdmitCtrlConfigReply { axes }, out)
+        }
+        Request::SetCompliantType(command) => {
+            control.compliance_type = command.compliance_type;
+            control.sensor_compensation = is_on(command.sensor_compensation);
+            accept(command, out)
+        }
+        Request::GetCompliantType(command) => {
+            let AdmittanceControl { compliance_type, sensor_compensation, .. } = *control;
+            reply(command, GetCompliantTypeReply { compliance_type, sensor_compensation }, out)
+        }
+        Request::SetComplianceCondition(command) => {
+            control.condition = command.condition;
+            accept(command, out)
+        }
+        Request::SetVelCompliantCtrl(command) => {
+            control.velocity = command.compliance;
+            accept(command, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}
+
+/// Axes that there are not have been refused before.
+fn set_axis(axes: &mut [AdmittanceAxis], command: &SetAdmitCtrlConfig) {
+    let index = usize::try_from(i64::from(command.axis)).ok();
+    if let Some(axis) = index.and_then(|index| axes.get_mut(index)) {
+        *axis = AdmittanceAxis {
+            enabled: is_on(command.enabled),
+            user_force: command.user_force,
+            rebound: command.rebound,
+            constant_force: command.constant_force,
+            normal_track: command.normal_track,
+        };
+    }
+}

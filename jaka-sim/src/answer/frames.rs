@@ -1,0 +1,49 @@
+//! Tool frames and user frames.
+
+use jaka_proto::Request;
+use jaka_proto::messages::frames::{GetToolOffsetsReply, GetUserOffsetsReply};
+use jaka_proto::messages::types::Pose;
+use jaka_proto::wire::Writer;
+
+use super::{Outcome, accept, reply};
+use crate::State;
+use crate::state::Frame;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::SetToolOffsets(command) => {
+            set(&mut state.tool_frames, command.id, command.offset, &command.name);
+            accept(command, out)
+        }
+        Request::SetToolId(command) => {
+            state.tool_frame_id = command.tool_id;
+            accept(command, out)
+        }
+        Request::GetToolOffsets(command) => {
+            reply(command, GetToolOffsetsReply { offsets: offsets(&state.tool_frames) }, out)
+        }
+        Request::SetUserOffsets(command) => {
+            set(&mut state.user_frames, command.id, command.offset, &command.name);
+            accept(command, out)
+        }
+        Request::SetUserId(command) => {
+            state.user_frame_id = command.user_frame_id;
+            accept(command, out)
+        }
+        Request::GetUserOffsets(command) => {
+            reply(command, GetUserOffsetsReply { offsets: offsets(&state.user_frames) }, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}
+
+/// Ids that there are not have been refused before.
+fn set(frames: &mut [Frame], id: i64, offset: Pose, name: &str) {
+    if let Some(frame) = usize::try_from(id).ok().and_then(|id| frames.get_mut(id)) {
+        *frame = Frame { offset, name: name.to_owned() };
+    }
+}
+
+fn offsets(frames: &[Frame]) -> Vec<Pose> {
+    frames.iter().map(|frame| frame.offset).collect()
+}

@@ -1,0 +1,52 @@
+//! Inputs and outputs.
+
+use jaka_proto::Request;
+use jaka_proto::messages::io::{
+    GetDigitalInputStatusReply, GetExtioStatusReply, GetFuncdiStatusReply, GetTioVoutParamReply,
+};
+use jaka_proto::wire::Writer;
+
+use super::{Outcome, accept, is_on, reply};
+use crate::State;
+use crate::state::ToolVoltage;
+
+/// Outputs with this index and above are refused, so that no client can make the state grow.
+const MAX_OUTPUTS: i64 = 1024;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::SetDigitalOutput(command) if command.index < MAX_OUTPUTS => {
+            state.digital_outputs.insert((command.kind, command.index), is_on(command.value));
+            accept(command, out)
+        }
+        Request::SetAnalogOutput(command) if command.index < MAX_OUTPUTS => {
+            state.analog_outputs.insert((command.kind, command.index), command.value);
+            accept(command, out)
+        }
+        Request::SetDigitalOutput(_) | Request::SetAnalogOutput(_) => Outcome::Refused,
+        Request::SetTioVoutParam(command) => {
+            state.tool_voltage = ToolVoltage { enable: command.output_enable, voltage: command.output_voltage };
+            accept(command, out)
+        }
+        _ => query(request, state, out),
+    }
+}
+
+fn query(request: &Request, state: &State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::GetDigitalInputStatus(command) => {
+            reply(command, GetDigitalInputStatusReply { digital_inputs: state.digital_inputs.clone() }, out)
+        }
+        Request::GetFuncdiStatus(command) => {
+            reply(command, GetFuncdiStatusReply { function_inputs: state.function_inputs.clone() }, out)
+        }
+        Request::GetExtioStatus(command) => {
+            reply(command, GetExtioStatusReply { extio_status: state.extio.clone() }, out)
+        }
+        Request::GetTioVoutParam(command) => {
+            let ToolVoltage { enable, voltage } = state.tool_voltage;
+            reply(command, GetTioVoutParamReply { output_enable: enable, output_voltage: voltage }, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}

@@ -1,0 +1,18 @@
+//! Lost network.
+
+use jaka_proto::Request;
+use jaka_proto::wire::Writer;
+
+use super::{Outcome, accept};
+use crate::State;
+use crate::state::NetworkException;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::SetNetworkExceptionHandle(command) => {
+            state.network_exception = NetworkException { delay_ms: command.delay, action: command.action };
+            accept(command, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}

@@ -1,0 +1,23 @@
+//! Payload of the arm.
+
+use jaka_proto::Request;
+use jaka_proto::messages::payload::GetPayloadReply;
+use jaka_proto::wire::Writer;
+
+use super::{Outcome, accept, reply};
+use crate::State;
+use crate::state::Payload;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::SetPayload(command) => {
+            state.payload = Payload { mass: command.mass, centroid: command.centroid };
+            accept(command, out)
+        }
+        Request::GetPayload(command) => {
+            let Payload { mass, centroid } = state.payload;
+            reply(command, GetPayloadReply { centroid, mass }, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}

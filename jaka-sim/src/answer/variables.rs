@@ -1,0 +1,25 @@
+//! User-defined system variables.
+
+use jaka_proto::Request;
+use jaka_proto::messages::variables::QueryUserDefinedVariableReply;
+use jaka_proto::wire::Writer;
+
+use super::{Outcome, accept, reply};
+use crate::State;
+
+pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+    match request {
+        Request::QueryUserDefinedVariable(command) => {
+            reply(command, QueryUserDefinedVariableReply { variables: state.variables.clone() }, out)
+        }
+        Request::ModifyUserDefinedVariable(command) => {
+            let Some(variable) = state.variables.iter_mut().find(|variable| variable.id == command.id) else {
+                return Outcome::Refused;
+            };
+            variable.alias.clone_from(&command.alias);
+            variable.value = command.value;
+            accept(command, out)
+        }
+        _ => Outcome::Unhandled,
+    }
+}

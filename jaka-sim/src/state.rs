@@ -1,0 +1,140 @@
+//! What the simulated controller knows and remembers.
+
+mod initial;
+mod parts;
+
+use std::collections::HashMap;
+
+use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, ExtioStatus, FunctionInput};
+use jaka_proto::messages::kinematics::GetDhParamReply;
+use jaka_proto::messages::program::ProgramState;
+use jaka_proto::messages::servo::SetServoMoveFilter;
+use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_proto::messages::variables::UserVariable;
+use jaka_spec::Requirement;
+
+pub use parts::{
+    AdmittanceControl, Frame, NetworkException, Payload, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
+};
+
+/// How many frames of a kind a controller holds: the fixed one and ten that can be set.
+pub(crate) const FRAMES: usize = 11;
+
+/// The error code that says that there is none.
+pub(crate) const NO_ERROR: &str = "0x0";
+
+/// State of the robot and its controller.
+///
+/// Commands change it, replies and status packets show it. [`Controller::state`](crate::Controller::state) takes a copy,
+/// [`Controller::set_state`](crate::Controller::set_state) changes it as no command could. It begins as the
+/// document's example replies have it; see there for what the values mean.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct State {
+    /// Whether the arm has power.
+    pub powered: bool,
+    /// Whether the arm is enabled. Never without power.
+    pub enabled: bool,
+    /// Whether the robot is in a protective stop.
+    pub protective_stop: bool,
+    /// Whether the robot is in an emergency stop. Shown in status packets; no command heeds it yet.
+    pub emergency_stop: bool,
+    /// Whether a soft limit is reached. Shown in status packets alone.
+    pub on_soft_limit: bool,
+    /// Error code of the controller, a hexadecimal number such as `0x0`.
+    pub error_code: String,
+    /// Error message of the controller; empty where there is no error.
+    pub error_message: String,
+    /// Version of the controller's software.
+    pub version: String,
+
+    /// Positions of the six joints, in degrees.
+    pub joint_position: JointPosition,
+    /// Pose of the tool centre point. No motion changes it yet.
+    pub tcp_pose: Pose,
+    /// Whether the robot is in position. No motion changes it yet.
+    pub in_position: bool,
+    /// Whether the robot is in servo mode. Only where it is enabled and in no protective stop.
+    pub servo_mode: bool,
+    /// The filter of servo mode, as last set.
+    pub servo_filter: SetServoMoveFilter,
+    /// Whether the arm is in drag mode. Only where it is enabled.
+    pub drag_mode: bool,
+    /// Denavit-Hartenberg parameters, as the robot answers them.
+    pub dh_parameters: GetDhParamReply,
+
+    /// Rate by which motions are scaled, from 0 to 1.
+    pub rapid_rate: f64,
+    /// File name of the program that is loaded.
+    pub loaded_program: String,
+    /// State of the program.
+    pub program_state: ProgramState,
+
+    /// All digital inputs.
+    pub digital_inputs: Vec<bool>,
+    /// Digital outputs that have been set, by place and index as sent; all others are off.
+    pub digital_outputs: HashMap<(DigitalOutputKind, i64), bool>,
+    /// All analog inputs of the cabinet.
+    pub analog_inputs: Vec<f64>,
+    /// Analog outputs that have been set, by place and index as sent; all others are 0.
+    pub analog_outputs: HashMap<(AnalogOutputKind, i64), f64>,
+    /// All digital inputs of the tool.
+    pub tool_digital_inputs: Vec<bool>,
+    /// All analog inputs of the tool.
+    pub tool_analog_inputs: Vec<f64>,
+    /// The voltage output of the tool, raw as sent.
+    pub tool_voltage: ToolVoltage,
+    /// The input of each function.
+    pub function_inputs: Vec<FunctionInput>,
+    /// The extension I/O modules and their state.
+    pub extio: ExtioStatus,
+
+    /// The tool frames, by id.
+    pub tool_frames: [Frame; FRAMES],
+    /// Id of the tool frame in use.
+    pub tool_frame_id: i64,
+    /// The user frames, by id.
+    pub user_frames: [Frame; FRAMES],
+    /// Id of the user frame in use.
+    pub user_frame_id: i64,
+
+    /// User-defined system variables.
+    pub variables: Vec<UserVariable>,
+    /// What the arm carries.
+    pub payload: Payload,
+    /// Collision level, from 0 to 5; 0 is off.
+    pub collision_level: i64,
+    /// What the arm does when the network fails, as last set.
+    pub network_exception: NetworkException,
+    /// Trajectory recording.
+    pub trajectory: Trajectory,
+    /// The torque sensor at the end of the arm.
+    pub torque_sensor: TorqueSensor,
+    /// Control that yields to forces.
+    pub admittance: AdmittanceControl,
+}
+
+impl State {
+    /// True where the state is as a command requires.
+    pub fn meets(&self, requirement: Requirement) -> bool {
+        match requirement {
+            Requirement::Powered => self.powered,
+            Requirement::Enabled => self.enabled,
+            Requirement::ServoMode => self.servo_mode,
+            Requirement::NotServoMode => !self.servo_mode,
+        }
+    }
+
+    /// Leaves the error, if there is one.
+    pub(crate) fn clear_error(&mut self) {
+        NO_ERROR.clone_into(&mut self.error_code);
+        self.error_message.clear();
+    }
+
+    /// Switches off what cannot be on in this state. Follows each change.
+    pub(crate) fn settle(&mut self) {
+        self.enabled &= self.powered;
+        self.servo_mode &= self.enabled && !self.protective_stop;
+        self.drag_mode &= self.enabled;
+    }
+}

@@ -1,0 +1,136 @@
+//! The state in which a controller starts: that of the document's example replies, where it prints one.
+
+use std::collections::HashMap;
+use std::{array, io};
+
+use jaka_proto::messages::types::Pose;
+use jaka_proto::messages::{
+    collision, force, frames, io as pins, kinematics, network, payload, power, program, servo, trajectory, variables,
+};
+use jaka_proto::wire::Typed;
+
+use super::{
+    AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory,
+    TrajectoryConfig,
+};
+use crate::book::Book;
+
+/// Digital inputs in the document's status packet.
+const DIGITAL_INPUTS: usize = 144;
+/// Analog inputs in the document's status packet.
+const ANALOG_INPUTS: usize = 66;
+/// Digital inputs of the tool in the document's status packet.
+const TOOL_DIGITAL_INPUTS: usize = 8;
+
+impl State {
+    /// The state in which a controller starts.
+    pub(crate) fn initial(book: &Book) -> io::Result<Self> {
+        let power = book.example::<power::GetRobotState>()?;
+        let program = book.example::<program::GetLoadedProgram>()?;
+        let tools = book.example::<frames::GetToolOffsets>()?;
+        let users = book.example::<frames::GetUserOffsets>()?;
+        let mut state = Self {
+            powered: power.powered_on,
+            enabled: power.enabled,
+            protective_stop: book.example::<collision::ProtectiveStopStatus>()?.protective_stop,
+            emergency_stop: false,
+            on_soft_limit: true,
+            error_code: NO_ERROR.to_owned(),
+            error_message: String::new(),
+            version: book.example::<power::GetVersion>()?.version,
+            joint_position: book.example::<kinematics::GetJointPos>()?.joint_position,
+            tcp_pose: book.example::<kinematics::GetTcpPos>()?.pose,
+            in_position: true,
+            servo_mode: book.example::<servo::IsInServomove>()?.in_servo_mode,
+            servo_filter: servo::SetServoMoveFilter::Disabled,
+            drag_mode: book.example::<force::DragStatus>()?.drag_status,
+            dh_parameters: book.example::<kinematics::GetDhParam>()?,
+            rapid_rate: 1.0,
+            loaded_program: program.program_name,
+            program_state: book.example::<program::GetProgramState>()?.program_state,
+            digital_inputs: vec![false; DIGITAL_INPUTS],
+            digital_outputs: HashMap::new(),
+            analog_inputs: vec![0.0; ANALOG_INPUTS],
+            analog_outputs: HashMap::new(),
+            tool_digital_inputs: vec![false; TOOL_DIGITAL_INPUTS],
+            tool_analog_inputs: vec![0.0],
+            tool_voltage: tool_voltage(book)?,
+            function_inputs: book.example::<pins::GetFuncdiStatus>()?.function_inputs,
+            extio: book.example::<pins::GetExtioStatus>()?.extio_status,
+            tool_frames: frames(&tools.offsets),
+            tool_frame_id: 0,
+            user_frames: frames(&users.offsets),
+            user_frame_id: 0,
+            variables: book.example::<variables::QueryUserDefinedVariable>()?.variables,
+            payload: payload(book)?,
+            collision_level: book.example::<collision::GetClsnSensitivity>()?.level,
+            network_exception: NetworkException { delay_ms: 0, action: network::NetworkExceptionAction::Keep },
+            trajectory: trajectory(book)?,
+            torque_sensor: torque_sensor(book)?,
+            admittance: admittance(book)?,
+        };
+        // The document answers that servo mode is on, and that the arm has no power.
+        state.settle();
+        Ok(state)
+    }
+}
+
+fn tool_voltage(book: &Book) -> io::Result<ToolVoltage> {
+    let reply = book.example::<pins::GetTioVoutParam>()?;
+    Ok(ToolVoltage { enable: reply.output_enable, voltage: reply.output_voltage })
+}
+
+fn payload(book: &Book) -> io::Result<Payload> {
+    let reply = book.example::<payload::GetPayload>()?;
+    Ok(Payload { mass: reply.mass, centroid: reply.centroid })
+}
+
+fn trajectory(book: &Book) -> io::Result<Trajectory> {
+    let config = book.example::<trajectory::GetTrajConfig>()?;
+    Ok(Trajectory {
+        config: TrajectoryConfig {
+            acceleration: config.acceleration,
+            speed: config.speed,
+            position_interval: config.position_interval,
+            orientation_interval: config.orientation_interval,
+        },
+        sampling: book.example::<trajectory::GetTrajSampleStatus>()?.sampling,
+        file_names: book.example::<trajectory::GetExistTrajFileName>()?.file_names,
+    })
+}
+
+fn torque_sensor(book: &Book) -> io::Result<TorqueSensor> {
+    let comm = book.example::<force::GetTorqueSensorComm>()?;
+    let payload = book.example::<force::GetToolPayload>()?;
+    let identified = book.example::<force::GetTorqSensorPayloadIdentifyResult>()?;
+    Ok(TorqueSensor {
+        brand: book.example::<force::GetTorqueSensorBrand>()?.brand,
+        mode: 0,
+        communication: comm.communication,
+        address: comm.address,
+        port: comm.port,
+        payload: Payload { mass: payload.mass, centroid: payload.centroid },
+        identify_status: book.example::<force::GetTorqSensorIdentifyStatus>()?.status,
+        identified: Payload { mass: identified.mass, centroid: identified.centroid },
+    })
+}
+
+fn admittance(book: &Book) -> io::Result<AdmittanceControl> {
+    let kind = book.example::<force::GetCompliantType>()?;
+    let axes = match book.example::<force::GetAdmitCtrlConfig>()?.axes {
+        Typed::Known(axes) => axes.concat(),
+        Typed::Raw(_) => Vec::new(),
+    };
+    Ok(AdmittanceControl {
+        enabled: false,
+        axes: axes.try_into().map_err(|_| io::Error::other("the spec's admittance control has not six axes"))?,
+        compliance_type: kind.compliance_type,
+        sensor_compensation: kind.sensor_compensation,
+        condition: force::ComplianceCondition { fx: 0.0, fy: 0.0, fz: 0.0, tx: 0.0, ty: 0.0, tz: 0.0 },
+        velocity: force::VelocityCompliance { level: 0, rate1: 0.0, rate2: 0.0, rate3: 0.0, rate4: 0.0 },
+    })
+}
+
+fn frames(offsets: &[Pose]) -> [Frame; FRAMES] {
+    array::from_fn(|id| Frame { offset: offsets.get(id).copied().unwrap_or([0.0; 6].into()), name: String::new() })
+}

@@ -1,0 +1,110 @@
+//! Parts of the state that belong together.
+
+use jaka_proto::messages::force::{
+    AdmittanceAxis, ComplianceCondition, ComplianceType, IdentifyStatus, TorqueSensorBrand, TorqueSensorCommunication,
+    VelocityCompliance,
+};
+use jaka_proto::messages::network::NetworkExceptionAction;
+use jaka_proto::messages::payload::Centroid;
+use jaka_proto::messages::types::Pose;
+
+/// A tool frame or a user frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Offset of the frame.
+    pub offset: Pose,
+    /// Name of the frame.
+    pub name: String,
+}
+
+/// Mass and centroid of something carried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Payload {
+    /// Mass, in kilograms.
+    pub mass: f64,
+    /// Centroid, in millimetres.
+    pub centroid: Centroid,
+}
+
+/// The voltage output of the tool. Sources contradict each other on both values, so they stay raw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ToolVoltage {
+    /// Raw switch of the output, 0 or 1.
+    pub enable: i64,
+    /// Raw choice of the voltage, 0 or 1.
+    pub voltage: i64,
+}
+
+/// What the arm does when the network fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NetworkException {
+    /// How long after the failure the arm acts, in milliseconds.
+    pub delay_ms: i64,
+    /// What the arm does.
+    pub action: NetworkExceptionAction,
+}
+
+/// Trajectory recording.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Trajectory {
+    /// How finely is recorded, and how fast it is run later.
+    pub config: TrajectoryConfig,
+    /// Whether recording is on.
+    pub sampling: bool,
+    /// Names of the trajectory files.
+    pub file_names: Vec<String>,
+}
+
+/// How finely a trajectory is recorded, and how fast it is run later.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrajectoryConfig {
+    /// Acceleration, in mm/s².
+    pub acceleration: f64,
+    /// Speed, in mm/s.
+    pub speed: f64,
+    /// Interval at which displacement is recorded. Unit not stated.
+    pub position_interval: f64,
+    /// Interval at which rotation is recorded. Unit not stated.
+    pub orientation_interval: f64,
+}
+
+/// The torque sensor at the end of the arm.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct TorqueSensor {
+    /// Brand of the sensor.
+    pub brand: TorqueSensorBrand,
+    /// Raw switch of the sensor, 0 or 1: sources contradict each other on which of them is on.
+    pub mode: i64,
+    /// How the sensor is reached.
+    pub communication: TorqueSensorCommunication,
+    /// IP address of the sensor.
+    pub address: String,
+    /// Port of the sensor.
+    pub port: i64,
+    /// Payload at the sensor.
+    pub payload: Payload,
+    /// How far the identification of the payload is.
+    pub identify_status: IdentifyStatus,
+    /// What the identification found, or will find.
+    pub identified: Payload,
+}
+
+/// Control that yields to forces.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct AdmittanceControl {
+    /// Whether admittance control is on.
+    pub enabled: bool,
+    /// Parameters of the axes x, y, z, rx, ry, rz.
+    pub axes: [AdmittanceAxis; 6],
+    /// Type of force control.
+    pub compliance_type: ComplianceType,
+    /// Whether sensor compensation is on.
+    pub sensor_compensation: bool,
+    /// The condition for compliant control, as last set.
+    pub condition: ComplianceCondition,
+    /// Parameters of compliance in velocity, as last set.
+    pub velocity: VelocityCompliance,
+}

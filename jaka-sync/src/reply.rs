@@ -1,0 +1,41 @@
+//! What a reply says beside its payload.
+
+use jaka_proto::Envelope;
+use jaka_proto::wire::DecodeError;
+
+use crate::Error;
+
+/// What a reply says beside its payload.
+#[derive(Debug)]
+pub(crate) enum Reply<'a> {
+    Json(Envelope<'a>),
+    /// A Python tuple, of the one command that can be answered so.
+    Bare,
+}
+
+impl<'a> Reply<'a> {
+    pub(crate) fn read(text: &'a str) -> Result<Self, DecodeError> {
+        if text.starts_with('(') { Ok(Self::Bare) } else { Envelope::read(text).map(Self::Json) }
+    }
+
+    /// `cmdName`, if the reply has one.
+    pub(crate) fn into_command(self) -> Option<String> {
+        match self {
+            Self::Json(envelope) => envelope.command.map(std::borrow::Cow::into_owned),
+            Self::Bare => None,
+        }
+    }
+
+    /// Fails if the controller refused the command, or does not say whether it did.
+    pub(crate) fn accepted(self, command: &str) -> Result<(), Error> {
+        let Self::Json(envelope) = self else {
+            return Ok(());
+        };
+        if let Some(mut refusal) = envelope.refusal() {
+            command.clone_into(&mut refusal.command);
+            return Err(Error::Refused(refusal));
+        }
+        let unexpected = |source| Error::UnexpectedReply { command: command.to_owned(), source };
+        envelope.code.map(drop).map_err(unexpected)
+    }
+}
