@@ -20,6 +20,5 @@ pub use fault::Fault;
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
 pub use state::{
-    AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory,
-    TrajectoryConfig,
+    AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };

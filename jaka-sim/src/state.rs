@@ -30,6 +30,7 @@ pub(crate) const NO_ERROR: &str = "0x0";
 /// document's example replies have it; see there for what the values mean.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct State {
     /// Whether the arm has power.
     pub powered: bool,
@@ -39,8 +40,9 @@ pub struct State {
     pub protective_stop: bool,
     /// Whether the robot is in an emergency stop. Shown in status packets; no command heeds it yet.
     pub emergency_stop: bool,
-    /// Whether a soft limit is reached. Shown in status packets alone.
-    pub on_soft_limit: bool,
+    /// Whether a soft limit is reached, raw: the document prints 1 for a robot that is in position. Shown in status
+    /// packets alone.
+    pub on_soft_limit: i64,
     /// Error code of the controller, a hexadecimal number such as `0x0`.
     pub error_code: String,
     /// Error message of the controller; empty where there is no error.

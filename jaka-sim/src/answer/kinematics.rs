@@ -9,9 +9,7 @@ use crate::State;
 
 pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
     match request {
-        Request::GetJointPos(command) => {
-            reply(command, GetJointPosReply { joint_position: state.joint_position }, out)
-        }
+        Request::GetJointPos(command) => reply(command, GetJointPosReply { joint_position: state.joint_position }, out),
         Request::GetTcpPos(command) => reply(command, GetTcpPosReply { pose: state.tcp_pose }, out),
         Request::GetDhParam(command) => reply(command, state.dh_parameters, out),
         _ => Outcome::Unhandled,

@@ -9,9 +9,7 @@ use crate::{State, motion};
 
 pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
     match request {
-        Request::IsInServomove(command) => {
-            reply(command, IsInServomoveReply { in_servo_mode: state.servo_mode }, out)
-        }
+        Request::IsInServomove(command) => reply(command, IsInServomoveReply { in_servo_mode: state.servo_mode }, out),
         Request::ServoMove(command) => {
             state.servo_mode = is_on(command.servo_mode);
             accept(command, out)

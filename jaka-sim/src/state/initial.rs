@@ -10,8 +10,8 @@ use jaka_proto::messages::{
 use jaka_proto::wire::Typed;
 
 use super::{
-    AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory,
-    TrajectoryConfig,
+    AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, Payload, State, ToolVoltage, TorqueSensor,
+    Trajectory, TrajectoryConfig,
 };
 use crate::book::Book;
 
@@ -34,7 +34,7 @@ impl State {
             enabled: power.enabled,
             protective_stop: book.example::<collision::ProtectiveStopStatus>()?.protective_stop,
             emergency_stop: false,
-            on_soft_limit: true,
+            on_soft_limit: 1,
             error_code: NO_ERROR.to_owned(),
             error_message: String::new(),
             version: book.example::<power::GetVersion>()?.version,
@@ -126,7 +126,7 @@ fn admittance(book: &Book) -> io::Result<AdmittanceControl> {
         axes: axes.try_into().map_err(|_| io::Error::other("the spec's admittance control has not six axes"))?,
         compliance_type: kind.compliance_type,
         sensor_compensation: kind.sensor_compensation,
-        condition: force::ComplianceCondition { fx: 0.0, fy: 0.0, fz: 0.0, tx: 0.0, ty: 0.0, tz: 0.0 },
+        condition: [0.0; 6],
         velocity: force::VelocityCompliance { level: 0, rate1: 0.0, rate2: 0.0, rate3: 0.0, rate4: 0.0 },
     })
 }

@@ -1,8 +1,7 @@
 //! Parts of the state that belong together.
 
 use jaka_proto::messages::force::{
-    AdmittanceAxis, ComplianceCondition, ComplianceType, IdentifyStatus, TorqueSensorBrand, TorqueSensorCommunication,
-    VelocityCompliance,
+    AdmittanceAxis, ComplianceType, IdentifyStatus, TorqueSensorBrand, TorqueSensorCommunication, VelocityCompliance,
 };
 use jaka_proto::messages::network::NetworkExceptionAction;
 use jaka_proto::messages::payload::Centroid;
@@ -103,8 +102,8 @@ pub struct AdmittanceControl {
     pub compliance_type: ComplianceType,
     /// Whether sensor compensation is on.
     pub sensor_compensation: bool,
-    /// The condition for compliant control, as last set.
-    pub condition: ComplianceCondition,
+    /// Forces and torques that are the condition for compliant control, as last set.
+    pub condition: [f64; 6],
     /// Parameters of compliance in velocity, as last set.
     pub velocity: VelocityCompliance,
 }

@@ -1,0 +1,116 @@
+//! Port 10001: one client, whose requests are answered in order.
+
+mod feed;
+mod line;
+mod seat;
+
+use std::io;
+use std::net::{Shutdown, TcpStream};
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+
+use jaka_proto::wire::Writer;
+
+use self::feed::{Feed, Incoming};
+use self::line::{Flow, Line};
+pub(crate) use self::seat::Seat;
+use crate::lock::lock;
+use crate::shared::Shared;
+use crate::{Takeover, answer};
+
+/// Lets clients in until the door is closed.
+pub(crate) fn run(shared: &Arc<Shared>) {
+    let mut serving = None;
+    while let Some(guest) = shared.command_door.next_guest() {
+        if let Err(error) = admit(guest, &mut serving, shared) {
+            log::trace!(target: "jaka_sim", "command client lost: {error}");
+        }
+    }
+    vacate(&mut serving, shared);
+    shared.command_door.desert();
+}
+
+/// Gives the seat to a client, or closes its connection.
+fn admit(guest: TcpStream, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
+    if shared.options.takeover == Takeover::Refuse && shared.seat.is_taken() {
+        log::trace!(target: "jaka_sim", "command client refused");
+        return guest.shutdown(Shutdown::Both);
+    }
+    vacate(serving, shared);
+    log::trace!(target: "jaka_sim", "command client connected");
+    let line = Arc::new(Line::new(guest)?);
+    shared.seat.take(Arc::clone(&line));
+    let thread = thread::Builder::new().name("jaka-sim commands".to_owned());
+    let (theirs, host) = (Arc::clone(&line), Arc::clone(shared));
+    match thread.spawn(move || attend(&theirs, &host)) {
+        Ok(thread) => *serving = Some(thread),
+        Err(error) => {
+            shared.seat.leave(&line);
+            return Err(error);
+        }
+    }
+    Ok(())
+}
+
+/// Closes the connection of the client that has the seat, and waits for its thread.
+fn vacate(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
+    shared.seat.vacate();
+    if let Some(thread) = serving.take() {
+        // A panic there has been reported, and concerns one connection.
+        drop(thread.join());
+    }
+}
+
+/// Serves a client to the end of its connection.
+fn attend(line: &Arc<Line>, shared: &Shared) {
+    let end = serve(line, shared);
+    log::trace!(target: "jaka_sim", "command client leaves");
+    // The seat is free before the client sees the end.
+    shared.seat.leave(line);
+    if end == Flow::Close {
+        line.close();
+    }
+    // After a reset nothing is shut down: the kernel resets a socket that is dropped with unread data.
+}
+
+fn serve(line: &Line, shared: &Shared) -> Flow {
+    let mut feed = Feed::new(line.stream());
+    let mut reply = Writer::new();
+    loop {
+        let flow = match feed.next() {
+            Ok(Some(incoming)) => exchange(&incoming, line, shared, &mut reply),
+            Ok(None) => Flow::Close,
+            Err(error) => {
+                log::trace!(target: "jaka_sim", "command client lost: {error}");
+                Flow::Close
+            }
+        };
+        if flow == Flow::Close {
+            feed.consume().ok();
+        }
+        if flow != Flow::Stay {
+            return flow;
+        }
+    }
+}
+
+/// Answers one request.
+///
+/// The state has changed before the request is seen on the tape, and the way out is locked until the reply is on it:
+/// who waits for a request can rely on its effects, and can release its reply.
+fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Writer) -> Flow {
+    let mut way_out = line.way_out();
+    reply.clear();
+    match incoming {
+        Incoming::Request(text) => {
+            log::trace!(target: "jaka_sim", "received {text}");
+            answer::answer(text, shared.book, &mut lock(&shared.state), reply);
+        }
+        Incoming::NoText(_) | Incoming::Garbage => answer::refuse_unknown(shared.book, reply),
+    }
+    let fault = shared.next_fault();
+    if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
+        shared.tape.record(text.clone());
+    }
+    way_out.send_reply(reply.as_str(), &fault)
+}

@@ -1,0 +1,172 @@
+//! A running controller.
+
+use std::fmt;
+use std::io::{self, ErrorKind};
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use crate::door::Door;
+use crate::lock::lock;
+use crate::shared::Shared;
+use crate::{Builder, Fault, State, command_port, status_port};
+
+/// A simulated controller, which serves both of its ports until it is dropped.
+///
+/// Any number of them run side by side, each on ports of its own. Dropping it closes all connections, frees the ports
+/// and waits for the threads.
+pub struct Controller {
+    shared: Arc<Shared>,
+    commands: Option<JoinHandle<()>>,
+    status: Option<JoinHandle<()>>,
+}
+
+impl Controller {
+    /// Starts a controller with the usual options.
+    ///
+    /// # Errors
+    /// A port or a thread cannot be had.
+    pub fn start() -> io::Result<Self> {
+        Self::builder().start()
+    }
+
+    /// The options of a controller to start.
+    pub fn builder() -> Builder {
+        Builder::new()
+    }
+
+    pub(crate) fn with(options: Builder) -> io::Result<Self> {
+        let shared = Arc::new(Shared::new(options)?);
+        // If the second thread cannot be had, dropping this ends the first.
+        let mut this = Self { shared, commands: None, status: None };
+        this.commands = Some(this.spawn(command_port::run)?);
+        this.status = Some(this.spawn(status_port::run)?);
+        Ok(this)
+    }
+
+    fn spawn(&self, run: fn(&Arc<Shared>)) -> io::Result<JoinHandle<()>> {
+        let shared = Arc::clone(&self.shared);
+        thread::Builder::new().name("jaka-sim".to_owned()).spawn(move || run(&shared))
+    }
+
+    /// Where commands are taken: what is port 10001 of a real controller.
+    pub fn command_addr(&self) -> SocketAddr {
+        self.shared.command_door.address()
+    }
+
+    /// Where status packets are sent: what is port 10000 of a real controller.
+    pub fn status_addr(&self) -> SocketAddr {
+        self.shared.status_door.address()
+    }
+
+    /// A copy of the present state.
+    pub fn state(&self) -> State {
+        lock(&self.shared.state).clone()
+    }
+
+    /// Changes the state, as no command could: powers the arm at once, or puts it into a protective stop.
+    ///
+    /// What cannot be in the new state ends with it: enabling without power, servo mode and drag mode without
+    /// enabling, servo mode in a protective stop. Requests wait while `change` runs, so it must not call the controller.
+    pub fn set_state(&self, change: impl FnOnce(&mut State)) {
+        let mut state = lock(&self.shared.state);
+        change(&mut state);
+        state.settle();
+    }
+
+    /// The text of the requests received so far, in order, the last 10,000 of them.
+    ///
+    /// Also those that were refused; without bytes that have not even the outline of a request.
+    pub fn requests(&self) -> Vec<String> {
+        self.shared.tape.texts()
+    }
+
+    /// Waits until `count` requests have been received since the start; false if there are fewer after `timeout`.
+    ///
+    /// The requests that it counts have been carried out.
+    pub fn wait_for_requests(&self, count: usize, timeout: Duration) -> bool {
+        self.shared.tape.wait_for(count, timeout)
+    }
+
+    /// Puts a fault into the queue, from which each reply takes the next.
+    pub fn inject(&self, fault: Fault) {
+        self.shared.add_fault(fault);
+    }
+
+    /// Sends the replies that are held back by [`Fault::Hold`], if the client is still connected.
+    pub fn release(&self) {
+        if let Some(line) = self.shared.seat.line() {
+            // A connection that is lost takes its replies with it.
+            line.way_out().release().ok();
+        }
+    }
+
+    /// Sends bytes to the command client, unasked.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotConnected`] if there is no client, or what the socket reports.
+    pub fn send(&self, bytes: &[u8]) -> io::Result<()> {
+        settle(&self.shared.command_door);
+        let line = self.shared.seat.line().ok_or(ErrorKind::NotConnected)?;
+        line.way_out().write(bytes)
+    }
+
+    /// Sends a status packet to all readers now.
+    ///
+    /// Returns when each has been sent its packet. A reader that has not read for a second is dropped.
+    pub fn publish(&self) {
+        settle(&self.shared.status_door);
+        self.shared.readers.publish(&self.shared);
+    }
+
+    /// Sends bytes to all status readers, between two packets.
+    pub fn send_status(&self, bytes: &[u8]) {
+        settle(&self.shared.status_door);
+        self.shared.readers.send(bytes);
+    }
+
+    /// Closes the connections of the command client and of all status readers. New ones are let in.
+    pub fn disconnect(&self) {
+        settle(&self.shared.command_door);
+        settle(&self.shared.status_door);
+        self.shared.seat.vacate();
+        self.shared.readers.close();
+    }
+
+    /// Waits until no command client is connected; false if one still is after `timeout`.
+    pub fn wait_for_disconnect(&self, timeout: Duration) -> bool {
+        self.shared.seat.wait_until_free(timeout)
+    }
+}
+
+impl Drop for Controller {
+    fn drop(&mut self) {
+        close(&self.shared.command_door, self.commands.take());
+        close(&self.shared.status_door, self.status.take());
+    }
+}
+
+/// Waits for clients who have connected, but whom the thread has not let in yet.
+fn settle(door: &Door) {
+    // Where the system has no socket left to wait with, what has been let in so far has to do.
+    door.settle().ok();
+}
+
+/// Closes a door and waits for its thread.
+fn close(door: &Door, thread: Option<JoinHandle<()>>) {
+    // A thread that cannot be woken is left to itself, rather than waited for without end.
+    if let (Ok(()), Some(thread)) = (door.close(), thread) {
+        // A panic there has been reported.
+        drop(thread.join());
+    }
+}
+
+impl fmt::Debug for Controller {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Controller")
+            .field("command_addr", &self.command_addr())
+            .field("status_addr", &self.status_addr())
+            .finish_non_exhaustive()
+    }
+}
