@@ -35,7 +35,11 @@ impl fmt::Display for Limits {
             (None, Some(max)) => write!(f, "at most {max}")?,
             (None, None) => f.write_str("a finite number")?,
         }
-        if self.unit.is_empty() { Ok(()) } else { write!(f, " {}", self.unit) }
+        match self.unit {
+            "" => Ok(()),
+            unit if self.min.is_none() && self.max.is_none() => write!(f, " (in {unit})"),
+            unit => write!(f, " {unit}"),
+        }
     }
 }
 

@@ -23,7 +23,7 @@ fn numbers_that_are_not_finite() {
     request.joint_position.0[2] = f64::NAN;
     assert_eq!(
         refused(&request).to_string(),
-        "`joint_move` was not sent: field `joint_position[2]` is NaN, allowed is a finite number deg"
+        "`joint_move` was not sent: field `joint_position[2]` is NaN, allowed is a finite number (in deg)"
     );
     let request = JointMove { speed: f64::INFINITY, ..joint_move() };
     assert_eq!(

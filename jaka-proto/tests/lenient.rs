@@ -75,7 +75,7 @@ fn numbers_as_strings_and_whole_numbers_as_floats() {
     let joints = |json: &str| read::<GetJointPosReply>(&format!("{{\"joint_pos\": {json}}}"));
     let expected = [0.0, -90.5, 1e-7, 3.0, 40.0, 5.123_456_789_012_345];
     let reply = joints(r#"[0, "-90.5", 1e-7, 3.0, " 4e1 ", 5.123456789012345]"#).expect("all are numbers");
-    assert_eq!(<[f64; 6]>::from(reply.joint_position), expected);
+    assert_eq!(reply.joint_position, expected.into());
     for (json, message) in [
         ("[1,2,3,4,5]", "field `joint_position`: expected an array of 6, found `[1,2,3,4,5]`"),
         ("[1,2,3,4,5,6,7]", "field `joint_position`: expected an array of 6, found `[1,2,3,4,5,6,7]`"),

@@ -71,9 +71,10 @@ impl Door {
     pub(crate) fn settle(&self) -> io::Result<()> {
         // The lock is held while connecting, so that the bell is known when it is heard.
         let mut bells = lock(&self.bells);
-        let bell = TcpStream::connect_timeout(&self.address, KNOCK)?.local_addr()?;
-        bells.ringing.push(bell);
-        drop(wait(&self.changed, bells, Duration::MAX, |bells| bells.deserted || !bells.ringing.contains(&bell)));
+        let bell = TcpStream::connect_timeout(&self.address, KNOCK)?;
+        let address = bell.local_addr()?;
+        bells.ringing.push(address);
+        drop(wait(&self.changed, bells, Duration::MAX, |bells| bells.deserted || !bells.ringing.contains(&address)));
         Ok(())
     }
 

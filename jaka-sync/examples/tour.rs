@@ -106,8 +106,10 @@ fn switch_output(robot: &mut Client, status: &mut StatusStream) -> Result<(), Bo
     println!("\nSwitch digital output 1 of the cabinet on and off");
     for value in [Switch::On, Switch::Off] {
         robot.set_digital_output(&SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index: 1, value })?;
-        let outputs = status.newest_packet()?.digital_outputs.unwrap_or_default();
-        println!("  set {value:?}; the latest status packet shows {:?}", &outputs[..outputs.len().min(4)]);
+        // What has arrived so far is older than the reply; the packet after it is not.
+        status.newest_packet()?;
+        let outputs = status.next_packet()?.digital_outputs.unwrap_or_default();
+        println!("  set {value:?}; the status shows {:?}", &outputs[..outputs.len().min(4)]);
     }
     Ok(())
 }

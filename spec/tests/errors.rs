@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use jaka_spec::{Source, load};
 
 /// Loads `text` as `spec/test.toml` and compares the errors.
-fn check(text: &str, expected: Expect) {
+fn check(text: &str, expected: &Expect) {
     let errors = match load(&[Source { path: "spec/test.toml", text }]) {
         Ok(_) => String::new(),
         Err(errors) => errors.to_string() + "\n",
@@ -29,7 +29,7 @@ name = "in_position"
 type = "bool"
 doc = "Whether the arm is in position."
 "#,
-        expect![[""]],
+        &expect![[""]],
     );
 }
 
@@ -37,7 +37,7 @@ doc = "Whether the arm is in position."
 fn syntax_errors_stand_at_their_place_and_do_not_hide_each_other() {
     check(
         "title = \"Test\nother = 1\nthird = = 2\n",
-        expect![[r#"
+        &expect![[r#"
             spec/test.toml:1:14: not valid TOML: invalid basic string, expected `"`
             spec/test.toml:2:1: unknown key `other`; the keys are command, doc, error, title, type
             spec/test.toml:3:1: unknown key `third`; the keys are command, doc, error, title, type
@@ -67,7 +67,7 @@ min = "zero"
 units = "mm/s"
 doc = "Speed."
 "#,
-        expect![[r#"
+        &expect![[r"
             spec/test.toml:2:9: `title` must be a string
             spec/test.toml:4:1: command `move`: `effect` is missing
             spec/test.toml:5:8: command `move`: `move` is no snake_case Rust name; give one as `name`
@@ -77,7 +77,7 @@ doc = "Speed."
             spec/test.toml:9:7: command `move`: `doc` is empty
             spec/test.toml:14:7: command `move`, field `speed`: `min` must be a finite number
             spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advisory, ascii, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
-        "#]],
+        "]],
     );
 }
 
@@ -122,13 +122,13 @@ wire = "next"
 type = "Node[]"
 doc = "The next ones."
 "#,
-        expect![[r#"
+        &expect![[r"
             spec/test.toml:11:8: command `go`, field `a`: there is no `[[type]]` named `Poise`
             spec/test.toml:16:8: command `go`, field `b`: `flaot` is no type; a type is bool, int, float, text, json, the name of a `[[type]]`, one of these with `[]` or `[6]` behind it, or python(…) around one
             spec/test.toml:21:8: command `go`, field `c`: `0` is no array length from 1 to 64
             spec/test.toml:26:8: command `go`, field `d`: the type `Node` contains itself
             spec/test.toml:36:8: type `Node`, field `next`: the type `Node` contains itself
-        "#]],
+        "]],
     );
 }
 
@@ -186,7 +186,7 @@ wire = 1
 name = "A"
 doc = "A again."
 "#,
-        expect![[r#"
+        &expect![[r"
             spec/test.toml:16:8: command `go`, field `speed`: the key `speed` is taken already, at spec/test.toml:11:8
             spec/test.toml:16:8: command `go`, field `speed`: the name `speed` is taken already, at spec/test.toml:11:8
             spec/test.toml:21:8: command `go`: the cmdName `go` is taken already, at spec/test.toml:5:8
@@ -199,7 +199,7 @@ doc = "A again."
             spec/test.toml:37:8: type `Result`: `Result` is a name of Rust or of the generated code
             spec/test.toml:48:8: error code `A`: the code `1` is taken already, at spec/test.toml:43:8
             spec/test.toml:49:8: error code `A`: the name `A` is taken already, at spec/test.toml:44:8
-        "#]],
+        "]],
     );
 }
 
@@ -262,7 +262,7 @@ name = "second"
 type = "int"
 doc = "Second."
 "#,
-        expect![[r#"
+        &expect![[r"
             spec/test.toml:9:1: command `go`, field `a`: `min` is greater than `max`
             spec/test.toml:16:1: command `go`, field `b`: `min`, `max` and `advisory` are for numbers
             spec/test.toml:25:11: command `go`, field `c`: `written` gives a bool's two forms: how false is written, then true
@@ -271,7 +271,7 @@ doc = "Second."
             spec/test.toml:35:1: command `go`, field `key`: `advisory` is for a range: give `min` or `max`
             spec/test.toml:36:8: command `go`, field `key`: `key` is a name of the generated code; give another as `name`
             spec/test.toml:52:1: type `Row`, field `second`: an element behind an optional one must be optional too
-        "#]],
+        "]],
     );
 }
 
@@ -312,14 +312,14 @@ name = "Odd"
 kind = "struct"
 doc = "A kind that does not exist."
 "#,
-        expect![[r#"
+        &expect![[r"
             spec/test.toml:7:9: command `go`: `since` is a version such as 1.5 or 1.6.5
             spec/test.toml:19:8: command `go`, choice `mode`, variant `Stop`: the tag value `0` is taken already, at spec/test.toml:14:8
             spec/test.toml:20:8: command `go`, choice `mode`, variant `Stop`: the name `Stop` is taken already, at spec/test.toml:15:8
             spec/test.toml:23:1: command `go`, example: an example has a `request`, a `reply` or both
             spec/test.toml:25:1: type `Empty`: an enum needs at least one `value`
             spec/test.toml:32:8: type `Odd`: `kind` is one of object, array, enum, choice, wrapper, not `struct`
-        "#]],
+        "]],
     );
 }
 
@@ -328,10 +328,10 @@ fn errors_of_several_files_come_together() {
     let sources =
         [Source { path: "spec/b.toml", text: "titel = 1" }, Source { path: "spec/a.toml", text: "title = \"\"" }];
     let errors = load(&sources).expect_err("both files are wrong");
-    expect![[r#"
+    expect![[r"
         spec/a.toml:1:9: `title` is empty
         spec/b.toml:1:1: `title` is missing
-        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, title, type"#]]
+        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, title, type"]]
     .assert_eq(&errors.to_string());
 }
 
@@ -339,9 +339,9 @@ fn errors_of_several_files_come_together() {
 fn columns_count_characters() {
     check(
         "title = \"中文\" \u{e9} = 1\n",
-        expect![[r#"
+        &expect![[r"
         spec/test.toml:1:14: not valid TOML: unexpected key or value, expected newline, `#`
-    "#]],
+    "]],
     );
 }
 

@@ -106,7 +106,7 @@ fn drifted(ty: &jaka_spec::Type, value: &Value, form: u8) -> Value {
     use jaka_spec::Type;
     match (ty, value) {
         (Type::Bool { on, .. }, value) => {
-            let is_on = value.to_string() == *on;
+            let is_on = serde_json::from_str::<Value>(on).is_ok_and(|on| on == *value);
             let (off, on) =
                 [("false", "true"), ("0", "1"), ("\"0\"", "\"1\""), ("\"False\"", "\"True\"")][usize::from(form % 4)];
             serde_json::from_str(if is_on { on } else { off }).expect("the forms are JSON")

@@ -6,18 +6,19 @@ use std::error::Error;
 use jaka_sim::Controller;
 
 /// The addresses of a controller, and the simulated one itself if it is one.
-pub struct Target {
+#[allow(dead_code, reason = "some examples use a part of it")]
+pub(crate) struct Target {
     /// Address for commands.
-    pub commands: String,
+    pub(crate) commands: String,
     /// Address for status packets.
-    pub status: String,
+    pub(crate) status: String,
     /// True if no robot is at the other end.
-    pub is_simulated: bool,
+    pub(crate) is_simulated: bool,
     _controller: Option<Controller>,
 }
 
 /// The robot at the address given on the command line, or a simulated controller if none is given.
-pub fn target() -> Result<Target, Box<dyn Error>> {
+pub(crate) fn target() -> Result<Target, Box<dyn Error>> {
     if let Some(address) = args().nth(1) {
         println!("Controller: {address}");
         return Ok(Target { commands: address.clone(), status: address, is_simulated: false, _controller: None });
