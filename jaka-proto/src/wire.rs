@@ -1,10 +1,8 @@
 //! The JSON of the wire: a writer, a lenient reader, and the traits that tie them to types.
 //!
 //! Generated types implement [`Encode`] and [`Decode`], and through them serde's traits: the serde form of a type is
-//! its JSON on the wire. Users meet this module when they decode replies of [`call_raw`] into types of their own, or
-//! fields of the status packet that no spec knows.
-//!
-//! [`call_raw`]: https://docs.rs/jaka-sync
+//! its JSON on the wire. Users meet this module where a value is kept raw ([`Typed`], [`Value`]), and when they decode
+//! replies into types of their own.
 
 mod decode;
 mod encode;

@@ -43,6 +43,53 @@ proptest! {
     }
 }
 
+/// A message of the document with some bytes replaced, removed or doubled, as text.
+fn damaged() -> impl Strategy<Value = String> {
+    let texts: Vec<_> = jaka_tests::printed().into_iter().map(|message| message.text).collect();
+    let damage = proptest::collection::vec((any::<prop::sample::Index>(), 0..3, any::<u8>()), 0..8);
+    (proptest::sample::select(texts), damage).prop_map(|(text, damage)| {
+        let mut bytes = text.into_bytes();
+        for (place, kind, byte) in damage {
+            let place = place.index(bytes.len());
+            match kind {
+                0 => bytes[place] = byte,
+                1 if bytes.len() > 1 => drop(bytes.remove(place)),
+                _ => bytes.insert(place, bytes[place]),
+            }
+        }
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
+}
+
+/// Reads a reply as that of any command, to see that nothing panics.
+struct Anything<'t>(&'t str);
+
+impl Visit for Anything<'_> {
+    type Output = bool;
+
+    fn visit<C: Command>(self, _command: &C) -> bool {
+        read_payload::<C::Reply>(C::INFO, self.0).is_ok()
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn damaged_messages_are_read_or_refused_but_nothing_panics(text in damaged(), command in any::<prop::sample::Index>()) {
+        let commands: Vec<_> = SPEC.commands().collect();
+        let request = request_for(&commands[command.index(commands.len())].wire);
+        request.visit(Anything(&text));
+        let is_json = serde_json::from_str::<Value>(&text).is_ok_and(|value| value.is_object());
+        if is_json {
+            prop_assert!(Envelope::read(&text).is_ok(), "JSON is refused: {text}");
+        }
+        if let Ok(request) = Request::read(&text) {
+            prop_assert_eq!(Request::read(&written(&request)).expect("it was written just now"), request);
+        }
+    }
+}
+
 /// A command of the spec, and a random successful reply to it.
 fn any_reply() -> impl Strategy<Value = (String, Map<String, Value>)> {
     let with_payload: Vec<_> = SPEC.commands().filter(|command| !command.reply.is_empty()).collect();

@@ -11,17 +11,17 @@ use jaka_proto::wire::Value;
 use jaka_sim::Controller;
 
 /// How long anything may take.
-pub const LIMIT: Duration = Duration::from_secs(10);
+pub(crate) const LIMIT: Duration = Duration::from_secs(10);
 
 /// A client that speaks JSON and no more.
 #[derive(Debug)]
-pub struct Peer {
-    pub stream: TcpStream,
+pub(crate) struct Peer {
+    pub(crate) stream: TcpStream,
     framer: Framer,
 }
 
 impl Peer {
-    pub fn connect(address: SocketAddr) -> Self {
+    pub(crate) fn connect(address: SocketAddr) -> Self {
         let stream = TcpStream::connect(address).expect("the controller listens");
         stream.set_read_timeout(Some(LIMIT)).expect("a timeout can be set");
         stream.set_write_timeout(Some(LIMIT)).expect("a timeout can be set");
@@ -30,21 +30,21 @@ impl Peer {
     }
 
     /// A command client of the controller.
-    pub fn commands(controller: &Controller) -> Self {
+    pub(crate) fn commands(controller: &Controller) -> Self {
         Self::connect(controller.command_addr())
     }
 
     /// A status reader of the controller.
-    pub fn status(controller: &Controller) -> Self {
+    pub(crate) fn status(controller: &Controller) -> Self {
         Self::connect(controller.status_addr())
     }
 
-    pub fn send(&mut self, bytes: impl AsRef<[u8]>) {
+    pub(crate) fn send(&mut self, bytes: impl AsRef<[u8]>) {
         self.stream.write_all(bytes.as_ref()).expect("the connection is open");
     }
 
     /// The next message.
-    pub fn receive(&mut self) -> String {
+    pub(crate) fn receive(&mut self) -> String {
         loop {
             if let Some(frame) = self.framer.next_frame().expect("the controller sends frames") {
                 return String::from_utf8(frame.to_vec()).expect("the controller sends UTF-8");
@@ -56,7 +56,7 @@ impl Peer {
     }
 
     /// So many bytes that come next, whatever they are.
-    pub fn receive_bytes(&mut self, count: usize) -> Vec<u8> {
+    pub(crate) fn receive_bytes(&mut self, count: usize) -> Vec<u8> {
         assert!(self.framer.is_idle());
         let mut bytes = vec![0; count];
         self.stream.read_exact(&mut bytes).expect("bytes come");
@@ -64,18 +64,18 @@ impl Peer {
     }
 
     /// Sends a request, and gives its reply.
-    pub fn ask(&mut self, request: &str) -> Value {
+    pub(crate) fn ask(&mut self, request: &str) -> Value {
         self.send(request);
         json(&self.receive())
     }
 
     /// Sends a command that has no fields, and gives its reply.
-    pub fn call(&mut self, command: &str) -> Value {
+    pub(crate) fn call(&mut self, command: &str) -> Value {
         self.ask(&request(command))
     }
 
     /// What comes before the end of the connection.
-    pub fn read_to_end(&mut self) -> Vec<u8> {
+    pub(crate) fn read_to_end(&mut self) -> Vec<u8> {
         let mut rest = self.framer.partial().to_vec();
         match self.stream.read_to_end(&mut rest) {
             Ok(_) => {}
@@ -85,23 +85,23 @@ impl Peer {
     }
 
     /// Asserts that nothing has come: a later exchange is answered first.
-    pub fn assert_quiet(&mut self) {
+    pub(crate) fn assert_quiet(&mut self) {
         let reply = self.call("get_version");
         assert_eq!(reply["cmdName"], "get_version");
     }
 }
 
 /// A request without fields.
-pub fn request(command: &str) -> String {
+pub(crate) fn request(command: &str) -> String {
     format!("{{\"cmdName\":\"{command}\"}}")
 }
 
-pub fn json(text: &str) -> Value {
+pub(crate) fn json(text: &str) -> Value {
     text.parse().unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
 /// A controller whose arm is ready to move.
-pub fn ready() -> Controller {
+pub(crate) fn ready() -> Controller {
     let controller = Controller::start().expect("loopback has ports");
     controller.set_state(|state| {
         state.powered = true;
@@ -111,20 +111,20 @@ pub fn ready() -> Controller {
 }
 
 /// A controller as it starts, without packets but those asked for.
-pub fn fresh() -> Controller {
+pub(crate) fn fresh() -> Controller {
     Controller::builder().status_period(Duration::MAX).start().expect("loopback has ports")
 }
 
-pub fn assert_accepted(reply: &Value, command: &str) {
+pub(crate) fn assert_accepted(reply: &Value, command: &str) {
     assert_eq!((&reply["errorCode"], &reply["cmdName"]), (&"0".into(), &command.into()), "{reply}");
 }
 
-pub fn assert_refused(reply: &Value, command: &str) {
+pub(crate) fn assert_refused(reply: &Value, command: &str) {
     let message = format!("call {command} failed");
     let expected = format!("{{\"errorCode\":\"2\",\"errorMsg\":\"{message}\",\"cmdName\":\"{command}\"}}");
     assert_eq!(*reply, json(&expected));
 }
 
-pub fn assert_unknown(reply: &Value) {
+pub(crate) fn assert_unknown(reply: &Value) {
     assert_eq!(*reply, json(r#"{"errorCode":"1","errorMsg":"Exception:function call failed"}"#));
 }

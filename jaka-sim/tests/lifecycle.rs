@@ -1,0 +1,117 @@
+//! Starting and ending.
+
+mod common;
+
+use std::io::ErrorKind;
+use std::net::{TcpListener, TcpStream};
+use std::time::{Duration, Instant};
+
+use common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use jaka_sim::{Controller, Fault};
+
+#[test]
+fn dropping_ends_all_and_frees_the_ports() {
+    // A period and a client that nobody could wait for.
+    let controller = Controller::builder().status_period(Duration::from_secs(3600)).start().expect("there are ports");
+    let addresses = [controller.command_addr(), controller.status_addr()];
+    let mut commands = Peer::commands(&controller);
+    let mut status = [Peer::status(&controller), Peer::status(&controller)];
+    controller.inject(Fault::Hold);
+    commands.send(request("power_on"));
+    assert!(controller.wait_for_requests(1, LIMIT));
+    status.iter_mut().for_each(|reader| drop(reader.receive()));
+    let start = Instant::now();
+    drop(controller);
+    assert!(start.elapsed() < LIMIT);
+    assert_eq!(commands.read_to_end(), b"");
+    assert!(status.iter_mut().all(|reader| reader.read_to_end().is_empty()));
+    for address in addresses {
+        assert_eq!(TcpStream::connect(address).map_err(|error| error.kind()).err(), Some(ErrorKind::ConnectionRefused));
+        TcpListener::bind(address).expect("the port is free");
+    }
+}
+
+#[test]
+fn dropping_does_not_wait_for_clients_who_do_not_read() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    controller.inject(Fault::Instead(vec![b' '; 64 << 20]));
+    peer.send(request("power_on"));
+    assert!(controller.wait_for_requests(1, LIMIT));
+    let start = Instant::now();
+    drop(controller);
+    assert!(start.elapsed() < LIMIT);
+}
+
+#[test]
+fn a_newcomer_does_not_wait_for_clients_who_do_not_read() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    controller.inject(Fault::Instead(vec![b' '; 64 << 20]));
+    peer.send(request("power_on"));
+    assert!(controller.wait_for_requests(1, LIMIT));
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+}
+
+#[test]
+fn controllers_live_side_by_side() {
+    let controllers: Vec<_> = (0..8).map(|_| fresh()).collect();
+    let mut peers: Vec<_> = controllers.iter().map(Peer::commands).collect();
+    for peer in peers.iter_mut().step_by(2) {
+        assert_accepted(&peer.call("power_on"), "power_on");
+    }
+    let powered: Vec<_> = controllers.iter().map(|controller| controller.state().powered).collect();
+    assert_eq!(powered, [true, false].repeat(4));
+    assert!(format!("{:?}", controllers[0]).contains("127.0.0.1"));
+}
+
+#[test]
+fn disconnecting_closes_connections_and_lets_new_ones_in() {
+    let controller = fresh();
+    for _ in 0..20 {
+        let mut commands = Peer::commands(&controller);
+        let mut status = Peer::status(&controller);
+        controller.disconnect();
+        assert_eq!(commands.read_to_end(), b"");
+        status.read_to_end();
+    }
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+}
+
+#[test]
+fn bytes_are_sent_unasked() {
+    let controller = fresh();
+    assert_eq!(controller.send(b"{}").map_err(|error| error.kind()), Err(ErrorKind::NotConnected));
+    for _ in 0..20 {
+        let mut peer = Peer::commands(&controller);
+        controller.send(b"{\"errorCode\": \"0\"}").expect("a client is connected");
+        assert_eq!(peer.receive(), "{\"errorCode\": \"0\"}");
+    }
+}
+
+#[test]
+fn waiting_for_requests_ends() {
+    let controller = fresh();
+    assert!(controller.wait_for_requests(0, Duration::ZERO));
+    assert!(!controller.wait_for_requests(1, Duration::from_millis(1)));
+    let mut peer = Peer::commands(&controller);
+    std::thread::scope(|scope| {
+        scope.spawn(|| assert!(controller.wait_for_requests(3, LIMIT)));
+        peer.send(request("get_version").repeat(3));
+    });
+    // The state is that after the requests that were waited for.
+    peer.send(request("power_on"));
+    assert!(controller.wait_for_requests(4, Duration::MAX));
+    assert!(controller.state().powered);
+    assert_eq!(controller.requests().last(), Some(&request("power_on")));
+    assert!(controller.wait_for_requests(4, Duration::ZERO));
+    (0..4).for_each(|_| assert_eq!(json(&peer.receive())["errorCode"], "0"));
+}
+
+#[test]
+fn a_panic_in_a_change_does_not_end_the_controller() {
+    let controller = fresh();
+    let change = || controller.set_state(|_| panic!("a test fails here"));
+    assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(change)).is_err());
+    assert_accepted(&Peer::commands(&controller).call("power_on"), "power_on");
+}

@@ -1,0 +1,175 @@
+//! Requests however they come, and clients whoever they are.
+
+mod common;
+
+use std::io::{ErrorKind, Write};
+
+use common::{LIMIT, Peer, assert_accepted, assert_unknown, fresh, json, request};
+use jaka_sim::{Controller, Takeover};
+
+const MOVE: &str = r#"{"cmdName": "set_user_offsets", "userffset": [1,2,3,4,5,6], "id": 2, "name": "}\"{\\"}"#;
+
+#[test]
+fn requests_in_one_write_are_answered_in_order() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    let commands = ["power_on", "enable_robot", "get_robot_state", "fly", "disable_robot", "get_robot_state"];
+    let requests: Vec<_> = commands.iter().map(|command| request(command)).collect();
+    peer.send(requests.concat() + "\n" + MOVE + " \r\n");
+    for command in commands {
+        let reply = json(&peer.receive());
+        if command == "fly" { assert_unknown(&reply) } else { assert_accepted(&reply, command) }
+    }
+    assert_accepted(&json(&peer.receive()), "set_user_offsets");
+    assert_eq!(controller.requests(), [requests, vec![MOVE.to_owned()]].concat());
+}
+
+#[test]
+fn many_requests_are_answered_before_a_reply_is_read() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    let count = 2_000;
+    peer.send(request("get_joint_pos").repeat(count));
+    for _ in 0..count {
+        assert_accepted(&json(&peer.receive()), "get_joint_pos");
+    }
+    assert!(controller.wait_for_requests(count, LIMIT));
+}
+
+#[test]
+fn requests_may_be_cut_at_every_byte() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    for at in 0..=MOVE.len() {
+        let (head, tail) = MOVE.split_at(at);
+        peer.send(head);
+        peer.send(tail);
+        assert_accepted(&json(&peer.receive()), "set_user_offsets");
+    }
+    for byte in MOVE.bytes() {
+        peer.send([byte]);
+    }
+    assert_accepted(&json(&peer.receive()), "set_user_offsets");
+    assert_eq!(controller.state().user_frames[2].name, "}\"{\\");
+    assert!(controller.requests().iter().all(|request| request == MOVE));
+}
+
+#[test]
+fn a_request_may_wait_for_its_end() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    peer.send(request("power_on") + &MOVE[..20]);
+    assert_accepted(&json(&peer.receive()), "power_on");
+    assert_eq!(controller.requests().len(), 1);
+    peer.send(&MOVE[20..]);
+    assert_accepted(&json(&peer.receive()), "set_user_offsets");
+}
+
+#[test]
+fn a_newcomer_takes_the_seat() {
+    let controller = fresh();
+    let mut old = Peer::commands(&controller);
+    assert_accepted(&old.call("power_on"), "power_on");
+    for _ in 0..10 {
+        let mut new = Peer::commands(&controller);
+        assert_eq!(old.read_to_end(), b"");
+        // Power and enabling are the robot's, not the connection's.
+        assert_eq!(new.call("get_robot_state")["power"], "powered_on");
+        old = new;
+    }
+}
+
+#[test]
+fn a_newcomer_is_refused() {
+    let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
+    let mut old = Peer::commands(&controller);
+    assert_accepted(&old.call("power_on"), "power_on");
+    for _ in 0..10 {
+        assert_eq!(Peer::commands(&controller).read_to_end(), b"");
+        assert_accepted(&old.call("get_version"), "get_version");
+    }
+    drop(old);
+    assert!(controller.wait_for_disconnect(LIMIT));
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+}
+
+#[test]
+fn the_seat_is_free_when_the_client_sees_the_end() {
+    let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
+    for fault in [jaka_sim::Fault::Close, jaka_sim::Fault::CloseAfter(9), jaka_sim::Fault::Reset] {
+        for _ in 0..20 {
+            controller.inject(fault.clone());
+            let mut peer = Peer::commands(&controller);
+            peer.send(request("get_version"));
+            peer.read_to_end();
+        }
+    }
+}
+
+#[test]
+fn garbage_is_answered_as_what_is_no_command() {
+    let controller = fresh();
+    for garbage in [&b"hello\n"[..], b"\0\0\0", b"]", b"\xff\xfe", b"\"{\"", b"GET / HTTP/1.1\r\n\r\n"] {
+        let mut peer = Peer::commands(&controller);
+        peer.send(garbage);
+        assert_unknown(&json(&peer.receive()));
+        // The next request is found behind it; what looks like a request in it is for the framer to say.
+        if !garbage.contains(&b'{') {
+            peer.send(request("get_version"));
+            assert_accepted(&json(&peer.receive()), "get_version");
+        }
+    }
+}
+
+#[test]
+fn objects_that_are_no_requests_do_no_harm() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    let deep = format!("{{\"cmdName\":\"jog\",\"a\":{}1{}}}", "[".repeat(20_000), "]".repeat(20_000));
+    let texts: [&[u8]; 6] = [
+        b"{\"cmdName\":\"\xff\xff\"}",
+        b"{\"cmdName\":\"get_version\",\"\xff\":1}",
+        b"{\"cmdName\":null}",
+        b"{\"a\":\"\\ud800\"}",
+        b"({}, ')', \"(\")",
+        deep.as_bytes(),
+    ];
+    for text in texts {
+        peer.send(text);
+        assert_unknown(&json(&peer.receive()));
+    }
+    let number = format!("{{\"cmdName\":\"rapid_rate\",\"rate_value\":1e{}}}", "9".repeat(1000));
+    assert_eq!(peer.ask(&number)["errorCode"], "2");
+    assert_eq!(controller.requests().len(), 7);
+}
+
+#[test]
+fn a_request_that_does_not_end_is_cut_off() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    let mut sent = 0_usize;
+    let error = loop {
+        match peer.stream.write_all(&[b'{'; 4096]) {
+            Ok(()) => sent += 4096,
+            Err(error) => break error,
+        }
+        assert!(sent < 64 << 20, "the controller takes it all");
+    };
+    assert!(matches!(error.kind(), ErrorKind::BrokenPipe | ErrorKind::ConnectionReset), "{error}");
+    assert!(controller.requests().is_empty());
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+}
+
+#[test]
+fn clients_may_leave_at_any_time() {
+    let controller = fresh();
+    for at in 0..MOVE.len() {
+        let mut peer = Peer::commands(&controller);
+        peer.send(&MOVE[..at]);
+    }
+    for _ in 0..50 {
+        let mut peer = Peer::commands(&controller);
+        peer.send(request("get_joint_pos").repeat(20));
+    }
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+}

@@ -1,0 +1,27 @@
+//! No thread outlives its controller. Alone in its process, so that threads can be counted.
+
+#![cfg(target_os = "linux")]
+
+mod common;
+
+use common::{Peer, fresh, request};
+use jaka_sim::Fault;
+
+fn threads() -> usize {
+    std::fs::read_dir("/proc/self/task").expect("Linux lists threads").count()
+}
+
+#[test]
+fn no_thread_is_left() {
+    let before = threads();
+    for _ in 0..10 {
+        let controller = fresh();
+        let mut peers = [Peer::commands(&controller), Peer::commands(&controller), Peer::status(&controller)];
+        controller.inject(Fault::Hold);
+        peers[1].send(request("power_on"));
+        peers[2].receive();
+        assert!(threads() > before);
+        drop(controller);
+        assert_eq!(threads(), before);
+    }
+}
