@@ -101,9 +101,9 @@ fn serve(line: &Line, shared: &Shared) -> Flow {
 fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Writer) -> Flow {
     let mut way_out = line.way_out();
     reply.clear();
+    log::trace!(target: "jaka_sim", "received {incoming}");
     match incoming {
         Incoming::Request(text) => {
-            log::trace!(target: "jaka_sim", "received {text}");
             answer::answer(text, shared.book, &mut lock(&shared.state), reply);
         }
         Incoming::NoText(_) | Incoming::Garbage => answer::refuse_unknown(shared.book, reply),

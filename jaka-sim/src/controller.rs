@@ -68,7 +68,8 @@ impl Controller {
     /// Changes the state, as no command could: powers the arm at once, or puts it into a protective stop.
     ///
     /// What cannot be in the new state ends with it: enabling without power, servo mode and drag mode without
-    /// enabling, servo mode in a protective stop. Requests wait while `change` runs, so it must not call the controller.
+    /// enabling, servo mode in a protective stop. Requests wait while `change` runs, so it must not call
+    /// the controller.
     pub fn set_state(&self, change: impl FnOnce(&mut State)) {
         let mut state = lock(&self.shared.state);
         change(&mut state);

@@ -19,6 +19,8 @@ pub use controller::Controller;
 pub use fault::Fault;
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
+/// A state that a command needs, as the spec says it: see [`State::meets`].
+pub use jaka_spec::Requirement;
 pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };

@@ -25,8 +25,8 @@ pub(crate) const NO_ERROR: &str = "0x0";
 
 /// State of the robot and its controller.
 ///
-/// Commands change it, replies and status packets show it. [`Controller::state`](crate::Controller::state) takes a copy,
-/// [`Controller::set_state`](crate::Controller::set_state) changes it as no command could. It begins as the
+/// Commands change it, replies and status packets show it. [`Controller::state`](crate::Controller::state) takes a
+/// copy, [`Controller::set_state`](crate::Controller::set_state) changes it as no command could. It begins as the
 /// document's example replies have it; see there for what the values mean.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]

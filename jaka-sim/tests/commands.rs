@@ -172,8 +172,8 @@ fn frames_and_axes_are_set_one_by_one() {
     assert_eq!((&*state.tool_frames[10].name, state.tool_frame_id), ("tcp_new", 10));
     assert_eq!((&*state.user_frames[1].name, state.user_frame_id), ("user_new", 1));
 
-    let axis = r#""axis":5,"opt":1,"ftUser":25,"ftConstant":5,"ftNnormalTrack":2,"ftReboundFK":3"#;
-    peer.ask(&format!(r#"{{"cmdName":"set_admit_ctrl_config",{axis}}}"#));
+    let fields = r#""axis":5,"opt":1,"ftUser":25,"ftConstant":5,"ftNnormalTrack":2,"ftReboundFK":3"#;
+    peer.ask(&format!(r#"{{"cmdName":"set_admit_ctrl_config",{fields}}}"#));
     let axes = peer.call("get_admit_ctrl_config")["admitConfig"][0].clone();
     assert_eq!((&axes[5], &axes[2]), (&json("[1,25,3,5,2]"), &json("[1,25,0,5,0]")));
 }

@@ -19,7 +19,9 @@ fn dropping_ends_all_and_frees_the_ports() {
     controller.inject(Fault::Hold);
     commands.send(request("power_on"));
     assert!(controller.wait_for_requests(1, LIMIT));
-    status.iter_mut().for_each(|reader| drop(reader.receive()));
+    for reader in &mut status {
+        reader.receive();
+    }
     let start = Instant::now();
     drop(controller);
     assert!(start.elapsed() < LIMIT);
@@ -105,7 +107,9 @@ fn waiting_for_requests_ends() {
     assert!(controller.state().powered);
     assert_eq!(controller.requests().last(), Some(&request("power_on")));
     assert!(controller.wait_for_requests(4, Duration::ZERO));
-    (0..4).for_each(|_| assert_eq!(json(&peer.receive())["errorCode"], "0"));
+    for _ in 0..4 {
+        assert_eq!(json(&peer.receive())["errorCode"], "0");
+    }
 }
 
 #[test]

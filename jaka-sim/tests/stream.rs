@@ -104,6 +104,7 @@ fn the_seat_is_free_when_the_client_sees_the_end() {
             peer.read_to_end();
         }
     }
+    assert_eq!(controller.requests().len(), 60);
 }
 
 #[test]

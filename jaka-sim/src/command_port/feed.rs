@@ -1,5 +1,6 @@
 //! Requests off a socket.
 
+use std::fmt;
 use std::io::{self, ErrorKind, Read};
 use std::net::TcpStream;
 
@@ -70,6 +71,16 @@ impl<'s> Feed<'s> {
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
                 peeked => return peeked,
             }
+        }
+    }
+}
+
+/// The text, or what stands for it in a log.
+impl fmt::Display for Incoming {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Request(text) | Self::NoText(text) => f.write_str(text),
+            Self::Garbage => f.write_str("garbage"),
         }
     }
 }
