@@ -440,7 +440,12 @@ pub mod force {
     impl wire::Fields for GetAdmitCtrlConfigReply {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"admitConfig\":");
-            wire::Encode::encode(&self.axes, out);
+            match &self.axes {
+                wire::Typed::Known(value) => {
+                    wire::Encode::encode(value, out);
+                }
+                wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+            }
         }
         fn read_fields(
             reader: &mut wire::Reader<'_>,

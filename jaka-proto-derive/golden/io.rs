@@ -854,7 +854,12 @@ pub mod io {
                     out.comma();
                     wire::Encode::encode(name, out);
                     out.comma();
-                    wire::Encode::encode(connection, out);
+                    match connection {
+                        wire::Typed::Known(value) => {
+                            wire::Encode::encode(value, out);
+                        }
+                        wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                    }
                     out.comma();
                     wire::Encode::encode(pins, out);
                     out.raw("]");

@@ -328,7 +328,12 @@ pub mod power {
             out.choose(*&self.powered_on, "\"powered_off\"", "\"powered_on\"");
             if let Some(value) = &self.error_code {
                 out.key("\"errcode\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.error_message {
                 out.key("\"msg\":");

@@ -311,7 +311,12 @@ pub mod status {
             }
             if let Some(value) = &self.extio {
                 out.key("\"extio\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.error_code {
                 out.key("\"errcode\":");
@@ -323,11 +328,21 @@ pub mod status {
             }
             if let Some(value) = &self.monitor_data {
                 out.key("\"monitor_data\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.torque_sensor {
                 out.key("\"torqsensor\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.joint_actual_position {
                 out.key("\"joint_actual_position\":");
@@ -391,7 +406,17 @@ pub mod status {
             }
             if let Some(value) = &self.homed {
                 out.key("\"homed\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.task_mode {
                 out.key("\"task_mode\":");
@@ -431,11 +456,21 @@ pub mod status {
             }
             if let Some(value) = &self.drag_near_limit {
                 out.key("\"drag_near_limit\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.function_inputs {
                 out.key("\"funcdi\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.powered_on {
                 out.key("\"powered_on\":");
@@ -475,63 +510,173 @@ pub mod status {
             }
             if let Some(value) = &self.tool_keys {
                 out.key("\"tio_key\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.instantaneous_velocities {
                 out.key("\"instVel\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.relay_outputs {
                 out.key("\"relay_io\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.modbus_slave_digital_inputs {
                 out.key("\"mb_slave_din\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.modbus_slave_digital_outputs {
                 out.key("\"mb_slave_dout\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.modbus_slave_analog_inputs {
                 out.key("\"mb_slave_ain\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.modbus_slave_analog_outputs {
                 out.key("\"mb_slave_aout\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.profinet_device_digital_inputs {
                 out.key("\"pn_dev_din\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.profinet_device_digital_outputs {
                 out.key("\"pn_dev_dout\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.profinet_device_analog_inputs {
                 out.key("\"pn_dev_ain\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.profinet_device_analog_outputs {
                 out.key("\"pn_dev_aout\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.ethernet_ip_adapter_digital_inputs {
                 out.key("\"eip_adpt_din\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.ethernet_ip_adapter_digital_outputs {
                 out.key("\"eip_adpt_dout\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        out.array(
+                            value,
+                            |out, item| {
+                                out.choose(*item, "0", "1");
+                            },
+                        );
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.ethernet_ip_adapter_analog_inputs {
                 out.key("\"eip_adpt_ain\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.ethernet_ip_adapter_analog_outputs {
                 out.key("\"eip_adpt_aout\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.tool_rs_signals {
                 out.key("\"tio_rs_signals\":");
@@ -539,11 +684,21 @@ pub mod status {
             }
             if let Some(value) = &self.motion_line {
                 out.key("\"motion_line\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
             if let Some(value) = &self.error_add_line {
                 out.key("\"err_add_line\":");
-                wire::Encode::encode(value, out);
+                match value {
+                    wire::Typed::Known(value) => {
+                        wire::Encode::encode(value, out);
+                    }
+                    wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                }
             }
         }
         fn read_fields(
@@ -1120,7 +1275,12 @@ pub mod status {
                     out.comma();
                     wire::Encode::encode(name, out);
                     out.comma();
-                    wire::Encode::encode(connection, out);
+                    match connection {
+                        wire::Typed::Known(value) => {
+                            wire::Encode::encode(value, out);
+                        }
+                        wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                    }
                     out.comma();
                     wire::Encode::encode(pins, out);
                     out.raw("]");
@@ -1490,16 +1650,31 @@ pub mod status {
                     out.comma();
                     wire::Encode::encode(connection, out);
                     out.comma();
-                    wire::Encode::encode(payload, out);
+                    match payload {
+                        wire::Typed::Known(value) => {
+                            wire::Encode::encode(value, out);
+                        }
+                        wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                    }
                     out.raw("]");
                 }
                 Self::Serial { connection, payload } => {
                     out.raw("[");
                     out.int(1);
                     out.comma();
-                    wire::Encode::encode(connection, out);
+                    match connection {
+                        wire::Typed::Known(value) => {
+                            wire::Encode::encode(value, out);
+                        }
+                        wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                    }
                     out.comma();
-                    wire::Encode::encode(payload, out);
+                    match payload {
+                        wire::Typed::Known(value) => {
+                            wire::Encode::encode(value, out);
+                        }
+                        wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+                    }
                     out.raw("]");
                 }
                 Self::Other(value) => wire::Encode::encode(value, out),
@@ -1657,7 +1832,12 @@ pub mod status {
             out.comma();
             out.choose(*&self.working, "0", "1");
             out.comma();
-            wire::Encode::encode(&self.error_code, out);
+            match &self.error_code {
+                wire::Typed::Known(value) => {
+                    wire::Encode::encode(value, out);
+                }
+                wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+            }
             out.comma();
             wire::Encode::encode(&self.contact_force, out);
             out.comma();

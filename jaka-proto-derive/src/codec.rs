@@ -120,7 +120,16 @@ fn write_field(field: &Field, before: &TokenStream, value: &TokenStream) -> Toke
 }
 
 fn write_value(field: &Field, value: &TokenStream) -> TokenStream {
-    if field.or_raw { quote!(wire::Encode::encode(#value, out);) } else { write_type(&field.ty, value) }
+    if !field.or_raw {
+        return write_type(&field.ty, value);
+    }
+    let write = write_type(&field.ty, &quote!(value));
+    quote! {
+        match #value {
+            wire::Typed::Known(value) => { #write }
+            wire::Typed::Raw(value) => wire::Encode::encode(value, out),
+        }
+    }
 }
 
 /// A statement that writes the value behind the reference `value`.

@@ -168,6 +168,14 @@ fn a_nested_value_of_another_shape_is_kept() {
 }
 
 #[test]
+fn a_value_that_may_be_raw_is_written_in_its_own_form() {
+    let packet = r#"{"homed":[0,1,1],"enabled":true}"#;
+    let status: RobotStatus = read(packet).expect("the packet decodes");
+    assert_eq!(status.homed, Some(Typed::Known(vec![false, true, true])));
+    assert_eq!(serde_json::to_string(&status).expect("it serialises"), r#"{"enabled":true,"homed":[0,1,1]}"#);
+}
+
+#[test]
 fn extension_modules_in_both_forms() {
     let info = jaka_proto::messages::io::GetExtioStatus::INFO;
     let inside = r#"{"errorCode": "0", "extio_status": "(0, [], {'state': 0})", "cmdName": "get_extio_status"}"#;
