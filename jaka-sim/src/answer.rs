@@ -18,13 +18,15 @@ mod torque_sensor;
 mod trajectory;
 mod variables;
 
+pub(crate) use motion::start as start_motion;
+
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, ErrorCode, Request, RequestError, write_refusal, write_reply};
 
-use crate::State;
 use crate::book::{Book, Entry, usual_refusal};
+use crate::world::World;
 
 /// What a topic made of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,7 +39,7 @@ enum Outcome {
     Unhandled,
 }
 
-type Topic = fn(&Request, &mut State, &mut Writer) -> Outcome;
+type Topic = fn(&Request, &mut World, &mut Writer) -> Outcome;
 
 const TOPICS: [Topic; 14] = [
     power::answer,
@@ -57,9 +59,9 @@ const TOPICS: [Topic; 14] = [
 ];
 
 /// Carries out a request, and writes the reply.
-pub(crate) fn answer(text: &str, book: &Book, state: &mut State, out: &mut Writer) {
+pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Writer) {
     match Request::read(text) {
-        Ok(request) => carry_out(&request, book, state, out),
+        Ok(request) => carry_out(&request, book, world, out),
         Err(RequestError::Field { command, .. }) => refuse(&command, &usual_refusal(&command), out),
         Err(_) => refuse_unknown(book, out),
     }
@@ -70,15 +72,19 @@ pub(crate) fn refuse_unknown(book: &Book, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &book.unknown, out);
 }
 
-fn carry_out(request: &Request, book: &Book, state: &mut State, out: &mut Writer) {
+fn carry_out(request: &Request, book: &Book, world: &mut World, out: &mut Writer) {
     let name = request.info().name;
     let entry = book.entry(name);
     let requires = entry.map_or(&[][..], |entry| &entry.requires);
-    if let (Some(entry), false) = (entry, requires.iter().all(|requirement| state.meets(*requirement))) {
+    let blocked = entry.is_some_and(|entry| entry.moves) && !world.state.can_move();
+    if let (Some(entry), false) = (entry, requires.iter().all(|requirement| world.state.meets(*requirement))) {
         return refuse(name, &entry.refusal, out);
     }
+    if blocked {
+        return refuse(name, &usual_refusal(name), out);
+    }
     let outcome = match request.check(AdvisoryRanges::Ignored) {
-        Ok(()) => ask_topics(request, state, out),
+        Ok(()) => ask_topics(request, world, out),
         Err(_) => Outcome::Refused,
     };
     match outcome {
@@ -86,11 +92,11 @@ fn carry_out(request: &Request, book: &Book, state: &mut State, out: &mut Writer
         Outcome::Refused => refuse(name, &usual_refusal(name), out),
         Outcome::Unhandled => show_example(request, entry, out),
     }
-    state.settle();
+    world.settle();
 }
 
-fn ask_topics(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
-    let mut outcomes = TOPICS.iter().map(|topic| topic(request, state, out));
+fn ask_topics(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let mut outcomes = TOPICS.iter().map(|topic| topic(request, world, out));
     outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
 }
 

@@ -5,7 +5,7 @@ use std::io;
 use std::sync::OnceLock;
 
 use jaka_proto::{Command, Envelope, ErrorCode, read_payload};
-use jaka_spec::{Requirement, Spec};
+use jaka_spec::{Effect, Requirement, Spec};
 
 /// The built-in spec, by `cmdName`.
 #[derive(Debug)]
@@ -18,6 +18,8 @@ pub(crate) struct Book {
 /// What the spec says about one command.
 #[derive(Debug)]
 pub(crate) struct Entry {
+    /// True for a command that moves the arm: one that needs it enabled to do so.
+    pub(crate) moves: bool,
     /// What the command needs.
     pub(crate) requires: Vec<Requirement>,
     /// The code and message of the refusal in a wrong state.
@@ -61,6 +63,7 @@ impl Entry {
         let own = command.refusal.as_ref().map(|refusal| (ErrorCode(refusal.code), refusal.message.clone()));
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
         Self {
+            moves: command.effect == Effect::Motion && command.requires.contains(&Requirement::Enabled),
             requires: command.requires.clone(),
             refusal: own.unwrap_or_else(|| usual_refusal(&command.wire)),
             example: replies.find(|reply| is_success(reply)).map(str::to_owned),

@@ -1,26 +1,124 @@
 //! The options of a controller.
 
+use std::collections::HashMap;
 use std::io;
+use std::net::{IpAddr, Ipv4Addr};
+use std::path::PathBuf;
 use std::time::Duration;
 
-use crate::Controller;
+use jaka_proto::Request;
+
+use crate::kinematics::Model;
+use crate::program::{self, Program};
+use crate::{Controller, Delays, FaultPlan};
 
 /// Options for a [`Controller`], which are set before it starts.
 #[derive(Debug, Clone)]
 pub struct Builder {
+    pub(crate) address: IpAddr,
+    pub(crate) command_port: u16,
+    pub(crate) status_port: u16,
+    pub(crate) model: Model,
+    pub(crate) delays: Delays,
+    pub(crate) stepped: bool,
+    folders: Vec<PathBuf>,
+    programs: HashMap<String, Program>,
     pub(crate) takeover: Takeover,
+    pub(crate) faults: FaultPlan,
     pub(crate) status_period: Duration,
 }
 
 impl Builder {
     pub(crate) fn new() -> Self {
-        Self { takeover: Takeover::Replace, status_period: Duration::from_millis(50) }
+        Self {
+            address: Ipv4Addr::LOCALHOST.into(),
+            command_port: 0,
+            status_port: 0,
+            model: Model::default(),
+            delays: Delays::REAL,
+            stepped: false,
+            folders: Vec::new(),
+            programs: program::built_in(),
+            takeover: Takeover::Replace,
+            faults: FaultPlan::new(),
+            status_period: Duration::from_millis(50),
+        }
+    }
+
+    /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated arm.
+    #[must_use]
+    pub fn address(mut self, address: IpAddr) -> Self {
+        self.address = address;
+        self
+    }
+
+    /// Sets the ports for commands and for status packets: 0, for free ones, if not set. Real controllers have 10001 and 10000.
+    #[must_use]
+    pub fn ports(mut self, commands: u16, status: u16) -> Self {
+        self.command_port = commands;
+        self.status_port = status;
+        self
+    }
+
+    /// Sets the arm: a Zu 5 if not set.
+    #[must_use]
+    pub fn model(mut self, model: Model) -> Self {
+        self.model = model;
+        self
+    }
+
+    /// Sets how long changes of state take that are no motion: [`Delays::REAL`] if not set.
+    #[must_use]
+    pub fn delays(mut self, delays: Delays) -> Self {
+        self.delays = delays;
+        self
+    }
+
+    /// Lets time go on by [`Controller::advance`] alone, so that a test decides when the arm moves.
+    ///
+    /// Status packets are sent as time goes on, and each reader gets one on connecting.
+    #[must_use]
+    pub fn stepped_clock(mut self) -> Self {
+        self.stepped = true;
+        self
+    }
+
+    /// Adds a program: a list of the protocol's own motion commands, run one after the other.
+    ///
+    /// Every controller has `test.jks` and `track/test.jks`, which turn joint 1 by 10 degrees and back.
+    #[must_use]
+    pub fn program(mut self, name: impl Into<String>, commands: Vec<Request>) -> Self {
+        self.programs.insert(name.into(), commands);
+        self
+    }
+
+    /// Adds the programs of a folder and its subfolders: files of requests, one a line, as they go over the wire. A program's
+    /// name is that of its file, with the subfolder's before it, such as `track/part.jks`. They are read at the start.
+    #[must_use]
+    pub fn programs_from(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.folders.push(folder.into());
+        self
+    }
+
+    pub(crate) fn programs(&self) -> io::Result<HashMap<String, Program>> {
+        let mut programs = self.programs.clone();
+        for folder in &self.folders {
+            program::load_folder(folder, &mut programs)?;
+        }
+        Ok(programs)
     }
 
     /// Says what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
     #[must_use]
     pub fn takeover(mut self, takeover: Takeover) -> Self {
         self.takeover = takeover;
+        self
+    }
+
+    /// Says what goes wrong from the start: nothing if not set.
+    #[must_use]
+    pub fn faults(mut self, plan: FaultPlan) -> Self {
+        self.faults = plan;
         self
     }
 

@@ -2,7 +2,9 @@
 
 mod feed;
 mod line;
+mod rival;
 mod seat;
+mod way_out;
 
 use std::io;
 use std::net::{Shutdown, TcpStream};
@@ -11,10 +13,10 @@ use std::thread::{self, JoinHandle};
 
 use jaka_proto::wire::Writer;
 
-use self::feed::{Feed, Incoming};
+use self::feed::{Feed, Incoming, Next};
 use self::line::{Flow, Line};
+pub(crate) use self::rival::Rival;
 pub(crate) use self::seat::Seat;
-use crate::lock::lock;
 use crate::shared::Shared;
 use crate::{Takeover, answer};
 
@@ -65,33 +67,61 @@ fn vacate(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
 fn attend(line: &Arc<Line>, shared: &Shared) {
     let end = serve(line, shared);
     log::trace!(target: "jaka_sim", "command client leaves");
+    if end == Flow::Takeover {
+        take_over(shared);
+    }
     // The seat is free before the client sees the end.
     shared.seat.leave(line);
-    if end == Flow::Close {
+    if end == Flow::Reset {
+        line.reset_on_drop();
+    } else {
         line.close();
     }
-    // After a reset nothing is shut down: the kernel resets a socket that is dropped with unread data.
+}
+
+fn take_over(shared: &Shared) {
+    if let Err(error) = shared.rival.take_seat(shared) {
+        log::trace!(target: "jaka_sim", "no other client can be had: {error}");
+    }
 }
 
 fn serve(line: &Line, shared: &Shared) -> Flow {
     let mut feed = Feed::new(line.stream());
     let mut reply = Writer::new();
     loop {
-        let flow = match feed.next() {
-            Ok(Some(incoming)) => exchange(&incoming, line, shared, &mut reply),
-            Ok(None) => Flow::Close,
-            Err(error) => {
-                log::trace!(target: "jaka_sim", "command client lost: {error}");
-                Flow::Close
-            }
-        };
-        if flow == Flow::Close {
-            feed.consume().ok();
+        let mut flow = line.way_out().send_due();
+        if flow == Flow::Stay {
+            flow = receive(&mut feed, line, shared, &mut reply);
         }
-        if flow != Flow::Stay {
-            return flow;
+        match flow {
+            Flow::Stay => {}
+            Flow::HalfOpen => return ignore(&mut feed, line),
+            Flow::Close | Flow::Reset | Flow::Takeover => return flow,
         }
     }
+}
+
+/// Waits for the next request, or until a late reply is due.
+fn receive(feed: &mut Feed, line: &Line, shared: &Shared, reply: &mut Writer) -> Flow {
+    let patience = line.way_out().wait_for_due();
+    match feed.next(patience) {
+        Ok(Next::Incoming(incoming)) => exchange(&incoming, line, shared, reply),
+        Ok(Next::Silence) => Flow::Stay,
+        Ok(Next::End) => Flow::Close,
+        Err(error) => {
+            log::trace!(target: "jaka_sim", "command client lost: {error}");
+            Flow::Close
+        }
+    }
+}
+
+/// Answers nothing to the end of the connection.
+fn ignore(feed: &mut Feed, line: &Line) -> Flow {
+    log::trace!(target: "jaka_sim", "command client ignored");
+    if matches!(feed.ignore(), Ok(false)) {
+        line.wait_until_closed();
+    }
+    Flow::Close
 }
 
 /// Answers one request.
@@ -104,13 +134,13 @@ fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Write
     log::trace!(target: "jaka_sim", "received {incoming}");
     match incoming {
         Incoming::Request(text) => {
-            answer::answer(text, shared.book, &mut lock(&shared.state), reply);
+            answer::answer(text, shared.book, &mut shared.world(), reply);
         }
         Incoming::NoText(_) | Incoming::Garbage => answer::refuse_unknown(shared.book, reply),
     }
-    let fault = shared.next_fault();
+    let fault = shared.faults().next(incoming.command().as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
         shared.tape.record(text.clone());
     }
-    way_out.send_reply(reply.as_str(), &fault)
+    way_out.send_reply(reply.as_str(), fault)
 }

@@ -1,5 +1,7 @@
 //! A running controller.
 
+mod faults;
+
 use std::fmt;
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
@@ -8,9 +10,11 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use crate::door::Door;
-use crate::lock::lock;
 use crate::shared::Shared;
-use crate::{Builder, Fault, State, command_port, status_port};
+use crate::{Builder, State, command_port, status_port};
+
+/// What a status packet shows as error code after a collision. Field notes show such a code, without its meaning.
+const COLLISION: &str = "0x10f0005";
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///
@@ -62,7 +66,7 @@ impl Controller {
 
     /// A copy of the present state.
     pub fn state(&self) -> State {
-        lock(&self.shared.state).clone()
+        self.shared.world().state.clone()
     }
 
     /// Changes the state, as no command could: powers the arm at once, or puts it into a protective stop.
@@ -71,9 +75,47 @@ impl Controller {
     /// enabling, servo mode in a protective stop. Requests wait while `change` runs, so it must not call
     /// the controller.
     pub fn set_state(&self, change: impl FnOnce(&mut State)) {
-        let mut state = lock(&self.shared.state);
-        change(&mut state);
-        state.settle();
+        let mut world = self.shared.world();
+        change(&mut world.state);
+        world.settle();
+    }
+
+    /// Lets time go on, on a controller with a [stepped clock](Builder::stepped_clock): motions move, delays pass, and status
+    /// packets go out on the way. Time goes on in controller cycles of 8 ms; what is less is kept for the next call.
+    ///
+    /// On a controller with a real clock this does nothing.
+    pub fn advance(&self, time: Duration) {
+        settle(&self.shared.status_door);
+        self.shared.step(time);
+    }
+
+    /// The controller's time since its start, in whole cycles.
+    pub fn elapsed(&self) -> Duration {
+        self.shared.world().now()
+    }
+
+    /// Has the arm run into something: a protective stop, until `clear_error`.
+    pub fn collide(&self) {
+        self.set_state(|state| {
+            state.protective_stop = true;
+            COLLISION.clone_into(&mut state.error_code);
+            "collision".clone_into(&mut state.error_message);
+        });
+    }
+
+    /// Presses the emergency stop: the arm is not enabled, and cannot be, until it is released.
+    pub fn press_emergency_stop(&self) {
+        self.set_state(|state| state.emergency_stop = true);
+    }
+
+    /// Releases the emergency stop. The arm stays as it is, to be enabled anew.
+    pub fn release_emergency_stop(&self) {
+        self.set_state(|state| state.emergency_stop = false);
+    }
+
+    /// Cuts the arm's power.
+    pub fn cut_power(&self) {
+        self.set_state(|state| state.powered = false);
     }
 
     /// The text of the requests received so far, in order, the last 10,000 of them.
@@ -88,19 +130,6 @@ impl Controller {
     /// The requests that it counts have been carried out.
     pub fn wait_for_requests(&self, count: usize, timeout: Duration) -> bool {
         self.shared.tape.wait_for(count, timeout)
-    }
-
-    /// Puts a fault into the queue, from which each reply takes the next.
-    pub fn inject(&self, fault: Fault) {
-        self.shared.add_fault(fault);
-    }
-
-    /// Sends the replies that are held back by [`Fault::Hold`], if the client is still connected.
-    pub fn release(&self) {
-        if let Some(line) = self.shared.seat.line() {
-            // A connection that is lost takes its replies with it.
-            line.way_out().release().ok();
-        }
     }
 
     /// Sends bytes to the command client, unasked.

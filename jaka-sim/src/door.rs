@@ -1,7 +1,7 @@
 //! A listener that can be woken.
 
 use std::io;
-use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
+use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream};
 use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
@@ -37,9 +37,9 @@ struct Bells {
 }
 
 impl Door {
-    /// Listens on a free port of loopback.
-    pub(crate) fn open() -> io::Result<Self> {
-        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
+    /// Listens at an address, on a free port if `port` is 0.
+    pub(crate) fn open(address: IpAddr, port: u16) -> io::Result<Self> {
+        let listener = TcpListener::bind((address, port))?;
         let address = listener.local_addr()?;
         Ok(Self { listener, address, bells: Mutex::default(), changed: Condvar::new() })
     }
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn the_bell_is_heard_after_the_guests_before_it() {
-        let door = Door::open().expect("loopback has ports");
+        let door = Door::open(IpAddr::from([127, 0, 0, 1]), 0).expect("loopback has ports");
         let seen = Mutex::new(0);
         thread::scope(|scope| {
             scope.spawn(|| {

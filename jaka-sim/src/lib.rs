@@ -3,20 +3,27 @@
 mod answer;
 mod book;
 mod builder;
+mod clock;
 mod command_port;
 mod controller;
+mod delays;
 mod door;
 mod fault;
+mod kinematics;
 mod lock;
 mod motion;
+mod program;
 mod shared;
 mod state;
 mod status_port;
 mod tape;
+mod world;
 
 pub use builder::{Builder, Takeover};
 pub use controller::Controller;
-pub use fault::Fault;
+pub use delays::Delays;
+pub use fault::{Fault, FaultPlan, ScriptError, StatusFault};
+pub use kinematics::Model;
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
 /// A state that a command needs, as the spec says it: see [`State::meets`].

@@ -1,19 +1,20 @@
 //! What the threads of one controller share.
 
-use std::collections::VecDeque;
 use std::io;
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard};
+use std::time::{Duration, Instant};
 
 use crate::book::Book;
-use crate::command_port::Seat;
+use crate::clock::{CYCLE, Clock};
+use crate::command_port::{Rival, Seat};
 use crate::door::Door;
-use crate::fault::Fault;
 use crate::lock::lock;
 use crate::status_port::Readers;
 use crate::tape::Tape;
-use crate::{Builder, State};
+use crate::world::World;
+use crate::{Builder, FaultPlan};
 
-/// What the threads of one controller share. No lock is held while another of these is waited for, but for `state`,
+/// What the threads of one controller share. No lock is held while another of these is waited for, but for `world`,
 /// which is the last.
 #[derive(Debug)]
 pub(crate) struct Shared {
@@ -22,34 +23,68 @@ pub(crate) struct Shared {
     pub(crate) command_door: Door,
     pub(crate) status_door: Door,
     pub(crate) seat: Seat,
+    pub(crate) rival: Rival,
     pub(crate) readers: Readers,
     pub(crate) tape: Tape,
-    pub(crate) state: Mutex<State>,
-    faults: Mutex<VecDeque<Fault>>,
+    world: Mutex<World>,
+    clock: Clock,
+    steps: Mutex<Steps>,
+    faults: Mutex<FaultPlan>,
+}
+
+/// How far a stepped clock is, and when the next packet is due.
+#[derive(Debug)]
+struct Steps {
+    now: Duration,
+    packet: Option<Duration>,
 }
 
 impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
         let book = Book::open()?;
         Ok(Self {
-            options,
             book,
-            command_door: Door::open()?,
-            status_door: Door::open()?,
+            command_door: Door::open(options.address, options.command_port)?,
+            status_door: Door::open(options.address, options.status_port)?,
             seat: Seat::default(),
-            readers: Readers::default(),
+            rival: Rival::default(),
+            readers: Readers::new(options.faults.status_fault().clone()),
             tape: Tape::default(),
-            state: Mutex::new(State::initial(book)?),
-            faults: Mutex::default(),
+            world: Mutex::new(World::new(&options, book)?),
+            clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
+            faults: Mutex::new(options.faults.clone()),
+            steps: Mutex::new(Steps { now: Duration::ZERO, packet: Some(options.status_period) }),
+            options,
         })
     }
 
-    pub(crate) fn add_fault(&self, fault: Fault) {
-        lock(&self.faults).push_back(fault);
+    /// The world as it is now.
+    pub(crate) fn world(&self) -> MutexGuard<'_, World> {
+        let mut world = lock(&self.world);
+        if let Some(now) = self.clock.now() {
+            world.advance_to(now);
+        }
+        world
     }
 
-    /// What is wrong with the next reply.
-    pub(crate) fn next_fault(&self) -> Fault {
-        lock(&self.faults).pop_front().unwrap_or(Fault::None)
+    /// Lets a stepped clock go on, and sends the status packets that fall due on the way.
+    pub(crate) fn step(&self, time: Duration) {
+        if self.clock != Clock::Stepped {
+            return;
+        }
+        let mut steps = lock(&self.steps);
+        let end = steps.now + time;
+        while let Some(due) = steps.packet.filter(|due| *due <= end) {
+            lock(&self.world).advance_to(due);
+            self.readers.publish(self);
+            steps.packet = due.checked_add(self.readers.period(self.options.status_period).max(CYCLE));
+        }
+        lock(&self.world).advance_to(end);
+        steps.now = end;
+    }
+
+    /// What is wrong with the replies to come.
+    pub(crate) fn faults(&self) -> MutexGuard<'_, FaultPlan> {
+        lock(&self.faults)
     }
 }

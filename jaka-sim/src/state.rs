@@ -38,7 +38,7 @@ pub struct State {
     pub enabled: bool,
     /// Whether the robot is in a protective stop.
     pub protective_stop: bool,
-    /// Whether the robot is in an emergency stop. Shown in status packets; no command heeds it yet.
+    /// Whether the robot is in an emergency stop. The arm is not enabled in one.
     pub emergency_stop: bool,
     /// Whether a soft limit is reached, raw: the document prints 1 for a robot that is in position. Shown in status
     /// packets alone.
@@ -52,9 +52,11 @@ pub struct State {
 
     /// Positions of the six joints, in degrees.
     pub joint_position: JointPosition,
-    /// Pose of the tool centre point. No motion changes it yet.
+    /// Pose of the tool frame in use, seen from the user frame in use. Follows from the joints and the frames.
     pub tcp_pose: Pose,
-    /// Whether the robot is in position. No motion changes it yet.
+    /// Speed of the tool centre point, in mm/s. Follows from the motion.
+    pub tcp_speed: f64,
+    /// Whether the robot is in position. Follows from the motion.
     pub in_position: bool,
     /// Whether the robot is in servo mode. Only where it is enabled and in no protective stop.
     pub servo_mode: bool,
@@ -127,6 +129,11 @@ impl State {
         }
     }
 
+    /// True where nothing keeps the arm from moving.
+    pub(crate) fn can_move(&self) -> bool {
+        self.enabled && !self.protective_stop && !self.emergency_stop
+    }
+
     /// Leaves the error, if there is one.
     pub(crate) fn clear_error(&mut self) {
         NO_ERROR.clone_into(&mut self.error_code);
@@ -135,7 +142,7 @@ impl State {
 
     /// Switches off what cannot be on in this state. Follows each change.
     pub(crate) fn settle(&mut self) {
-        self.enabled &= self.powered;
+        self.enabled &= self.powered && !self.emergency_stop;
         self.servo_mode &= self.enabled && !self.protective_stop;
         self.drag_mode &= self.enabled;
     }

@@ -1,18 +1,25 @@
 //! Port 10000: any number of readers, who get the state again and again.
 
 mod extio;
+mod outlet;
 mod packet;
 mod reader;
 
+use std::collections::VecDeque;
 use std::io;
 use std::net::TcpStream;
 use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 use self::packet::packet;
-use self::reader::Reader;
+use self::reader::{Letter, Reader};
+use crate::StatusFault;
 use crate::lock::lock;
 use crate::shared::Shared;
+
+/// How many readers there can be, so that no number of connections uses up threads and memory.
+const MAX_READERS: usize = 256;
 
 /// Lets readers in until the door is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -27,32 +34,65 @@ pub(crate) fn run(shared: &Arc<Shared>) {
 
 fn admit(guest: TcpStream, shared: &Arc<Shared>) -> io::Result<()> {
     log::trace!(target: "jaka_sim", "status reader connected");
-    let reader = Arc::new(Reader::new(guest)?);
-    let (theirs, host) = (Arc::clone(&reader), Arc::clone(shared));
-    let thread = thread::Builder::new().name("jaka-sim status".to_owned());
-    let thread = thread.spawn(move || theirs.run(host.options.status_period, || packet(&lock(&host.state))))?;
-    shared.readers.add(reader, thread);
-    Ok(())
+    let host = Arc::clone(shared);
+    // With a stepped clock, packets go out as it is stepped.
+    let period = Some(host.options.status_period).filter(|_| !host.options.stepped);
+    shared.readers.add(guest, move |reader| reader.run(period, || packet(&host.world().state)))
+}
+
+/// Closes a connection, and waits for its thread.
+fn close((reader, thread): (Arc<Reader>, JoinHandle<()>)) {
+    reader.close();
+    // A panic there has been reported, and concerns one connection.
+    drop(thread.join());
 }
 
 /// The readers, each with a thread of its own so that none waits for another.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Readers {
-    list: Mutex<Vec<(Arc<Reader>, JoinHandle<()>)>>,
+    room: Mutex<Room>,
+}
+
+#[derive(Debug)]
+struct Room {
+    list: VecDeque<(Arc<Reader>, JoinHandle<()>)>,
+    /// What is wrong with the packets that go out.
+    fault: StatusFault,
 }
 
 impl Readers {
+    pub(crate) fn new(fault: StatusFault) -> Self {
+        Self { room: Mutex::new(Room { list: VecDeque::new(), fault }) }
+    }
+
+    /// Sets what is wrong with the packets from now on.
+    pub(crate) fn set_fault(&self, fault: StatusFault) {
+        let mut room = lock(&self.room);
+        for (reader, _) in &room.list {
+            reader.set_fault(fault.clone());
+        }
+        room.fault = fault;
+    }
+
+    /// The time between two packets, which is this one if nothing is wrong.
+    pub(crate) fn period(&self, usual: Duration) -> Duration {
+        outlet::period(&lock(&self.room).fault, usual)
+    }
+
     /// Sends the present state to all.
     pub(crate) fn publish(&self, shared: &Shared) {
-        let packet = packet(&lock(&shared.state));
-        self.send(&packet);
+        let packet = packet(&shared.world().state);
+        self.post(&Letter::Packet(packet.into()));
     }
 
     /// Sends bytes to all, and waits until they have them; or have been dropped, because they do not read.
     pub(crate) fn send(&self, bytes: &[u8]) {
-        let letter: Arc<[u8]> = bytes.into();
-        let readers: Vec<_> = lock(&self.list).iter().map(|(reader, _)| Arc::clone(reader)).collect();
-        let posted: Vec<_> = readers.iter().map(|reader| reader.post(Arc::clone(&letter))).collect();
+        self.post(&Letter::Bytes(bytes.into()));
+    }
+
+    fn post(&self, letter: &Letter) {
+        let readers: Vec<_> = lock(&self.room).list.iter().map(|(reader, _)| Arc::clone(reader)).collect();
+        let posted: Vec<_> = readers.iter().map(|reader| reader.post(letter.clone())).collect();
         for (reader, number) in readers.iter().zip(posted) {
             reader.wait_for(number);
         }
@@ -60,20 +100,26 @@ impl Readers {
 
     /// Closes all connections, and waits for their threads.
     pub(crate) fn close(&self) {
-        let readers = std::mem::take(&mut *lock(&self.list));
+        let readers = std::mem::take(&mut lock(&self.room).list);
         for (reader, _) in &readers {
             reader.close();
         }
-        for (_, thread) in readers {
-            // A panic there has been reported, and concerns one connection.
-            drop(thread.join());
-        }
+        readers.into_iter().for_each(close);
     }
 
-    /// Adds a reader, and forgets those who have gone.
-    fn add(&self, reader: Arc<Reader>, thread: JoinHandle<()>) {
-        let mut list = lock(&self.list);
-        list.retain(|(_, thread)| !thread.is_finished());
-        list.push((reader, thread));
+    /// Adds a reader with a thread that does this, and forgets those who have gone.
+    ///
+    /// Where there are too many, the oldest is dropped. It may have gone too: that is noticed on writing only.
+    fn add(&self, guest: TcpStream, run: impl FnOnce(&Reader) + Send + 'static) -> io::Result<()> {
+        let mut room = lock(&self.room);
+        room.list.retain(|(_, thread)| !thread.is_finished());
+        let oldest = if room.list.len() < MAX_READERS { None } else { room.list.pop_front() };
+        let reader = Arc::new(Reader::new(guest, room.fault.clone())?);
+        let theirs = Arc::clone(&reader);
+        let thread = thread::Builder::new().name("jaka-sim status".to_owned()).spawn(move || run(&theirs))?;
+        room.list.push_back((reader, thread));
+        drop(room);
+        oldest.into_iter().for_each(close);
+        Ok(())
     }
 }

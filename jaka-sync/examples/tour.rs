@@ -143,7 +143,7 @@ fn servo_filter(robot: &mut Client) -> Result<(), Box<dyn Error>> {
 fn programs(robot: &mut Client, may_play: bool) -> Result<(), Box<dyn Error>> {
     println!("\nPrograms");
     if may_play {
-        robot.load_program("tour.jks")?;
+        robot.load_program("test.jks")?;
         println!("  loaded {}", robot.get_loaded_program()?.program_name);
         robot.play_program()?;
         println!("  played; state: {:?}", robot.get_program_state()?.program_state);

@@ -1,5 +1,6 @@
 //! What several end-to-end tests share: the document's messages, and random messages made from the spec.
 
+use jaka_sim::{Controller, Delays};
 use jaka_spec::{Field, Request, Spec, Type, TypeDef, TypeKind};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
@@ -31,6 +32,14 @@ pub fn printed() -> Vec<Printed> {
         Printed { section: text("section"), is_request: text("direction") == "request", text: text("text") }
     };
     include_str!("../data/examples.jsonl").lines().map(line).collect()
+}
+
+/// A simulated controller that switches power and enables at once.
+///
+/// # Panics
+/// Loopback has no free ports.
+pub fn controller() -> Controller {
+    Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
 }
 
 /// The built-in spec.

@@ -4,16 +4,16 @@ use std::net::TcpListener;
 use std::thread;
 use std::time::Duration;
 
-use jaka_sim::{Controller, Fault};
+use jaka_sim::{Controller, Delays, Fault};
 use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
 use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::motion::{Jog, JogFrame, JointMove};
+use jaka_sync::motion::JointMove;
 use jaka_sync::types::{MoveMode, Switch};
 use jaka_sync::{AdvisoryRanges, Client, Command, Config, Error, ErrorCode, StopHandle};
 use serde_json::{Value, json};
 
 fn connected() -> (Controller, Client) {
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = jaka_tests::controller();
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     (controller, client)
 }
@@ -42,9 +42,14 @@ fn a_refused_motion_is_an_error_with_the_controllers_own_words() {
 
 #[test]
 fn a_motion_moves_the_simulated_arm() {
-    let (_controller, mut client) = ready();
+    let controller = Controller::builder().delays(Delays::NONE).stepped_clock().start().expect("loopback has ports");
+    let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
+    client.power_on().expect("the simulator has power");
+    client.enable_robot().expect("the arm has power");
     let before = client.get_joint_pos().expect("it answers").joint_position;
     client.joint_move(&one_degree()).expect("the arm is enabled");
+    assert_eq!(client.get_joint_pos().expect("it answers").joint_position, before);
+    controller.advance(Duration::from_secs(1));
     let after = client.get_joint_pos().expect("it answers").joint_position;
     assert!((after.0[0] - before.0[0] - 1.0).abs() < 1e-9);
 }
@@ -52,14 +57,14 @@ fn a_motion_moves_the_simulated_arm() {
 #[test]
 fn the_bytes_of_a_request_are_the_documents() {
     let (controller, mut client) = ready();
-    client.jog(&Jog::Continuous { frame: JogFrame::Joint, axis: 1, velocity: 30.0 }).expect("the arm is enabled");
     client.joint_move(&one_degree()).expect("the arm is enabled");
+    client.stop_program().expect("it answers");
     client.get_joint_pos().expect("it answers");
     assert_eq!(
         controller.requests()[2..],
         [
-            r#"{"cmdName":"jog","jog_mode":1,"coord_map":1,"jnum":1,"jogvel":30}"#,
             r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[1,0,0,0,0,0],"speed":10}"#,
+            r#"{"cmdName":"stop_program"}"#,
             r#"{"cmdName":"get_joint_pos"}"#,
         ]
     );

@@ -14,7 +14,7 @@ const SHORT: Duration = Duration::from_millis(300);
 
 /// A controller whose next reply has this fault, and a client with a short reply timeout.
 fn faulty(fault: Fault) -> (Controller, Client) {
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = jaka_tests::controller();
     let client = Config::new().reply_timeout(SHORT).connect(controller.command_addr()).expect("the controller listens");
     controller.inject(fault);
     (controller, client)
@@ -22,7 +22,7 @@ fn faulty(fault: Fault) -> (Controller, Client) {
 
 /// The same, with time enough for any reply that comes at all.
 fn patient(fault: Fault) -> (Controller, Client) {
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = jaka_tests::controller();
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     controller.inject(fault);
     (controller, client)
@@ -252,7 +252,7 @@ fn invalid_utf8() {
 
 #[test]
 fn oversized_reply() {
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = jaka_tests::controller();
     let mut client = Config::new().max_frame(4096).connect(controller.command_addr()).expect("the controller listens");
     let huge = format!("{{\"errorMsg\": \"{}\"}}", "x".repeat(5000));
     controller.inject(Fault::Instead(huge.into_bytes()));

@@ -32,7 +32,7 @@ static KEPT: Kept = Kept(Mutex::new(Vec::new()));
 fn each_message_is_logged_and_each_late_reply() {
     log::set_logger(&KEPT).expect("this is the only test of the process");
     log::set_max_level(LevelFilter::Trace);
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = jaka_tests::controller();
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     controller.inject(Fault::Hold);
     assert!(client.call_within(&ClearError, Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));

@@ -5,9 +5,10 @@ use jaka_proto::messages::collision::{GetClsnSensitivityReply, ProtectiveStopSta
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::State;
+use crate::world::World;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let state = &mut world.state;
     match request {
         Request::ProtectiveStopStatus(command) => {
             reply(command, ProtectiveStopStatusReply { protective_stop: state.protective_stop }, out)

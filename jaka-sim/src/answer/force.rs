@@ -7,10 +7,11 @@ use jaka_proto::messages::force::{
 use jaka_proto::wire::{Typed, Writer};
 
 use super::{Outcome, accept, is_on, reply};
-use crate::State;
+use crate::world::World;
 use crate::state::AdmittanceControl;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let state = &mut world.state;
     match request {
         Request::TorqueControlEnable(command) => {
             state.drag_mode = is_on(command.enable_flag);

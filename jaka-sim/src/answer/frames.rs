@@ -6,10 +6,11 @@ use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::State;
+use crate::world::World;
 use crate::state::Frame;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let state = &mut world.state;
     match request {
         Request::SetToolOffsets(command) => {
             set(&mut state.tool_frames, command.id, command.offset, &command.name);

@@ -8,12 +8,14 @@ use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
 use crate::State;
+use crate::world::World;
 use crate::state::ToolVoltage;
 
 /// Outputs with this index and above are refused, so that no client can make the state grow.
 const MAX_OUTPUTS: i64 = 1024;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let state = &mut world.state;
     match request {
         Request::SetDigitalOutput(command) if command.index < MAX_OUTPUTS => {
             state.digital_outputs.insert((command.kind, command.index), is_on(command.value));

@@ -4,10 +4,11 @@ use jaka_proto::Request;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept};
-use crate::State;
+use crate::world::World;
 use crate::state::NetworkException;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let state = &mut world.state;
     match request {
         Request::SetNetworkExceptionHandle(command) => {
             state.network_exception = NetworkException { delay_ms: command.delay, action: command.action };

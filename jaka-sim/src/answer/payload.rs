@@ -5,10 +5,11 @@ use jaka_proto::messages::payload::GetPayloadReply;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::State;
+use crate::world::World;
 use crate::state::Payload;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let state = &mut world.state;
     match request {
         Request::SetPayload(command) => {
             state.payload = Payload { mass: command.mass, centroid: command.centroid };

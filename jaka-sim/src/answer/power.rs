@@ -6,37 +6,44 @@ use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
 use crate::State;
+use crate::world::{Change, World};
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
         Request::PowerOn(command) => {
-            state.powered = true;
+            world.later(world.delays.power_on, Change::PoweredOn);
             let mut powered = PowerOnReply::default();
             powered.powered_on = Some(true);
             reply(command, powered, out)
         }
-        Request::PowerOff(command) => {
-            state.powered = false;
-            accept(command, out)
-        }
         Request::EnableRobot(command) => {
-            state.enabled = true;
+            world.later(world.delays.enable, Change::Enabled);
             let mut enabled = EnableRobotReply::default();
             enabled.enabled = Some(true);
             reply(command, enabled, out)
         }
-        Request::DisableRobot(command) => {
-            state.enabled = false;
+        Request::PowerOff(command) => {
+            switch_off(world);
             accept(command, out)
         }
         Request::Shutdown(command) => {
-            state.powered = false;
+            switch_off(world);
             accept(command, out)
         }
-        Request::GetRobotState(command) => reply(command, robot_state(state), out),
-        Request::GetVersion(command) => reply(command, GetVersionReply { version: state.version.clone() }, out),
+        Request::DisableRobot(command) => {
+            world.cancel_changes(|change| change != Change::PoweredOn);
+            world.state.enabled = false;
+            accept(command, out)
+        }
+        Request::GetRobotState(command) => reply(command, robot_state(&world.state), out),
+        Request::GetVersion(command) => reply(command, GetVersionReply { version: world.state.version.clone() }, out),
         _ => Outcome::Unhandled,
     }
+}
+
+fn switch_off(world: &mut World) {
+    world.cancel_changes(|_| true);
+    world.state.powered = false;
 }
 
 /// As old firmware answers; newer firmware adds the error.

@@ -5,53 +5,60 @@ use jaka_proto::messages::program::{GetLoadedProgramReply, GetProgramStateReply,
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::State;
+use crate::program::Runner;
+use crate::world::World;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
         Request::RapidRate(command) => {
-            state.rapid_rate = command.rate;
+            world.state.rapid_rate = command.rate;
             accept(command, out)
         }
-        Request::LoadProgram(command) => {
-            state.loaded_program.clone_from(&command.program_name);
+        Request::LoadProgram(command) if world.programs.contains_key(&command.program_name) => {
+            world.state.loaded_program.clone_from(&command.program_name);
             accept(command, out)
         }
+        Request::LoadProgram(_) => Outcome::Refused,
         Request::GetLoadedProgram(command) => {
-            reply(command, GetLoadedProgramReply { program_name: state.loaded_program.clone() }, out)
+            reply(command, GetLoadedProgramReply { program_name: world.state.loaded_program.clone() }, out)
         }
         Request::GetProgramState(command) => {
-            reply(command, GetProgramStateReply { program_state: state.program_state.clone() }, out)
+            reply(command, GetProgramStateReply { program_state: world.state.program_state.clone() }, out)
         }
-        _ => run(request, state, out),
+        _ => run(request, world, out),
     }
 }
 
 /// Starts and stops. Where there is nothing to pause, to resume or to stop, nothing is done.
-fn run(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+fn run(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
-        Request::PlayProgram(command) => {
-            state.program_state = ProgramState::Running;
-            accept(command, out)
-        }
+        Request::PlayProgram(command) => match world.programs.get(&world.state.loaded_program) {
+            Some(program) if world.runner.is_none() => {
+                world.runner = Some(Runner::new(program.clone()));
+                world.state.program_state = ProgramState::Running;
+                accept(command, out)
+            }
+            _ => Outcome::Refused,
+        },
         Request::PauseProgram(command) => {
-            replace(state, &ProgramState::Running, ProgramState::Paused);
+            replace(world, &ProgramState::Running, ProgramState::Paused);
             accept(command, out)
         }
         Request::ResumeProgram(command) => {
-            replace(state, &ProgramState::Paused, ProgramState::Running);
+            replace(world, &ProgramState::Paused, ProgramState::Running);
             accept(command, out)
         }
         Request::StopProgram(command) => {
-            state.program_state = ProgramState::Idle;
+            world.end_program();
+            world.engine.stop();
             accept(command, out)
         }
         _ => Outcome::Unhandled,
     }
 }
 
-fn replace(state: &mut State, from: &ProgramState, to: ProgramState) {
-    if state.program_state == *from {
-        state.program_state = to;
+fn replace(world: &mut World, from: &ProgramState, to: ProgramState) {
+    if world.state.program_state == *from {
+        world.state.program_state = to;
     }
 }

@@ -1,27 +1,65 @@
-//! Servo mode. Cartesian set-points are left to the spec's example.
+//! Servo mode.
 
 use jaka_proto::Request;
 use jaka_proto::messages::servo::IsInServomoveReply;
+use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
-use crate::{State, motion};
+use crate::motion::Joints;
+use crate::world::{Change, World};
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
-        Request::IsInServomove(command) => reply(command, IsInServomoveReply { in_servo_mode: state.servo_mode }, out),
+        Request::IsInServomove(command) => {
+            reply(command, IsInServomoveReply { in_servo_mode: world.state.servo_mode }, out)
+        }
         Request::ServoMove(command) => {
-            state.servo_mode = is_on(command.servo_mode);
+            world.cancel_changes(|change| matches!(change, Change::ServoMode(_)));
+            world.later(world.delays.servo_mode, Change::ServoMode(is_on(command.servo_mode)));
             accept(command, out)
         }
         Request::ServoJ(command) => {
-            motion::move_joints(state, command.mode, command.joint_position);
+            let target = joint_target(world, command.mode, command.joint_position);
+            set_point(world, target, command.step_count);
             accept(command, out)
         }
+        Request::ServoP(command) => match pose_target(world, command.mode, command.pose) {
+            Some(target) => {
+                set_point(world, target, command.step_count);
+                accept(command, out)
+            }
+            None => Outcome::Refused,
+        },
         Request::SetServoMoveFilter(command) => {
-            state.servo_filter = *command;
+            world.state.servo_filter = *command;
             accept(command, out)
         }
         _ => Outcome::Unhandled,
     }
+}
+
+fn set_point(world: &mut World, target: Joints, step_count: Option<i64>) {
+    let cycles = step_count.and_then(|count| u32::try_from(count).ok()).unwrap_or(1);
+    // A target beyond the soft limits has no effect, as one that is too fast.
+    if world.model.within_limits(&target) {
+        world.engine.servo.push(world.state.joint_position.0, target, cycles);
+    }
+}
+
+fn joint_target(world: &World, mode: MoveMode, position: JointPosition) -> Joints {
+    let last = world.engine.servo.tail(world.state.joint_position.0);
+    match mode {
+        MoveMode::Relative => std::array::from_fn(|i| last[i] + position.0[i]),
+        _ => position.0,
+    }
+}
+
+fn pose_target(world: &World, mode: MoveMode, pose: Pose) -> Option<Joints> {
+    let last = world.engine.servo.tail(world.state.joint_position.0);
+    let flange = match mode {
+        MoveMode::Relative => world.displaced(&world.model.forward(last), pose),
+        _ => world.flange(pose),
+    };
+    world.model.inverse(&flange, last)
 }

@@ -3,27 +3,36 @@
 use jaka_proto::Request;
 use jaka_proto::messages::force::{
     GetToolPayloadReply, GetTorqSensorIdentifyStatusReply, GetTorqSensorPayloadIdentifyResultReply,
-    GetTorqueSensorBrandReply, GetTorqueSensorCommReply, IdentifyStatus,
+    GetTorqueSensorBrandReply, GetTorqueSensorCommReply, IdentifyStatus, StartTorqSensorPayloadIdentify,
 };
-use jaka_proto::messages::types::MoveMode;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
 use crate::state::{Payload, TorqueSensor};
-use crate::{State, motion};
+use crate::world::World;
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
-    match request {
-        Request::StartTorqSensorPayloadIdentify(command) => {
-            motion::move_joints(state, MoveMode::Absolute, command.joint_position);
-            state.torque_sensor.identify_status = IdentifyStatus::Done;
-            accept(command, out)
-        }
-        _ => match set(request, &mut state.torque_sensor, out) {
-            Outcome::Unhandled => get(request, &state.torque_sensor, out),
-            outcome => outcome,
-        },
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    if let Request::StartTorqSensorPayloadIdentify(command) = request {
+        return if identify(command, world) { accept(command, out) } else { Outcome::Refused };
     }
+    let sensor = &mut world.state.torque_sensor;
+    match set(request, sensor, out) {
+        Outcome::Unhandled => get(request, sensor, out),
+        outcome => outcome,
+    }
+}
+
+/// Starts the motion at whose end the payload is known: what the arm carries, as set by `set_payload`.
+fn identify(command: &StartTorqSensorPayloadIdentify, world: &mut World) -> bool {
+    const SPEED: f64 = 30.0;
+    const ACCELERATION: f64 = 60.0;
+    let Some(planned) = world.plan_joints(command.joint_position.0, SPEED, ACCELERATION) else {
+        return false;
+    };
+    world.engine.enqueue(planned);
+    world.identifying = true;
+    world.state.torque_sensor.identify_status = IdentifyStatus::NotDone;
+    true
 }
 
 fn set(request: &Request, sensor: &mut TorqueSensor, out: &mut Writer) -> Outcome {

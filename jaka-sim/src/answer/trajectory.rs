@@ -1,15 +1,18 @@
 //! Trajectory recording.
 
 use jaka_proto::Request;
-use jaka_proto::messages::trajectory::{GetExistTrajFileNameReply, GetTrajConfigReply, GetTrajSampleStatusReply};
+use jaka_proto::messages::trajectory::{
+    GetExistTrajFileNameReply, GetTrajConfigReply, GetTrajSampleStatusReply, SetTrajSampleMode,
+};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
-use crate::State;
+use crate::program::replay;
+use crate::world::{Recorder, World};
 use crate::state::{Trajectory, TrajectoryConfig};
 
-pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> Outcome {
-    let trajectory = &mut state.trajectory;
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+    let trajectory = &mut world.state.trajectory;
     match request {
         Request::SetTrajConfig(command) => {
             trajectory.config = TrajectoryConfig {
@@ -22,41 +25,84 @@ pub(super) fn answer(request: &Request, state: &mut State, out: &mut Writer) -> 
         }
         Request::GetTrajConfig(command) => reply(command, config(trajectory), out),
         Request::SetTrajSampleMode(command) => {
-            trajectory.sampling = is_on(command.mode);
-            if trajectory.sampling && !trajectory.file_names.contains(&command.file_name) {
-                trajectory.file_names.push(command.file_name.clone());
-            }
+            sample(command, world);
             accept(command, out)
         }
         Request::GetTrajSampleStatus(command) => {
             reply(command, GetTrajSampleStatusReply { sampling: trajectory.sampling }, out)
         }
-        _ => files(request, trajectory, out),
+        Request::GetExistTrajFileName(command) => {
+            reply(command, GetExistTrajFileNameReply { file_names: trajectory.file_names.clone() }, out)
+        }
+        _ => files(request, world, out),
+    }
+}
+
+/// Begins to record, or keeps what has been recorded.
+fn sample(command: &SetTrajSampleMode, world: &mut World) {
+    world.state.trajectory.sampling = is_on(command.mode);
+    let start = world.state.joint_position.0;
+    if world.state.trajectory.sampling {
+        world.recorder = Recorder { file_name: Some(command.file_name.clone()), points: vec![start] };
+        return;
+    }
+    let Recorder { file_name, mut points } = std::mem::take(&mut world.recorder);
+    if let Some(name) = file_name {
+        points.push(start);
+        world.recordings.insert(name.clone(), points);
+        let names = &mut world.state.trajectory.file_names;
+        if !names.contains(&name) {
+            names.push(name);
+        }
     }
 }
 
 /// Files that there are not are refused.
-fn files(request: &Request, trajectory: &mut Trajectory, out: &mut Writer) -> Outcome {
-    let names = &mut trajectory.file_names;
+fn files(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
-        Request::GetExistTrajFileName(command) => {
-            reply(command, GetExistTrajFileNameReply { file_names: names.clone() }, out)
-        }
-        Request::RenameTrajFileName(command) => match names.iter_mut().find(|name| **name == command.source) {
-            Some(name) => {
-                name.clone_from(&command.destination);
-                accept(command, out)
-            }
-            None => Outcome::Refused,
-        },
-        Request::RemoveTrajFile(command) if names.contains(&command.file_name) => {
-            names.retain(|name| *name != command.file_name);
+        Request::RenameTrajFileName(command) if rename(world, &command.source, &command.destination) => {
             accept(command, out)
         }
-        Request::GenerateTrajExeFile(command) if names.contains(&command.file_name) => accept(command, out),
-        Request::RemoveTrajFile(_) | Request::GenerateTrajExeFile(_) => Outcome::Refused,
+        Request::RemoveTrajFile(command) if exists(world, &command.file_name) => {
+            world.state.trajectory.file_names.retain(|name| *name != command.file_name);
+            world.recordings.remove(&command.file_name);
+            accept(command, out)
+        }
+        Request::GenerateTrajExeFile(command) if exists(world, &command.file_name) => {
+            let points = world.recordings.get(&command.file_name).map_or(&[][..], |points| points);
+            let program = replay(points);
+            world.programs.insert(program_name(&command.file_name), program);
+            accept(command, out)
+        }
+        Request::RenameTrajFileName(_) | Request::RemoveTrajFile(_) | Request::GenerateTrajExeFile(_) => {
+            Outcome::Refused
+        }
         _ => Outcome::Unhandled,
     }
+}
+
+fn exists(world: &World, name: &String) -> bool {
+    world.state.trajectory.file_names.contains(name)
+}
+
+fn rename(world: &mut World, source: &str, destination: &str) -> bool {
+    let names = &mut world.state.trajectory.file_names;
+    if names.iter().any(|name| name == destination) {
+        return false;
+    }
+    let Some(name) = names.iter_mut().find(|name| *name == source) else {
+        return false;
+    };
+    destination.clone_into(name);
+    if let Some(points) = world.recordings.remove(source) {
+        world.recordings.insert(destination.to_owned(), points);
+    }
+    true
+}
+
+/// The program that is made of a trajectory, as `load_program` takes it.
+fn program_name(file_name: &str) -> String {
+    format!("track/{file_name}.jks")
 }
 
 fn config(trajectory: &Trajectory) -> GetTrajConfigReply {

@@ -1,11 +1,14 @@
-//! The connection of a command client, and the way out of it.
+//! The connection of a command client.
 
-use std::io::{self, Write};
+use std::io;
 use std::net::{Shutdown, TcpStream};
-use std::sync::{Mutex, MutexGuard};
+use std::sync::{Condvar, Mutex};
+use std::time::Duration;
 
-use crate::fault::Fault;
-use crate::lock::lock;
+use socket2::SockRef;
+
+use super::way_out::{Kept, WayOut};
+use crate::lock::{lock, wait};
 
 /// The connection of a command client.
 ///
@@ -14,15 +17,8 @@ use crate::lock::lock;
 pub(crate) struct Line {
     stream: TcpStream,
     kept: Mutex<Kept>,
-}
-
-/// What has not gone out yet.
-#[derive(Debug, Default)]
-struct Kept {
-    /// Replies that are held back.
-    held: Vec<u8>,
-    /// Replies that go out in one write with the next.
-    joined: Vec<u8>,
+    closed: Mutex<bool>,
+    changed: Condvar,
 }
 
 /// Whether the connection goes on.
@@ -31,12 +27,16 @@ pub(super) enum Flow {
     Stay,
     Close,
     Reset,
+    /// Nothing is answered any more.
+    HalfOpen,
+    /// Another client takes the port.
+    Takeover,
 }
 
 impl Line {
     pub(super) fn new(stream: TcpStream) -> io::Result<Self> {
         stream.set_nodelay(true)?;
-        Ok(Self { stream, kept: Mutex::default() })
+        Ok(Self { stream, kept: Mutex::default(), closed: Mutex::default(), changed: Condvar::new() })
     }
 
     pub(super) fn stream(&self) -> &TcpStream {
@@ -45,93 +45,25 @@ impl Line {
 
     /// Waits for whoever writes.
     pub(crate) fn way_out(&self) -> WayOut<'_> {
-        WayOut { stream: &self.stream, kept: lock(&self.kept) }
+        WayOut::new(&self.stream, lock(&self.kept))
     }
 
     /// Ends the connection, and wakes who reads from it or writes to it.
     pub(crate) fn close(&self) {
         // An error says that it has ended already.
         self.stream.shutdown(Shutdown::Both).ok();
-    }
-}
-
-/// The right to write on a connection.
-#[derive(Debug)]
-pub(crate) struct WayOut<'l> {
-    stream: &'l TcpStream,
-    kept: MutexGuard<'l, Kept>,
-}
-
-impl WayOut<'_> {
-    /// Sends a reply, with what is wrong with it.
-    pub(super) fn send_reply(&mut self, reply: &str, fault: &Fault) -> Flow {
-        self.try_send_reply(reply, fault).unwrap_or_else(|error| {
-            log::trace!(target: "jaka_sim", "command client lost: {error}");
-            Flow::Close
-        })
+        *lock(&self.closed) = true;
+        self.changed.notify_all();
     }
 
-    fn try_send_reply(&mut self, reply: &str, fault: &Fault) -> io::Result<Flow> {
-        let bytes = reply.as_bytes();
-        match fault {
-            Fault::Drop => {}
-            Fault::Hold => self.hold(bytes),
-            Fault::WithNext => self.kept.joined.extend_from_slice(bytes),
-            Fault::Pieces(sizes) => self.send_pieces(bytes, sizes)?,
-            Fault::Close => return Ok(Flow::Close),
-            Fault::CloseAfter(count) => {
-                self.send(&bytes[..bytes.len().min(*count)])?;
-                return Ok(Flow::Close);
-            }
-            Fault::Reset => return Ok(Flow::Reset),
-            _ => self.send(&fault.garble(reply))?,
+    pub(super) fn wait_until_closed(&self) {
+        drop(wait(&self.changed, lock(&self.closed), Duration::MAX, |closed| *closed));
+    }
+
+    /// Has the connection reset when it is dropped. It must not be closed before.
+    pub(super) fn reset_on_drop(&self) {
+        if let Err(error) = SockRef::from(&self.stream).set_linger(Some(Duration::ZERO)) {
+            log::trace!(target: "jaka_sim", "the connection cannot be reset: {error}");
         }
-        Ok(Flow::Stay)
-    }
-
-    /// Sends the replies that are held back.
-    pub(crate) fn release(&mut self) -> io::Result<()> {
-        let held = std::mem::take(&mut self.kept.held);
-        self.write(&held)
-    }
-
-    /// Writes bytes as they are.
-    pub(crate) fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
-        if bytes.is_empty() {
-            return Ok(());
-        }
-        log::trace!(target: "jaka_sim", "sends {}", String::from_utf8_lossy(bytes));
-        self.stream.write_all(bytes)?;
-        self.stream.flush()
-    }
-
-    fn hold(&mut self, bytes: &[u8]) {
-        let kept = &mut *self.kept;
-        kept.held.append(&mut kept.joined);
-        kept.held.extend_from_slice(bytes);
-    }
-
-    /// Sends bytes after the replies that are held back, and together with those that wait for them.
-    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        let all = self.join(bytes)?;
-        self.write(&all)
-    }
-
-    fn send_pieces(&mut self, bytes: &[u8], sizes: &[usize]) -> io::Result<()> {
-        let all = self.join(bytes)?;
-        let mut rest = &*all;
-        for size in sizes {
-            let (piece, more) = rest.split_at(rest.len().min(*size));
-            self.write(piece)?;
-            rest = more;
-        }
-        self.write(rest)
-    }
-
-    fn join(&mut self, bytes: &[u8]) -> io::Result<Vec<u8>> {
-        self.release()?;
-        let mut all = std::mem::take(&mut self.kept.joined);
-        all.extend_from_slice(bytes);
-        Ok(all)
     }
 }

@@ -43,9 +43,14 @@ impl Seat {
 
     /// Frees the seat and closes the connection that had it.
     pub(crate) fn vacate(&self) {
-        if let Some(line) = self.put(None) {
+        if let Some(line) = self.give_up() {
             line.close();
         }
+    }
+
+    /// Frees the seat, and gives the connection that had it.
+    pub(super) fn give_up(&self) -> Option<Arc<Line>> {
+        self.put(None)
     }
 
     fn put(&self, line: Option<Arc<Line>>) -> Option<Arc<Line>> {

@@ -14,7 +14,10 @@ use super::{
     Trajectory, TrajectoryConfig,
 };
 use crate::book::Book;
+use crate::kinematics::Model;
 
+/// Joint positions at the start: the arm bent, its flange down, and no joint near its end.
+const HOME: [f64; 6] = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0];
 /// Digital inputs in the document's status packet.
 const DIGITAL_INPUTS: usize = 144;
 /// Analog inputs in the document's status packet.
@@ -24,7 +27,7 @@ const TOOL_DIGITAL_INPUTS: usize = 8;
 
 impl State {
     /// The state in which a controller starts.
-    pub(crate) fn initial(book: &Book) -> io::Result<Self> {
+    pub(crate) fn initial(book: &Book, model: &Model) -> io::Result<Self> {
         let power = book.example::<power::GetRobotState>()?;
         let program = book.example::<program::GetLoadedProgram>()?;
         let tools = book.example::<frames::GetToolOffsets>()?;
@@ -38,13 +41,15 @@ impl State {
             error_code: NO_ERROR.to_owned(),
             error_message: String::new(),
             version: book.example::<power::GetVersion>()?.version,
-            joint_position: book.example::<kinematics::GetJointPos>()?.joint_position,
-            tcp_pose: book.example::<kinematics::GetTcpPos>()?.pose,
+            joint_position: HOME.into(),
+            // The pose follows from the joints.
+            tcp_pose: [0.0; 6].into(),
+            tcp_speed: 0.0,
             in_position: true,
             servo_mode: book.example::<servo::IsInServomove>()?.in_servo_mode,
             servo_filter: servo::SetServoMoveFilter::Disabled,
             drag_mode: book.example::<force::DragStatus>()?.drag_status,
-            dh_parameters: book.example::<kinematics::GetDhParam>()?,
+            dh_parameters: dh_parameters(model),
             rapid_rate: 1.0,
             loaded_program: program.program_name,
             program_state: book.example::<program::GetProgramState>()?.program_state,
@@ -72,6 +77,15 @@ impl State {
         // The document answers that servo mode is on, and that the arm has no power.
         state.settle();
         Ok(state)
+    }
+}
+
+fn dh_parameters(model: &Model) -> kinematics::GetDhParamReply {
+    kinematics::GetDhParamReply {
+        alpha: *model.alpha(),
+        a: *model.a(),
+        d: *model.d(),
+        joint_home_offset: *model.joint_homeoff(),
     }
 }
 

@@ -111,7 +111,7 @@ fn set_tail(state: &State, status: &mut RobotStatus) {
     status.powered_on = Some(state.powered);
     status.in_position = Some(state.in_position);
     status.motion_mode = Some(1);
-    status.tcp_speed = Some(0.0);
+    status.tcp_speed = Some(state.tcp_speed);
     status.protective_stop = Some(state.protective_stop);
     status.point_key = Some(0);
     status.network_state = Some(1);

@@ -1,18 +1,17 @@
 //! One reader of status packets.
 
 use std::collections::VecDeque;
-use std::io::{self, Write};
+use std::io;
 use std::net::{Shutdown, TcpStream};
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
+use super::outlet::{Outlet, period};
+use crate::StatusFault;
 use crate::lock::{lock, wait};
 
 /// How long the connection of a reader may be full. It holds packets of many seconds.
 const PATIENCE: Duration = Duration::from_secs(1);
-
-/// The least time between two packets.
-const LEAST_PERIOD: Duration = Duration::from_millis(1);
 
 /// One reader, who gets packets in time and letters in between.
 #[derive(Debug)]
@@ -24,47 +23,67 @@ pub(super) struct Reader {
 
 #[derive(Debug, Default)]
 struct Mail {
+    /// What is wrong from now on.
+    fault: Option<StatusFault>,
     /// What is to be written. Whoever posts a letter waits for it, so there are never many.
-    letters: VecDeque<Arc<[u8]>>,
+    letters: VecDeque<Letter>,
     posted: u64,
     written: u64,
     closed: bool,
 }
 
+/// What is to be written out of turn.
+#[derive(Debug, Clone)]
+pub(super) enum Letter {
+    /// A packet, with what is wrong with packets.
+    Packet(Arc<[u8]>),
+    /// Bytes, which are written as they are.
+    Bytes(Arc<[u8]>),
+}
+
 enum Job {
-    Letter(Arc<[u8]>),
+    Fault(StatusFault),
+    Letter(Letter),
     Packet,
     End,
 }
 
 impl Reader {
-    pub(super) fn new(stream: TcpStream) -> io::Result<Self> {
+    pub(super) fn new(stream: TcpStream, fault: StatusFault) -> io::Result<Self> {
         stream.set_nodelay(true)?;
         stream.set_write_timeout(Some(PATIENCE))?;
-        Ok(Self { stream, mail: Mutex::default(), changed: Condvar::new() })
+        let mail = Mail { fault: Some(fault), ..Mail::default() };
+        Ok(Self { stream, mail: Mutex::new(mail), changed: Condvar::new() })
     }
 
-    /// Writes a packet at once, and then one each period, until the connection ends.
-    pub(super) fn run(&self, period: Duration, packet: impl Fn() -> Vec<u8>) {
-        if let Err(error) = self.write(period.max(LEAST_PERIOD), packet) {
+    /// Writes a packet at once, and then one each period, if there is one, until the connection ends.
+    pub(super) fn run(&self, period: Option<Duration>, packet: impl Fn() -> Vec<u8>) {
+        if let Err(error) = self.write(period, packet) {
             log::trace!(target: "jaka_sim", "status reader lost: {error}");
         }
         self.close();
     }
 
-    fn write(&self, period: Duration, packet: impl Fn() -> Vec<u8>) -> io::Result<()> {
-        (&self.stream).write_all(&packet())?;
-        let mut due = Instant::now().checked_add(period);
+    fn write(&self, usual: Option<Duration>, packet: impl Fn() -> Vec<u8>) -> io::Result<()> {
+        let fault = lock(&self.mail).fault.take();
+        let mut outlet = Outlet::new(&self.stream, fault.unwrap_or_default());
+        outlet.send_packet(&packet())?;
+        let mut last = Instant::now();
         loop {
+            let due = usual.and_then(|usual| last.checked_add(period(outlet.fault(), usual)));
             match self.next_job(due) {
+                Job::Fault(fault) => outlet = Outlet::new(&self.stream, fault),
                 Job::Letter(letter) => {
-                    (&self.stream).write_all(&letter)?;
+                    match letter {
+                        Letter::Packet(packet) => outlet.send_packet(&packet)?,
+                        Letter::Bytes(bytes) => outlet.send(&bytes)?,
+                    }
                     lock(&self.mail).written += 1;
                     self.changed.notify_all();
                 }
                 Job::Packet => {
-                    (&self.stream).write_all(&packet())?;
-                    due = Instant::now().checked_add(period);
+                    outlet.send_packet(&packet())?;
+                    last = Instant::now();
                 }
                 Job::End => return Ok(()),
             }
@@ -73,16 +92,25 @@ impl Reader {
 
     fn next_job(&self, due: Option<Instant>) -> Job {
         let left = due.map_or(Duration::MAX, |due| due.saturating_duration_since(Instant::now()));
-        let ready = |mail: &Mail| mail.closed || !mail.letters.is_empty();
+        let ready = |mail: &Mail| mail.closed || mail.fault.is_some() || !mail.letters.is_empty();
         let mut mail = wait(&self.changed, lock(&self.mail), left, ready);
         if mail.closed {
             return Job::End;
         }
+        if let Some(fault) = mail.fault.take() {
+            return Job::Fault(fault);
+        }
         mail.letters.pop_front().map_or(Job::Packet, Job::Letter)
     }
 
-    /// Has bytes written, and gives their number to wait for.
-    pub(super) fn post(&self, letter: Arc<[u8]>) -> u64 {
+    /// Sets what is wrong with the packets from now on.
+    pub(super) fn set_fault(&self, fault: StatusFault) {
+        lock(&self.mail).fault = Some(fault);
+        self.changed.notify_all();
+    }
+
+    /// Has something written, and gives its number to wait for.
+    pub(super) fn post(&self, letter: Letter) -> u64 {
         let mut mail = lock(&self.mail);
         if !mail.closed {
             mail.letters.push_back(letter);

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use jaka_proto::framing::Framer;
 use jaka_proto::wire::Value;
-use jaka_sim::Controller;
+use jaka_sim::{Controller, Delays};
 
 /// How long anything may take.
 pub(crate) const LIMIT: Duration = Duration::from_secs(10);
@@ -102,7 +102,7 @@ pub(crate) fn json(text: &str) -> Value {
 
 /// A controller whose arm is ready to move.
 pub(crate) fn ready() -> Controller {
-    let controller = Controller::start().expect("loopback has ports");
+    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has ports");
     controller.set_state(|state| {
         state.powered = true;
         state.enabled = true;
@@ -112,7 +112,7 @@ pub(crate) fn ready() -> Controller {
 
 /// A controller as it starts, without packets but those asked for.
 pub(crate) fn fresh() -> Controller {
-    Controller::builder().status_period(Duration::MAX).start().expect("loopback has ports")
+    Controller::builder().delays(Delays::NONE).status_period(Duration::MAX).start().expect("loopback has ports")
 }
 
 pub(crate) fn assert_accepted(reply: &Value, command: &str) {

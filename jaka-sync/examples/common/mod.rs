@@ -3,7 +3,7 @@
 use std::env::args;
 use std::error::Error;
 
-use jaka_sim::Controller;
+use jaka_sim::{Controller, Delays};
 
 /// The addresses of a controller, and the simulated one itself if it is one.
 #[allow(dead_code, reason = "some examples use a part of it")]
@@ -23,7 +23,8 @@ pub(crate) fn target() -> Result<Target, Box<dyn Error>> {
         println!("Controller: {address}");
         return Ok(Target { commands: address.clone(), status: address, is_simulated: false, _controller: None });
     }
-    let controller = Controller::start()?;
+    // A real controller takes some twelve seconds to switch power on and to enable the arm.
+    let controller = Controller::builder().delays(Delays::NONE).start()?;
     let (commands, status) = (controller.command_addr().to_string(), controller.status_addr().to_string());
     println!("Controller: simulated, commands at {commands}, status at {status}");
     println!("(Give the address of a robot to use that instead.)");

@@ -1,0 +1,163 @@
+//! The way out of a connection, and what waits on it.
+
+use std::collections::VecDeque;
+use std::io::{self, Write};
+use std::net::TcpStream;
+use std::sync::MutexGuard;
+use std::time::{Duration, Instant};
+
+use super::line::Flow;
+use crate::fault::Fault;
+
+/// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
+const MAX_LATE: usize = 10_000;
+const MAX_HELD: usize = 1 << 20;
+
+/// What has not gone out yet.
+#[derive(Debug, Default)]
+pub(super) struct Kept {
+    /// Replies that are held back.
+    held: Vec<u8>,
+    /// Replies that go out in one write with the next.
+    joined: Vec<u8>,
+    /// Replies that come later, and those behind them.
+    late: VecDeque<Late>,
+}
+
+/// A reply that comes later.
+#[derive(Debug)]
+struct Late {
+    /// `None` is never.
+    due: Option<Instant>,
+    reply: String,
+    fault: Fault,
+}
+
+/// The right to write on a connection.
+#[derive(Debug)]
+pub(crate) struct WayOut<'l> {
+    stream: &'l TcpStream,
+    kept: MutexGuard<'l, Kept>,
+}
+
+impl<'l> WayOut<'l> {
+    pub(super) fn new(stream: &'l TcpStream, kept: MutexGuard<'l, Kept>) -> Self {
+        Self { stream, kept }
+    }
+
+    /// Sends a reply, with what is wrong with it, or lets it wait.
+    pub(super) fn send_reply(&mut self, reply: &str, fault: Fault) -> Flow {
+        let flow = match fault {
+            Fault::Delay(time) => self.put_off(reply, time, Fault::None),
+            fault if !self.kept.late.is_empty() => self.put_off(reply, Duration::ZERO, fault),
+            fault => self.send_now(reply, &fault),
+        };
+        if self.kept.is_full() {
+            log::trace!(target: "jaka_sim", "too many replies wait");
+            return Flow::Close;
+        }
+        flow
+    }
+
+    /// Sends the replies whose time has come.
+    pub(super) fn send_due(&mut self) -> Flow {
+        while self.wait_for_due() == Some(Duration::ZERO) {
+            let Some(late) = self.kept.late.pop_front() else { break };
+            let flow = self.send_now(&late.reply, &late.fault);
+            if flow != Flow::Stay {
+                return flow;
+            }
+        }
+        Flow::Stay
+    }
+
+    /// How long the next of the late replies waits still; `None` where no time sends one.
+    pub(super) fn wait_for_due(&self) -> Option<Duration> {
+        let due = self.kept.late.front()?.due?;
+        Some(due.saturating_duration_since(Instant::now()))
+    }
+
+    /// Sends the replies that are held back.
+    pub(crate) fn release(&mut self) -> io::Result<()> {
+        let held = std::mem::take(&mut self.kept.held);
+        self.write(&held)
+    }
+
+    /// Writes bytes as they are.
+    pub(crate) fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        if bytes.is_empty() {
+            return Ok(());
+        }
+        log::trace!(target: "jaka_sim", "sends {}", String::from_utf8_lossy(bytes));
+        self.stream.write_all(bytes)?;
+        self.stream.flush()
+    }
+
+    fn put_off(&mut self, reply: &str, time: Duration, fault: Fault) -> Flow {
+        let due = Instant::now().checked_add(time);
+        self.kept.late.push_back(Late { due, reply: reply.to_owned(), fault });
+        Flow::Stay
+    }
+
+    fn send_now(&mut self, reply: &str, fault: &Fault) -> Flow {
+        self.try_send(reply, fault).unwrap_or_else(|error| {
+            log::trace!(target: "jaka_sim", "command client lost: {error}");
+            Flow::Close
+        })
+    }
+
+    fn try_send(&mut self, reply: &str, fault: &Fault) -> io::Result<Flow> {
+        let bytes = reply.as_bytes();
+        match fault {
+            Fault::Drop => {}
+            Fault::Hold => self.kept.hold(bytes),
+            Fault::WithNext => self.kept.joined.extend_from_slice(bytes),
+            Fault::Pieces(sizes) => self.send_pieces(bytes, sizes)?,
+            Fault::HalfOpen => return Ok(Flow::HalfOpen),
+            Fault::Close => return Ok(Flow::Close),
+            Fault::CloseAfter(count) => {
+                self.send(&bytes[..bytes.len().min(*count)])?;
+                return Ok(Flow::Close);
+            }
+            Fault::Reset => return Ok(Flow::Reset),
+            Fault::Takeover => return Ok(Flow::Takeover),
+            _ => self.send(&fault.garble(reply))?,
+        }
+        Ok(Flow::Stay)
+    }
+
+    /// Sends bytes after the replies that are held back, and together with those that wait for them.
+    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        let all = self.join(bytes)?;
+        self.write(&all)
+    }
+
+    fn send_pieces(&mut self, bytes: &[u8], sizes: &[usize]) -> io::Result<()> {
+        let all = self.join(bytes)?;
+        let mut rest = &*all;
+        for size in sizes {
+            let (piece, more) = rest.split_at(rest.len().min(*size));
+            self.write(piece)?;
+            rest = more;
+        }
+        self.write(rest)
+    }
+
+    fn join(&mut self, bytes: &[u8]) -> io::Result<Vec<u8>> {
+        self.release()?;
+        let mut all = std::mem::take(&mut self.kept.joined);
+        all.extend_from_slice(bytes);
+        Ok(all)
+    }
+}
+
+impl Kept {
+    fn hold(&mut self, bytes: &[u8]) {
+        self.held.append(&mut self.joined);
+        self.held.extend_from_slice(bytes);
+    }
+
+    fn is_full(&self) -> bool {
+        self.late.len() > MAX_LATE || self.held.len() + self.joined.len() > MAX_HELD
+    }
+}

@@ -1,0 +1,39 @@
+//! How long the controller takes for what is not motion.
+
+use std::time::Duration;
+
+/// How long changes of state take, other than motion.
+///
+/// A command that starts such a change is answered at once; the state follows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Delays {
+    /// From `power_on` to power.
+    pub power_on: Duration,
+    /// From `enable_robot` to enabled.
+    pub enable: Duration,
+    /// From `servo_move` to servo mode.
+    pub servo_mode: Duration,
+    /// From the start of a motion to the moment when the robot is no longer in position. A motion that ends before never
+    /// shows.
+    pub in_position: Duration,
+}
+
+impl Delays {
+    /// As field notes have them: 8 s for power, 3.5 s for enabling, 100 ms for being in position. How long servo mode takes is
+    /// not known; 40 ms.
+    pub const REAL: Self = Self {
+        power_on: Duration::from_secs(8),
+        enable: Duration::from_millis(3500),
+        servo_mode: Duration::from_millis(40),
+        in_position: Duration::from_millis(100),
+    };
+
+    /// None at all: each change is made at once.
+    pub const NONE: Self = Self {
+        power_on: Duration::ZERO,
+        enable: Duration::ZERO,
+        servo_mode: Duration::ZERO,
+        in_position: Duration::ZERO,
+    };
+}

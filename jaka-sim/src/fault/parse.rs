@@ -1,0 +1,157 @@
+//! One line of a script, read word by word.
+
+use std::str::FromStr;
+use std::time::Duration;
+
+use super::words::Word;
+use super::{Fault, ScriptError, StatusFault};
+
+/// The units of time, and how many of them are a second.
+const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 1e9), ("s", 1.0)];
+
+/// Words that have not been read yet.
+#[derive(Debug)]
+pub(super) struct Args<'w, 's> {
+    rest: &'w [Word<'s>],
+    last: Option<&'w Word<'s>>,
+}
+
+impl<'w, 's> Args<'w, 's> {
+    pub(super) fn new(words: &'w [Word<'s>]) -> Self {
+        Self { rest: words, last: None }
+    }
+
+    pub(super) fn fault(&mut self) -> Result<Fault, ScriptError> {
+        Ok(match self.word("a fault")?.text {
+            "none" => Fault::None,
+            "drop" => Fault::Drop,
+            "delay" => Fault::Delay(self.time()?),
+            "hold" => Fault::Hold,
+            "split" => Fault::Pieces(self.sizes()?),
+            "with-next" => Fault::WithNext,
+            "twice" => Fault::Twice,
+            "nameless" => Fault::Nameless,
+            "renamed" => Fault::Renamed(self.name()?),
+            "before" => Fault::Before(self.bytes()?),
+            "after" => Fault::After(self.bytes()?),
+            "instead" => Fault::Instead(self.bytes()?),
+            "garbage" => Fault::Garbage { bytes: self.count()?, seed: self.seed()? },
+            "oversized" => Fault::Oversized(self.count()?),
+            "half-open" => Fault::HalfOpen,
+            "close" => Fault::Close,
+            "close-after" => Fault::CloseAfter(self.count()?),
+            "reset" => Fault::Reset,
+            "takeover" => Fault::Takeover,
+            "for" | "random" | "always" | "status" => return Err(self.unfit("this can only begin a line")),
+            _ => return Err(self.unfit("there is no such fault")),
+        })
+    }
+
+    pub(super) fn status_fault(&mut self) -> Result<StatusFault, ScriptError> {
+        Ok(match self.word("a fault of the status port")?.text {
+            "none" => StatusFault::None,
+            "silent" => StatusFault::Silent,
+            "slow" => StatusFault::Slow(self.time()?),
+            "split" => StatusFault::Pieces(self.count()?),
+            "garbage" => StatusFault::Garbage { bytes: self.count()?, seed: self.seed()? },
+            "cut" => StatusFault::Cut(self.count()?),
+            "instead" => StatusFault::Instead(self.bytes()?),
+            "close-after" => StatusFault::CloseAfter(self.count()?),
+            _ => return Err(self.unfit("the status port has no such fault")),
+        })
+    }
+
+    /// Reads the word that says what the line is.
+    pub(super) fn skip(&mut self) -> &mut Self {
+        self.advance();
+        self
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// Reads a comma or a colon.
+    pub(super) fn mark(&mut self, mark: &str) -> Result<(), ScriptError> {
+        let wanted = format!("`{mark}`");
+        if self.word(&wanted)?.text == mark { Ok(()) } else { Err(self.unfit(format!("here must be {wanted}"))) }
+    }
+
+    pub(super) fn end(&self) -> Result<(), ScriptError> {
+        self.rest.first().map_or(Ok(()), |word| Err(word.error("nothing can follow here")))
+    }
+
+    pub(super) fn number<T: FromStr>(&mut self, what: &str) -> Result<T, ScriptError> {
+        let word = self.word(what)?;
+        word.text.parse().map_err(|_| word.error(format!("here must be {what}")))
+    }
+
+    /// One in how many, as `1/20`.
+    pub(super) fn odds(&mut self) -> Result<u64, ScriptError> {
+        let word = self.word("odds such as 1/20")?;
+        let times = word.text.strip_prefix("1/").and_then(|times| times.parse().ok());
+        times.ok_or_else(|| word.error("here must be odds such as 1/20"))
+    }
+
+    pub(super) fn name(&mut self) -> Result<String, ScriptError> {
+        let word = self.word("a command")?;
+        let Some(bytes) = &word.quoted else { return Ok(word.text.to_owned()) };
+        String::from_utf8(bytes.clone()).map_err(|_| word.error("a name must be UTF-8"))
+    }
+
+    /// An error at the word that was read last.
+    pub(super) fn unfit(&self, reason: impl Into<String>) -> ScriptError {
+        match self.last {
+            Some(word) => word.error(reason),
+            None => ScriptError::new(1, "", reason),
+        }
+    }
+
+    fn bytes(&mut self) -> Result<Vec<u8>, ScriptError> {
+        let word = self.word("bytes in quotes")?;
+        word.quoted.clone().ok_or_else(|| word.error("here must be bytes in quotes"))
+    }
+
+    fn count(&mut self) -> Result<usize, ScriptError> {
+        self.number("a number of bytes")
+    }
+
+    fn seed(&mut self) -> Result<u64, ScriptError> {
+        if self.at_item_end() { Ok(0) } else { self.number("a seed") }
+    }
+
+    fn sizes(&mut self) -> Result<Vec<usize>, ScriptError> {
+        let mut sizes = Vec::new();
+        while !self.at_item_end() {
+            sizes.push(self.count()?);
+        }
+        Ok(sizes)
+    }
+
+    fn time(&mut self) -> Result<Duration, ScriptError> {
+        const WANTED: &str = "a time such as 200ms or 1.5s";
+        let word = self.word(WANTED)?;
+        let parts = UNITS.iter().find_map(|(unit, per_second)| Some((word.text.strip_suffix(unit)?, per_second)));
+        let seconds = parts.and_then(|(number, per_second)| Some(number.parse::<f64>().ok()? / per_second));
+        let time = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+        time.ok_or_else(|| word.error(format!("here must be {WANTED}")))
+    }
+
+    fn at_item_end(&self) -> bool {
+        self.rest.first().is_none_or(|word| word.text == ",")
+    }
+
+    fn word(&mut self, what: &str) -> Result<&'w Word<'s>, ScriptError> {
+        self.advance().ok_or_else(|| self.unfit(format!("{what} must follow")))
+    }
+
+    fn advance(&mut self) -> Option<&'w Word<'s>> {
+        let (first, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        self.last = Some(first);
+        Some(first)
+    }
+}
+
+#[cfg(test)]
+mod tests;

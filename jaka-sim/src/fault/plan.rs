@@ -1,0 +1,196 @@
+//! Which replies have which faults.
+
+use std::collections::VecDeque;
+
+use super::{Dice, Fault, StatusFault};
+
+/// Which replies have which faults, as a script or by chance.
+///
+/// [`Builder::faults`](crate::Builder::faults) gives a plan to a controller. Each reply takes the first of these: the
+/// next fault for its command, the next fault of the script, one by chance, the one that all have.
+///
+/// ```
+/// use jaka_sim::{Controller, Fault, FaultPlan};
+///
+/// let script = FaultPlan::script([Fault::None, Fault::Drop]).then_for("joint_move", Fault::Nameless);
+/// let chance = FaultPlan::random(7).one_in(20, [Fault::Drop, Fault::Reset]);
+/// let controller = Controller::builder().faults(chance.clone()).start()?;
+/// // A failing test prints the plan, and with it the seed that repeats it.
+/// assert_eq!(chance.to_string(), "random 7 1/20 drop, reset");
+/// assert_eq!(script.to_string(), "none, drop\nfor joint_move: nameless");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # As a text
+///
+/// `Display` writes a plan as a text, and `FromStr` reads it. Faults are written as at each [`Fault`], with commas or
+/// on lines of their own. A line, which ends at its end or at a semicolon, can begin with what its faults are for:
+///
+/// ```
+/// # use jaka_sim::FaultPlan;
+/// # let text = r##"
+/// drop, delay 200ms                # the first two replies
+/// split 1 5                        # the third
+/// for joint_move: hold, nameless   # the first two replies to joint_move
+/// random 7 1/20 drop, reset        # one in twenty of all others, with the seed 7
+/// always twice                     # all others
+/// status slow 2s                   # the status port
+/// # "##;
+/// # assert!(text.parse::<FaultPlan>().is_ok_and(|plan| plan.to_string().parse() == Ok(plan)));
+/// ```
+///
+/// Bytes stand in quotes, with the escapes of Rust: `instead "(0, [])\r\n\x00"`. All `random` lines share one seed.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FaultPlan {
+    pub(super) script: VecDeque<Fault>,
+    pub(super) commands: Vec<(String, Fault)>,
+    pub(super) chances: Vec<Chance>,
+    pub(super) seed: Option<u64>,
+    pub(super) always: Option<Fault>,
+    pub(super) status: StatusFault,
+    /// What has been drawn from the seed so far.
+    dice: Option<Dice>,
+}
+
+/// Faults that strike one in so many replies.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Chance {
+    pub(super) one_in: u64,
+    pub(super) faults: Vec<Fault>,
+}
+
+impl FaultPlan {
+    /// A plan without faults.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A plan that gives these faults to the first replies, in order.
+    pub fn script(faults: impl IntoIterator<Item = Fault>) -> Self {
+        Self { script: faults.into_iter().collect(), ..Self::default() }
+    }
+
+    /// A plan by chance, to which [`one_in`](Self::one_in) adds faults.
+    ///
+    /// The same seed gives the same faults to the same number of replies.
+    pub fn random(seed: u64) -> Self {
+        let mut plan = Self::default();
+        plan.set_seed(seed);
+        plan
+    }
+
+    /// Adds a fault to the script.
+    #[must_use]
+    pub fn then(mut self, fault: Fault) -> Self {
+        self.inject(fault);
+        self
+    }
+
+    /// Adds a fault to the script of this command, such as `joint_move`.
+    #[must_use]
+    pub fn then_for(mut self, command: impl Into<String>, fault: Fault) -> Self {
+        self.inject_for(command.into(), fault);
+        self
+    }
+
+    /// Gives one of these faults, each as likely as the others, to one in so many replies on average.
+    ///
+    /// One in 1 is each, one in 0 is none. The seed is that of [`random`](Self::random), or 0.
+    #[must_use]
+    pub fn one_in(mut self, replies: u64, faults: impl IntoIterator<Item = Fault>) -> Self {
+        if self.dice.is_none() {
+            self.set_seed(0);
+        }
+        self.chances.push(Chance { one_in: replies, faults: faults.into_iter().collect() });
+        self
+    }
+
+    /// Gives this fault to all replies that have no other.
+    #[must_use]
+    pub fn always(mut self, fault: Fault) -> Self {
+        self.inject_always(fault);
+        self
+    }
+
+    /// Has the status port begin with this fault.
+    #[must_use]
+    pub fn status(mut self, fault: StatusFault) -> Self {
+        self.status = fault;
+        self
+    }
+
+    /// The seed of what happens by chance.
+    pub fn seed(&self) -> Option<u64> {
+        self.seed
+    }
+
+    pub(crate) fn status_fault(&self) -> &StatusFault {
+        &self.status
+    }
+
+    pub(super) fn set_seed(&mut self, seed: u64) {
+        self.seed = Some(seed);
+        self.dice = Some(Dice::new(seed));
+    }
+
+    pub(crate) fn inject(&mut self, fault: Fault) {
+        self.script.push_back(fault);
+    }
+
+    pub(crate) fn inject_for(&mut self, command: String, fault: Fault) {
+        self.commands.push((command, fault));
+    }
+
+    pub(crate) fn inject_always(&mut self, fault: Fault) {
+        self.always = Some(fault).filter(|fault| *fault != Fault::None);
+    }
+
+    /// Takes back all that concerns replies.
+    pub(crate) fn clear(&mut self) {
+        *self = Self::new().status(self.status.clone());
+    }
+
+    /// What is wrong with the next reply, which is to this command, where it is to one.
+    pub(crate) fn next(&mut self, command: Option<&str>) -> Fault {
+        let due = self.next_for(command).or_else(|| self.script.pop_front()).or_else(|| self.draw());
+        due.or_else(|| self.always.clone()).unwrap_or(Fault::None)
+    }
+
+    fn next_for(&mut self, command: Option<&str>) -> Option<Fault> {
+        let at = self.commands.iter().position(|(name, _)| command == Some(name))?;
+        Some(self.commands.remove(at).1)
+    }
+
+    fn draw(&mut self) -> Option<Fault> {
+        let dice = self.dice.as_mut()?;
+        let chance = self.chances.iter().find(|chance| dice.one_in(chance.one_in))?;
+        dice.pick(&chance.faults).cloned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_fault_is_taken() {
+        let mut plan = FaultPlan::script([Fault::Hold]).then_for("jog", Fault::Drop).always(Fault::Twice);
+        let order = [None, Some("jog"), Some("jog"), None].map(|command| plan.next(command));
+        assert_eq!(order, [Fault::Hold, Fault::Drop, Fault::Twice, Fault::Twice]);
+        plan.inject_always(Fault::None);
+        assert_eq!(plan, FaultPlan::new());
+    }
+
+    #[test]
+    fn chance_follows_from_the_seed() {
+        let plan = |seed| FaultPlan::random(seed).one_in(3, [Fault::Drop, Fault::Close]).one_in(4, [Fault::Twice]);
+        let draws = |mut plan: FaultPlan| (0..200).map(|_| plan.next(None)).collect::<Vec<_>>();
+        assert_eq!(draws(plan(7)), draws(plan(7)));
+        assert_ne!(draws(plan(7)), draws(plan(8)));
+        for fault in [Fault::None, Fault::Drop, Fault::Close, Fault::Twice] {
+            assert!(draws(plan(7)).contains(&fault));
+        }
+        assert!(format!("{:?}", plan(7)).contains("seed: Some(7)"));
+        assert_eq!(draws(FaultPlan::new().one_in(0, [Fault::Drop]).one_in(1, [])), vec![Fault::None; 200]);
+    }
+}

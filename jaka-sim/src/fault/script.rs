@@ -1,0 +1,153 @@
+//! Fault plans as a text.
+
+use std::error::Error;
+use std::fmt;
+use std::str::FromStr;
+
+use super::parse::Args;
+use super::words::{self, Word};
+use super::{Fault, FaultPlan, StatusFault};
+
+/// What is wrong with the text of a [`FaultPlan`], a [`Fault`] or a [`StatusFault`], and where.
+///
+/// ```
+/// # use jaka_sim::FaultPlan;
+/// let error = "drop\ndely 200ms".parse::<FaultPlan>().unwrap_err();
+/// assert_eq!(error.to_string(), "line 2: `dely`: there is no such fault");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ScriptError {
+    line: usize,
+    word: String,
+    reason: String,
+}
+
+impl ScriptError {
+    pub(super) fn new(line: usize, word: &str, reason: impl Into<String>) -> Self {
+        Self { line, word: word.to_owned(), reason: reason.into() }
+    }
+
+    /// The number of the line, from 1.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The word that does not fit, or the last one where something is missing.
+    pub fn word(&self) -> &str {
+        &self.word
+    }
+}
+
+impl fmt::Display for ScriptError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: `{}`: {}", self.line, self.word, self.reason)
+    }
+}
+
+impl Error for ScriptError {}
+
+impl FromStr for FaultPlan {
+    type Err = ScriptError;
+
+    /// Reads the text form of a plan.
+    ///
+    /// # Errors
+    /// A word does not fit, or one is missing.
+    fn from_str(script: &str) -> Result<Self, ScriptError> {
+        let mut plan = Self::new();
+        for words in words::lines(script)? {
+            plan.read_line(&words)?;
+        }
+        Ok(plan)
+    }
+}
+
+impl FaultPlan {
+    fn read_line(&mut self, words: &[Word<'_>]) -> Result<(), ScriptError> {
+        let mut args = Args::new(words);
+        match words.first().map(|word| word.text) {
+            Some("for") => {
+                let command = args.skip().name()?;
+                args.mark(":")?;
+                self.commands.extend(faults(args)?.into_iter().map(|fault| (command.clone(), fault)));
+            }
+            Some("random") => {
+                self.read_seed(args.skip())?;
+                let one_in = args.odds()?;
+                *self = std::mem::take(self).one_in(one_in, faults(args)?);
+            }
+            Some("always") => self.inject_always(one(args.skip(), Args::fault)?),
+            Some("status") => self.status = one(args.skip(), Args::status_fault)?,
+            _ => self.script.extend(faults(args)?),
+        }
+        Ok(())
+    }
+
+    fn read_seed(&mut self, args: &mut Args<'_, '_>) -> Result<(), ScriptError> {
+        let seed = args.number("a seed")?;
+        match self.seed {
+            Some(other) if other != seed => Err(args.unfit(format!("the seed has been {other}, and there is only one"))),
+            Some(_) => Ok(()),
+            None => {
+                self.set_seed(seed);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The faults that are left in a line.
+fn faults(mut args: Args<'_, '_>) -> Result<Vec<Fault>, ScriptError> {
+    let mut faults = vec![args.fault()?];
+    while !args.is_empty() {
+        args.mark(",")?;
+        faults.push(args.fault()?);
+    }
+    Ok(faults)
+}
+
+/// What has to be the last thing in a line.
+fn one<'w, 's, T>(
+    args: &mut Args<'w, 's>,
+    read: impl FnOnce(&mut Args<'w, 's>) -> Result<T, ScriptError>,
+) -> Result<T, ScriptError> {
+    let item = read(args)?;
+    args.end()?;
+    Ok(item)
+}
+
+/// What has to be the only thing in a text.
+fn alone<T>(
+    script: &str,
+    read: impl FnOnce(&mut Args<'_, '_>) -> Result<T, ScriptError>,
+) -> Result<T, ScriptError> {
+    let words: Vec<_> = words::lines(script)?.into_iter().flatten().collect();
+    let mut args = Args::new(&words);
+    let item = read(&mut args)?;
+    args.end()?;
+    Ok(item)
+}
+
+impl FromStr for Fault {
+    type Err = ScriptError;
+
+    /// Reads the text form of a fault.
+    ///
+    /// # Errors
+    /// A word does not fit, or one is missing.
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
+        alone(text, |args| args.fault())
+    }
+}
+
+impl FromStr for StatusFault {
+    type Err = ScriptError;
+
+    /// Reads the text form of a fault.
+    ///
+    /// # Errors
+    /// A word does not fit, or one is missing.
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
+        alone(text, |args| args.status_fault())
+    }
+}

@@ -1,0 +1,113 @@
+//! The words of a script.
+
+use std::fmt;
+
+use super::ScriptError;
+
+/// What ends a word, beside white space.
+const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
+
+/// A word, as it is written and as it is meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Word<'s> {
+    pub(super) line: usize,
+    pub(super) text: &'s str,
+    /// What stands in the quotes, without escapes.
+    pub(super) quoted: Option<Vec<u8>>,
+}
+
+impl Word<'_> {
+    pub(super) fn error(&self, reason: impl Into<String>) -> ScriptError {
+        ScriptError::new(self.line, self.text, reason)
+    }
+}
+
+/// The words of each line that has any; it ends at its end or at a semicolon. Commas and colons are words.
+pub(super) fn lines(script: &str) -> Result<Vec<Vec<Word<'_>>>, ScriptError> {
+    let mut lines = Vec::new();
+    for (line, text) in (1..).zip(script.lines()) {
+        let mut words = Vec::new();
+        let mut rest = text.trim_start();
+        while let Some(word) = next_word(line, rest)? {
+            rest = rest[word.text.len()..].trim_start();
+            if word.text == ";" {
+                lines.push(std::mem::take(&mut words));
+            } else {
+                words.push(word);
+            }
+        }
+        lines.push(words);
+    }
+    lines.retain(|words| !words.is_empty());
+    Ok(lines)
+}
+
+fn next_word(line: usize, rest: &str) -> Result<Option<Word<'_>>, ScriptError> {
+    let (len, quoted) = match rest.bytes().next() {
+        None | Some(b'#') => return Ok(None),
+        Some(b',' | b';' | b':') => (1, None),
+        Some(b'"') => {
+            let unfit = |reason| ScriptError::new(line, rest, reason);
+            let len = quoted_len(rest).ok_or_else(|| unfit("the quote is not closed"))?;
+            let bytes = unescape(&rest[1..len - 1]).ok_or_else(|| unfit("an escape is none of Rust's for bytes"))?;
+            (len, Some(bytes))
+        }
+        Some(_) => (rest.find(|c: char| c.is_whitespace() || MARKS.contains(&c)).unwrap_or(rest.len()), None),
+    };
+    Ok(Some(Word { line, text: &rest[..len], quoted }))
+}
+
+/// The length of the quoted word that the text begins with, quotes included.
+fn quoted_len(text: &str) -> Option<usize> {
+    let mut escaped = false;
+    let end = text.bytes().skip(1).position(|byte| {
+        let ends = byte == b'"' && !escaped;
+        escaped = byte == b'\\' && !escaped;
+        ends
+    });
+    end.map(|at| at + 2)
+}
+
+/// The bytes that a text with escapes stands for.
+fn unescape(text: &str) -> Option<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut rest = text.bytes();
+    while let Some(byte) = rest.next() {
+        bytes.push(match byte {
+            b'\\' => match rest.next()? {
+                b'n' => b'\n',
+                b'r' => b'\r',
+                b't' => b'\t',
+                b'0' => 0,
+                b'x' => hex_digit(rest.next()?)? << 4 | hex_digit(rest.next()?)?,
+                quote @ (b'"' | b'\'' | b'\\') => quote,
+                _ => return None,
+            },
+            plain => plain,
+        });
+    }
+    Some(bytes)
+}
+
+fn hex_digit(byte: u8) -> Option<u8> {
+    u8::try_from(char::from(byte).to_digit(16)?).ok()
+}
+
+/// Bytes as a quoted word.
+pub(super) struct Quoted<'b>(pub(super) &'b [u8]);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\"{}\"", self.0.escape_ascii())
+    }
+}
+
+/// A name as a word, which is quoted where it must be.
+pub(super) struct Name<'n>(pub(super) &'n str);
+
+impl fmt::Display for Name<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = !self.0.is_empty() && self.0.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+        if plain { f.write_str(self.0) } else { Quoted(self.0.as_bytes()).fmt(f) }
+    }
+}

@@ -1,0 +1,32 @@
+//! Poses as the wire has them.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+
+/// How close to gimbal lock, as the cosine of `ry`, rz is set to zero.
+const LOCKED: f64 = 1e-10;
+
+/// The transform of a pose `[x, y, z, rx, ry, rz]` in mm and degrees.
+///
+/// A pose that holds something other than finite numbers gives a transform that [`Model::inverse`](super::Model::inverse)
+/// refuses.
+pub(crate) fn from_pose(pose: [f64; 6]) -> Isometry3<f64> {
+    let [x, y, z, rx, ry, rz] = pose;
+    let turn = UnitQuaternion::from_euler_angles(rx.to_radians(), ry.to_radians(), rz.to_radians());
+    Isometry3::from_parts(Translation3::new(x, y, z), turn)
+}
+
+/// The pose `[x, y, z, rx, ry, rz]` in mm and degrees of a transform; `ry` is within 90 degrees of zero.
+///
+/// At gimbal lock, where `ry` is 90 or -90, only the sum or difference of `rx` and `rz` is given: `rz` is zero there.
+/// The rotation survives the way to a pose and back everywhere, since `rx` and `ry` are read off after `rz` is undone.
+pub(crate) fn to_pose(transform: &Isometry3<f64>) -> [f64; 6] {
+    let turn = transform.rotation.to_rotation_matrix();
+    let (x_x, x_y) = (turn[(0, 0)], turn[(1, 0)]);
+    let rz = if x_x.hypot(x_y) < LOCKED { 0.0 } else { x_y.atan2(x_x) };
+    let (sin, cos) = rz.sin_cos();
+    let ry = (-turn[(2, 0)]).atan2(cos * x_x + sin * x_y);
+    let rx = (sin * turn[(0, 2)] - cos * turn[(1, 2)]).atan2(cos * turn[(1, 1)] - sin * turn[(0, 1)]);
+    let at = transform.translation.vector;
+    // Adding zero turns -0 into 0, which is what a reader of the wire expects.
+    [at.x, at.y, at.z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|number| number + 0.0)
+}

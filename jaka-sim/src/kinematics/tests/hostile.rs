@@ -1,0 +1,82 @@
+//! Targets out of reach and inputs nobody should send.
+
+use super::super::{Model, from_pose, to_pose};
+
+const ODD: [f64; 10] =
+    [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, f64::MAX, f64::MIN_POSITIVE, -0.0, 1e9, 360.0];
+
+#[test]
+fn too_far_is_out_of_reach() {
+    for model in Model::published() {
+        for x in [1e3 * 2.5, 1e4, -1e5] {
+            assert_eq!(model.inverse(&from_pose([x, 0.0, 300.0, 180.0, 0.0, 0.0]), [0.0; 6]), None, "{}", model.name());
+        }
+    }
+}
+
+/// The wrist cannot come nearer to the base axis than it stands off the arm's plane.
+#[test]
+fn too_near_the_base_axis_is_out_of_reach() {
+    for model in Model::published() {
+        let nearer =
+            0.9 * (model.d()[1] + model.d()[2] + if model.alpha()[3] == 0.0 { model.d()[3] } else { 0.0 }).abs();
+        for z in [0.0, 200.0, 400.0] {
+            let target = from_pose([nearer, 0.0, z, 180.0, 0.0, 0.0]);
+            assert_eq!(model.inverse(&target, [0.0; 6]), None, "{}", model.name());
+        }
+    }
+}
+
+#[test]
+fn a_pose_that_needs_a_joint_beyond_its_limit_is_refused() {
+    let arm = Model::default();
+    // Nearly folded: the elbow at 178 degrees either way, where 175 is the limit.
+    let target = arm.forward([0.0, 45.0, 178.0, -20.0, 90.0, 0.0]);
+    assert_eq!(arm.inverse(&target, [0.0, 45.0, 170.0, -20.0, 90.0, 0.0]), None);
+}
+
+#[test]
+fn odd_numbers_anywhere_give_none_or_a_true_solution() {
+    for model in Model::published() {
+        let joints = [10.0, 60.0, 80.0, 30.0, -90.0, 5.0];
+        let pose = to_pose(&model.forward(joints));
+        for odd in ODD {
+            for index in 0..6 {
+                let (mut pose, mut reference) = (pose, joints);
+                pose[index] = odd;
+                check(model, pose, joints);
+                pose = to_pose(&model.forward(joints));
+                reference[index] = odd;
+                check(model, pose, reference);
+                check(model, to_pose(&model.forward(reference)), joints);
+            }
+            check(model, [odd; 6], [odd; 6]);
+        }
+    }
+}
+
+fn check(model: &Model, pose: [f64; 6], reference: [f64; 6]) {
+    let Some(found) = model.inverse(&from_pose(pose), reference) else { return };
+    assert!(model.within_limits(&found), "{found:?}");
+    let (moved, turned) = super::apart(&model.forward(found), &from_pose(pose));
+    assert!(moved < 0.01 && turned < 0.01, "{pose:?} {found:?}");
+}
+
+#[test]
+fn a_finite_reference_however_large_still_solves() {
+    let arm = Model::default();
+    let target = arm.forward([10.0, 60.0, 80.0, 30.0, -90.0, 5.0]);
+    assert!(arm.inverse(&target, [1e300; 6]).is_some());
+    assert_eq!(arm.inverse(&target, [f64::NAN; 6]), None);
+}
+
+#[test]
+fn names_are_found_however_they_are_spelt() {
+    for name in ["Zu 5", "zu5", "JAKA Zu5", "jaka_zu5", "ZU-5"] {
+        assert_eq!(Model::named(name), Some(&Model::default()), "{name}");
+    }
+    assert_eq!(Model::named("Zu 6"), None);
+    for model in Model::published() {
+        assert_eq!(Model::named(model.name()), Some(model));
+    }
+}

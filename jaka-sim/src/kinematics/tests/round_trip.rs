@@ -1,0 +1,121 @@
+//! Joints to a pose and back, over random joints of every model.
+
+use super::super::{Model, from_pose, to_pose};
+use super::{Random, assert_close};
+
+const POSES: usize = 10_000;
+/// Looser than the sum of rounding, tighter than asked for.
+const CLOSE: (f64, f64) = (0.001, 0.0001);
+
+/// Whether two solutions meet at these joints, so that which of them is nearest is a matter of rounding.
+fn singular(model: &Model, joints: &[f64; 6]) -> bool {
+    let parallel = model.alpha()[3] == 0.0;
+    let bars = if parallel { joints[2] } else { joints[2] + model.joint_homeoff()[2] + 90.0 };
+    let aside = (model.d()[1] + model.d()[2] + if parallel { model.d()[3] } else { 0.0 }).abs();
+    let flange = model.forward(*joints);
+    let wrist = flange * nalgebra::Point3::new(0.0, 0.0, -model.d()[5]);
+    let flat = |degrees: f64| degrees.to_radians().sin().abs() < 0.05;
+    flat(joints[4]) || flat(bars) || wrist.x.hypot(wrist.y) < 1.05 * aside + 5.0
+}
+
+#[test]
+fn a_close_reference_gives_the_joints_back() {
+    for (seed, model) in (1..).zip(Model::published()) {
+        let (mut random, mut tried) = (Random::new(seed), 0);
+        while tried < POSES {
+            let joints = random.joints(model);
+            if singular(model, &joints) {
+                continue;
+            }
+            tried += 1;
+            let reference = joints.map(|joint| joint + random.between(-0.5, 0.5));
+            // By way of the pose's numbers, as a client would.
+            let target = from_pose(to_pose(&model.forward(joints)));
+            let found = model.inverse(&target, reference).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            assert_close(&model.forward(found), &target, CLOSE, model.name());
+            let same = found.iter().zip(joints).all(|(found, joint)| (found - joint).abs() < 0.01);
+            assert!(same, "{} {joints:?} {found:?}", model.name());
+        }
+    }
+}
+
+#[test]
+fn a_far_reference_gives_a_solution_too() {
+    for (seed, model) in (101..).zip(Model::published()) {
+        let mut random = Random::new(seed);
+        for _ in 0..POSES {
+            let (joints, reference) = (random.joints(model), random.joints(model));
+            let target = model.forward(joints);
+            let found = model.inverse(&target, reference).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            assert_close(&model.forward(found), &target, CLOSE, model.name());
+            assert!(model.within_limits(&found), "{} {found:?}", model.name());
+        }
+    }
+}
+
+/// The joints the pose was made from are one solution, so nothing found may be further from the reference.
+#[test]
+fn nothing_nearer_to_the_reference_is_missed() {
+    let distance = |one: &[f64; 6], other: &[f64; 6]| one.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+    for (seed, model) in (201..).zip(Model::published()) {
+        let mut random = Random::new(seed);
+        for _ in 0..1_000 {
+            let (joints, reference) = (random.joints(model), random.joints(model));
+            let found = model.inverse(&model.forward(joints), reference).expect("reachable");
+            assert!(
+                distance(&found, &reference) <= distance(&joints, &reference) + 1e-3,
+                "{} {joints:?}",
+                model.name()
+            );
+        }
+    }
+}
+
+/// With the wrist in line the free joint keeps its place, at every multiple of a half turn and near it.
+#[test]
+fn a_singular_wrist_keeps_the_reference() {
+    for (seed, model) in (301..).zip(Model::published()) {
+        let mut random = Random::new(seed);
+        for sine in [0.0, 1e-12, 1e-9, 5e-8, 1.1e-7, 1e-6, 1e-4] {
+            for _ in 0..200 {
+                let mut joints = random.joints(model);
+                joints[4] = f64::to_degrees(sine);
+                let target = model.forward(joints);
+                let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+                assert_close(&model.forward(found), &target, CLOSE, model.name());
+                let free = if model.alpha()[3] == 0.0 { 5 } else { 3 };
+                assert!(
+                    sine > 1e-8 || (found[free] - joints[free]).abs() < 0.01,
+                    "{} {joints:?} {found:?}",
+                    model.name()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_stretched_or_upright_arm_solves() {
+    for model in Model::published() {
+        for joints in [
+            [0.0; 6],
+            [0.0, 90.0, 0.0, 90.0, 0.0, 0.0],
+            [180.0, 90.0, 0.0, 0.0, 90.0, -180.0],
+            [0.0, 0.0, 90.0, 0.0, 0.0, 360.0],
+        ] {
+            let target = model.forward(joints);
+            let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            assert_close(&model.forward(found), &target, (0.01, 0.01), model.name());
+        }
+    }
+}
+
+#[test]
+fn turns_follow_the_reference() {
+    let arm = Model::default();
+    for turn in [-360.0, 0.0, 360.0] {
+        let joints = [f64::midpoint(turn, 0.0), 60.0, 80.0, 30.0, -90.0, turn];
+        let found = arm.inverse(&arm.forward(joints), joints).expect("reachable");
+        assert!(found.iter().zip(joints).all(|(found, joint)| (found - joint).abs() < 0.001), "{joints:?} {found:?}");
+    }
+}

@@ -1,0 +1,92 @@
+//! The angles beyond joint 1, for each kind of wrist.
+
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
+
+use super::closed_form::two_bars;
+use super::model::Model;
+
+/// Below this sine of joint 5 two wrist axes are in line and only the sum of their angles counts.
+const SINGULAR: f64 = 1e-7;
+
+impl Model {
+    /// Joint 4 parallel to 2 and 3: joints 5 and 6 follow from where the plane's normal points in the flange's frame.
+    pub(super) fn parallel_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6]) -> Vec<[f64; 6]> {
+        let normal = target.rotation.inverse() * Vector3::new(first.sin(), -first.cos(), 0.0);
+        wrist_turns(normal.x.hypot(normal.y), normal.z)
+            .into_iter()
+            .flatten()
+            .flat_map(|fifth| {
+                let sixth = if fifth.sin().abs() < SINGULAR {
+                    reference[5]
+                } else {
+                    (-normal.y * fifth.signum()).atan2(normal.x * fifth.signum())
+                };
+                self.planar(target, first, fifth, sixth)
+            })
+            .collect()
+    }
+
+    /// Joints 2, 3 and 4 lie in one plane: two bars to reach the wrist, and the rest of the turn for joint 4.
+    fn planar(&self, target: &Isometry3<f64>, first: f64, fifth: f64, sixth: f64) -> Vec<[f64; 6]> {
+        let angles = [first, 0.0, 0.0, 0.0, fifth, sixth];
+        let plane = flatten(&(self.product(0..1, &angles).inverse() * target * self.product(4..6, &angles).inverse()));
+        let turn = plane.rotation.to_rotation_matrix();
+        let total = turn[(1, 0)].atan2(turn[(0, 0)]);
+        let at = plane.translation.vector;
+        let bars = two_bars(self.a[2], self.a[3], at.x, at.y);
+        let finish = |(second, third)| [first, second, third, total - second - third, fifth, sixth];
+        bars.into_iter().flatten().map(finish).collect()
+    }
+
+    /// The wrist's axes meet: two bars to reach that point, and the three wrist joints make the turn that is left.
+    pub(super) fn spherical_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6]) -> Vec<[f64; 6]> {
+        let plane = flatten(&(self.product(0..1, &[first; 6]).inverse() * target));
+        let wrist = plane * Point3::new(0.0, 0.0, -self.d[5]);
+        // The second bar leads from joint 3 to the wrist, at a fixed angle to the forearm's x axis.
+        let (length, lean) = (self.a[3].hypot(self.d[3]), self.d[3].atan2(self.a[3]));
+        let bars = two_bars(self.a[2], length, wrist.x, wrist.y);
+        bars.into_iter()
+            .flatten()
+            .flat_map(|(second, bend)| self.turns(target, [first, second, bend - lean], reference))
+            .collect()
+    }
+
+    /// Joints 4, 5 and 6 from `Rz(fourth) Ry(-fifth) Rz(sixth)`.
+    fn turns(&self, target: &Isometry3<f64>, arm: [f64; 3], reference: &[f64; 6]) -> Vec<[f64; 6]> {
+        let [first, second, third] = arm;
+        let forearm = self.product(0..3, &[first, second, third, 0.0, 0.0, 0.0]).rotation;
+        let left = quarter_turn() * (forearm.inverse() * target.rotation).to_rotation_matrix();
+        let finish = |fifth: f64| {
+            let fourth = if fifth.sin().abs() < SINGULAR {
+                reference[3]
+            } else {
+                (-left[(1, 2)] * fifth.signum()).atan2(-left[(0, 2)] * fifth.signum())
+            };
+            [first, second, third, fourth, fifth, last_turn(&left, fourth)]
+        };
+        wrist_turns(left[(0, 2)].hypot(left[(1, 2)]), left[(2, 2)]).into_iter().flatten().map(finish).collect()
+    }
+}
+
+/// Joint 5 both ways from its sine's size and its cosine, or once where the two ways are one.
+fn wrist_turns(sin: f64, cos: f64) -> [Option<f64>; 2] {
+    let fifth = sin.atan2(cos);
+    [Some(fifth), (sin >= SINGULAR).then_some(-fifth)]
+}
+
+/// Joint 6 once joint 4 is known, which holds where the wrist is singular too.
+fn last_turn(left: &Rotation3<f64>, fourth: f64) -> f64 {
+    let undone: Matrix3<f64> = Rotation3::from_axis_angle(&Vector3::z_axis(), -fourth) * left.matrix();
+    undone[(1, 0)].atan2(undone[(1, 1)])
+}
+
+/// A transform in joint 1's frame, seen with the plane of the arm as x and y.
+fn flatten(transform: &Isometry3<f64>) -> Isometry3<f64> {
+    UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -FRAC_PI_2) * transform
+}
+
+fn quarter_turn() -> Rotation3<f64> {
+    Rotation3::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2)
+}

@@ -1,0 +1,107 @@
+//! Programs: lists of the protocol's own motion commands.
+
+use std::collections::HashMap;
+use std::path::Path;
+use std::{fs, io};
+
+use jaka_proto::Request;
+use jaka_proto::messages::motion::JointMove;
+use jaka_proto::messages::program::ProgramState;
+use jaka_proto::messages::types::MoveMode;
+
+use crate::answer;
+use crate::motion::Joints;
+use crate::world::World;
+
+/// The commands of a program, in order.
+pub(crate) type Program = Vec<Request>;
+
+/// The program that runs, and how far it is.
+#[derive(Debug)]
+pub(crate) struct Runner {
+    program: Program,
+    next: usize,
+}
+
+impl Runner {
+    pub(crate) fn new(program: Program) -> Self {
+        Self { program, next: 0 }
+    }
+}
+
+impl World {
+    /// Starts the next command of the program when the one before has ended.
+    pub(crate) fn run_program(&mut self) {
+        if self.state.program_state != ProgramState::Running || self.engine.is_busy() {
+            return;
+        }
+        let Some(runner) = &mut self.runner else {
+            return;
+        };
+        let Some(command) = runner.program.get(runner.next).cloned() else {
+            return self.end_program();
+        };
+        runner.next += 1;
+        if !answer::start_motion(&command, self) {
+            log::debug!(target: "jaka_sim", "the program ends: `{}` is refused", command.info().name);
+            self.end_program();
+        }
+    }
+
+    /// The program is over.
+    pub(crate) fn end_program(&mut self) {
+        self.runner = None;
+        self.state.program_state = ProgramState::Idle;
+    }
+}
+
+/// The programs that every controller has: the document's example, which moves joint 1 there and back.
+pub(crate) fn built_in() -> HashMap<String, Program> {
+    let turn = |angle: f64| {
+        let joint_position = [angle, 0.0, 0.0, 0.0, 0.0, 0.0].into();
+        let (mode, speed, acceleration) = (MoveMode::Relative, 30.0, Some(120.0));
+        Request::JointMove(JointMove { mode, joint_position, speed, acceleration })
+    };
+    let program = vec![turn(10.0), turn(-10.0)];
+    HashMap::from([("test.jks".to_owned(), program.clone()), ("track/test.jks".to_owned(), program)])
+}
+
+/// A program that goes through recorded positions.
+pub(crate) fn replay(points: &[Joints]) -> Program {
+    let to = |joints: &Joints| {
+        let joint_position = (*joints).into();
+        let (mode, speed, acceleration) = (MoveMode::Absolute, 30.0, Some(120.0));
+        Request::JointMove(JointMove { mode, joint_position, speed, acceleration })
+    };
+    points.iter().map(to).collect()
+}
+
+/// The programs of a folder: files of requests, one a line, as they go over the wire. Their names are those of the files,
+/// with the folders below `root` before them.
+pub(crate) fn load_folder(root: &Path, programs: &mut HashMap<String, Program>) -> io::Result<()> {
+    load_below(root, "", programs)
+}
+
+fn load_below(folder: &Path, prefix: &str, programs: &mut HashMap<String, Program>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            load_below(&entry.path(), &format!("{name}/"), programs)?;
+        } else {
+            let text = fs::read_to_string(entry.path())?;
+            programs.insert(name.clone(), parse(&text).map_err(|error| invalid(&name, &error))?);
+        }
+    }
+    Ok(())
+}
+
+fn parse(text: &str) -> Result<Program, String> {
+    let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+    let read = |(number, line): (usize, &str)| Request::read(line).map_err(|error| format!("line {}: {error}", number + 1));
+    lines.map(read).collect()
+}
+
+fn invalid(name: &str, error: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, format!("program `{name}`, {error}"))
+}

@@ -1,0 +1,67 @@
+//! What comes of packets on their way to a reader.
+
+use std::io::{self, ErrorKind, Write};
+use std::net::TcpStream;
+use std::time::Duration;
+
+use crate::StatusFault;
+use crate::fault::garbage;
+
+/// The least time between two packets.
+const LEAST_PERIOD: Duration = Duration::from_millis(1);
+
+/// The way of packets to a reader, with what is wrong with it.
+#[derive(Debug)]
+pub(super) struct Outlet<'s> {
+    stream: &'s TcpStream,
+    fault: StatusFault,
+    /// Packets and bytes of them since the fault was set.
+    packets: u64,
+    bytes: usize,
+}
+
+/// The time between two packets, which is this one if nothing is wrong.
+pub(super) fn period(fault: &StatusFault, usual: Duration) -> Duration {
+    let period = if let StatusFault::Slow(period) = fault { *period } else { usual };
+    period.max(LEAST_PERIOD)
+}
+
+impl<'s> Outlet<'s> {
+    pub(super) fn new(stream: &'s TcpStream, fault: StatusFault) -> Self {
+        Self { stream, fault, packets: 0, bytes: 0 }
+    }
+
+    pub(super) fn fault(&self) -> &StatusFault {
+        &self.fault
+    }
+
+    /// Writes bytes as they are.
+    pub(super) fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.stream.write_all(bytes)
+    }
+
+    /// Writes a packet, or what becomes of it. An error says that the connection ends.
+    pub(super) fn send_packet(&mut self, packet: &[u8]) -> io::Result<()> {
+        self.packets = self.packets.wrapping_add(1);
+        match self.fault {
+            StatusFault::Silent => Ok(()),
+            StatusFault::Pieces(size) => packet.chunks(size.max(1)).try_for_each(|piece| self.stream.write_all(piece)),
+            StatusFault::Garbage { bytes, seed } => {
+                let noise = garbage(bytes, seed.wrapping_add(self.packets));
+                self.stream.write_all(&[&noise, packet].concat())
+            }
+            StatusFault::Cut(count) => self.stream.write_all(&packet[..packet.len().min(count)]),
+            StatusFault::Instead(ref bytes) => self.stream.write_all(bytes),
+            StatusFault::CloseAfter(count) => self.send_up_to(count, packet),
+            StatusFault::None | StatusFault::Slow(_) => self.stream.write_all(packet),
+        }
+    }
+
+    fn send_up_to(&mut self, count: usize, packet: &[u8]) -> io::Result<()> {
+        let left = count.saturating_sub(self.bytes);
+        let part = &packet[..packet.len().min(left)];
+        self.stream.write_all(part)?;
+        self.bytes += part.len();
+        if self.bytes < count { Ok(()) } else { Err(io::Error::new(ErrorKind::ConnectionAborted, "closed by a fault")) }
+    }
+}

@@ -1,0 +1,215 @@
+//! The controller and its arm over time.
+
+use std::collections::HashMap;
+use std::io;
+use std::time::Duration;
+
+use jaka_proto::messages::force::IdentifyStatus;
+use jaka_proto::messages::program::ProgramState;
+use jaka_proto::messages::types::{JointPosition, Pose};
+
+use crate::book::Book;
+use crate::clock::CYCLE;
+use crate::kinematics::{Model, from_pose, to_pose};
+use crate::motion::{Engine, Frame, Joints};
+use crate::program::{Program, Runner};
+use crate::state::Payload;
+use crate::{Builder, Delays, State};
+
+/// The state, and what changes it as time goes on.
+#[derive(Debug)]
+pub(crate) struct World {
+    pub(crate) state: State,
+    pub(crate) model: Model,
+    pub(crate) engine: Engine,
+    pub(crate) programs: HashMap<String, Program>,
+    pub(crate) runner: Option<Runner>,
+    pub(crate) recorder: Recorder,
+    /// The trajectory files, by name; the document's own, which stand in the list from the start, are empty.
+    pub(crate) recordings: HashMap<String, Vec<Joints>>,
+    /// True while the arm moves to identify the payload.
+    pub(crate) identifying: bool,
+    pub(crate) delays: Delays,
+    changes: Vec<(Duration, Change)>,
+    now: Duration,
+}
+
+/// A change of state that takes its time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Change {
+    PoweredOn,
+    Enabled,
+    ServoMode(bool),
+}
+
+/// Where the arm has been while trajectory recording was on.
+#[derive(Debug, Default)]
+pub(crate) struct Recorder {
+    pub(crate) file_name: Option<String>,
+    pub(crate) points: Vec<Joints>,
+}
+
+impl World {
+    pub(crate) fn new(options: &Builder, book: &Book) -> io::Result<Self> {
+        let model = options.model.clone();
+        let mut world = Self {
+            state: State::initial(book, &model)?,
+            model,
+            engine: Engine::default(),
+            programs: options.programs()?,
+            runner: None,
+            recorder: Recorder::default(),
+            recordings: HashMap::new(),
+            identifying: false,
+            delays: options.delays,
+            changes: Vec::new(),
+            now: Duration::ZERO,
+        };
+        world.settle();
+        Ok(world)
+    }
+
+    /// The controller's time.
+    pub(crate) fn now(&self) -> Duration {
+        self.now
+    }
+
+    /// Lets time pass, cycle by cycle.
+    pub(crate) fn advance_to(&mut self, now: Duration) {
+        while now.saturating_sub(self.now) >= CYCLE {
+            if self.is_idle() {
+                // Whole cycles, so that cycles stay where they are.
+                let cycles = (now - self.now).as_nanos() / CYCLE.as_nanos();
+                self.now += CYCLE * u32::try_from(cycles).unwrap_or(u32::MAX);
+                continue;
+            }
+            self.now += CYCLE;
+            self.cycle();
+        }
+    }
+
+    fn is_idle(&self) -> bool {
+        self.changes.is_empty() && !self.engine.is_busy() && self.runner.is_none() && self.engine.busy().is_zero()
+    }
+
+    fn cycle(&mut self) {
+        self.run_changes();
+        self.run_program();
+        let joints = self.state.joint_position.0;
+        let rate = if self.state.program_state == ProgramState::Paused { 0.0 } else { self.state.rapid_rate };
+        let before = self.tool_point(joints);
+        let after = self.engine.cycle(joints, rate, &self.model);
+        self.state.joint_position = JointPosition(after);
+        let moved = (self.tool_point(after) - before).norm();
+        self.state.tcp_speed = moved / CYCLE.as_secs_f64();
+        self.record(after);
+        if self.identifying && self.engine.pending() == 0 {
+            self.identified();
+        }
+        self.show();
+    }
+
+    /// Makes a change after a delay, or at once if there is none.
+    pub(crate) fn later(&mut self, delay: Duration, change: Change) {
+        if delay.is_zero() {
+            self.make(change);
+        } else {
+            self.changes.push((self.now + delay, change));
+        }
+    }
+
+    fn run_changes(&mut self) {
+        let now = self.now;
+        let due: Vec<_> = self.changes.iter().filter(|(at, _)| *at <= now).map(|(_, change)| *change).collect();
+        self.changes.retain(|(at, _)| *at > now);
+        for change in due {
+            self.make(change);
+        }
+    }
+
+    fn make(&mut self, change: Change) {
+        match change {
+            Change::PoweredOn => self.state.powered = true,
+            Change::Enabled => self.state.enabled = true,
+            Change::ServoMode(on) => self.state.servo_mode = on,
+        }
+        self.settle();
+    }
+
+    /// Gives up the changes that are under way.
+    pub(crate) fn cancel_changes(&mut self, cancelled: impl Fn(Change) -> bool) {
+        self.changes.retain(|(_, change)| !cancelled(*change));
+    }
+
+    /// Ends what cannot be in this state. Follows each change.
+    pub(crate) fn settle(&mut self) {
+        self.state.settle();
+        if !self.state.can_move() {
+            self.engine.halt();
+            self.end_program();
+            if std::mem::take(&mut self.identifying) {
+                self.state.torque_sensor.identify_status = IdentifyStatus::Failed;
+            }
+        }
+        if !self.state.servo_mode {
+            self.engine.servo.clear();
+        }
+        self.show();
+    }
+
+    /// What follows from the motion: the pose, and whether the robot is in position.
+    fn show(&mut self) {
+        self.state.tcp_pose = self.pose(self.state.joint_position.0);
+        self.state.in_position = !self.engine.is_busy() || self.engine.busy() < self.delays.in_position;
+        if !self.engine.is_busy() {
+            self.state.tcp_speed = 0.0;
+        }
+    }
+
+    fn tool_point(&self, joints: Joints) -> nalgebra::Vector3<f64> {
+        (self.model.forward(joints) * self.tool()).translation.vector
+    }
+
+    /// The tool frame in use, on the flange.
+    pub(crate) fn tool(&self) -> Frame {
+        offset(&self.state.tool_frames, self.state.tool_frame_id)
+    }
+
+    /// The user frame in use, on the base.
+    pub(crate) fn user(&self) -> Frame {
+        offset(&self.state.user_frames, self.state.user_frame_id)
+    }
+
+    /// The tool frame in use, seen from the user frame in use, for these joints.
+    pub(crate) fn pose(&self, joints: Joints) -> Pose {
+        to_pose(&(self.user().inverse() * self.model.forward(joints) * self.tool())).into()
+    }
+
+    /// The flange for a pose as [`pose`](Self::pose) gives it.
+    pub(crate) fn flange(&self, pose: Pose) -> Frame {
+        self.user() * from_pose(pose.into()) * self.tool().inverse()
+    }
+
+    fn identified(&mut self) {
+        self.identifying = false;
+        let Payload { mass, centroid } = self.state.payload;
+        self.state.torque_sensor.identified = Payload { mass, centroid };
+        self.state.torque_sensor.identify_status = IdentifyStatus::Done;
+    }
+
+    fn record(&mut self, joints: Joints) {
+        const MOST: usize = 100_000;
+        if self.recorder.file_name.is_none() || self.recorder.points.len() >= MOST {
+            return;
+        }
+        let far = |last: &Joints| last.iter().zip(&joints).any(|(last, now)| (last - now).abs() > 0.05);
+        if self.recorder.points.last().is_none_or(far) {
+            self.recorder.points.push(joints);
+        }
+    }
+}
+
+fn offset(frames: &[crate::Frame], id: i64) -> Frame {
+    let frame = usize::try_from(id).ok().and_then(|id| frames.get(id));
+    frame.map_or_else(Frame::identity, |frame| from_pose(frame.offset.into()))
+}
