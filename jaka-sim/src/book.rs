@@ -11,6 +11,7 @@ use jaka_spec::{Effect, Requirement, Spec};
 #[derive(Debug)]
 pub(crate) struct Book {
     entries: HashMap<String, Entry>,
+    pub(crate) spec: Spec,
     /// What the controller says to something that is no command.
     pub(crate) unknown: String,
 }
@@ -36,14 +37,14 @@ impl Book {
             return Ok(book);
         }
         let spec = jaka_spec::builtin().map_err(io::Error::other)?;
-        Ok(BOOK.get_or_init(|| Self::new(&spec)))
+        Ok(BOOK.get_or_init(|| Self::new(spec)))
     }
 
-    fn new(spec: &Spec) -> Self {
+    fn new(spec: Spec) -> Self {
         let entries = spec.commands().map(|command| (command.wire.clone(), Entry::new(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
-        Self { entries, unknown }
+        Self { entries, spec, unknown }
     }
 
     pub(crate) fn entry(&self, command: &str) -> Option<&Entry> {

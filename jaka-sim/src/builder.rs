@@ -10,7 +10,7 @@ use jaka_proto::Request;
 
 use crate::kinematics::Model;
 use crate::program::{self, Program};
-use crate::{Controller, Delays, FaultPlan};
+use crate::{Controller, Delays, FaultPlan, Firmware, ReplyStyle};
 
 /// Options for a [`Controller`], which are set before it starts.
 #[derive(Debug, Clone)]
@@ -25,7 +25,9 @@ pub struct Builder {
     programs: HashMap<String, Program>,
     pub(crate) takeover: Takeover,
     pub(crate) faults: FaultPlan,
-    pub(crate) status_period: Duration,
+    pub(crate) firmware: Firmware,
+    reply_style: Option<ReplyStyle>,
+    status_period: Option<Duration>,
 }
 
 impl Builder {
@@ -41,7 +43,9 @@ impl Builder {
             programs: program::built_in(),
             takeover: Takeover::Replace,
             faults: FaultPlan::new(),
-            status_period: Duration::from_millis(50),
+            firmware: Firmware::Document,
+            reply_style: None,
+            status_period: None,
         }
     }
 
@@ -122,13 +126,37 @@ impl Builder {
         self
     }
 
-    /// Sets the time between two status packets: 50 ms if not set.
+    /// Sets the firmware that the controller looks like: [`Firmware::Document`] if not set.
+    #[must_use]
+    pub fn firmware(mut self, firmware: Firmware) -> Self {
+        self.firmware = firmware;
+        self
+    }
+
+    /// Sets how replies are written: as the firmware does if not set.
+    #[must_use]
+    pub fn reply_style(mut self, style: ReplyStyle) -> Self {
+        self.reply_style = Some(style);
+        self
+    }
+
+    /// Sets the time between two status packets: that of the firmware if not set, which is 50 ms as a rule.
     ///
     /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of [`Controller::publish`].
     #[must_use]
     pub fn status_period(mut self, period: Duration) -> Self {
-        self.status_period = period;
+        self.status_period = Some(period);
         self
+    }
+
+    /// The time between two status packets.
+    pub(crate) fn period(&self) -> Duration {
+        self.status_period.unwrap_or_else(|| self.firmware.status_period())
+    }
+
+    /// How replies are written.
+    pub(crate) fn style(&self) -> ReplyStyle {
+        self.reply_style.unwrap_or_else(|| self.firmware.reply_style())
     }
 
     /// Starts the controller.

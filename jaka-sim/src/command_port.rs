@@ -18,7 +18,7 @@ use self::line::{Flow, Line};
 pub(crate) use self::rival::Rival;
 pub(crate) use self::seat::Seat;
 use crate::shared::Shared;
-use crate::{Takeover, answer};
+use crate::{Takeover, answer, firmware};
 
 /// Lets clients in until the door is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -132,12 +132,13 @@ fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Write
     let mut way_out = line.way_out();
     reply.clear();
     log::trace!(target: "jaka_sim", "received {incoming}");
+    let mut world = shared.world();
     match incoming {
-        Incoming::Request(text) => {
-            answer::answer(text, shared.book, &mut shared.world(), reply);
-        }
+        Incoming::Request(text) => answer::answer(text, shared.book, &mut world, reply),
         Incoming::NoText(_) | Incoming::Garbage => answer::refuse_unknown(shared.book, reply),
     }
+    firmware::restyle(shared.options.style(), &shared.book.spec, &world.state, reply);
+    drop(world);
     let fault = shared.faults().next(incoming.command().as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
         shared.tape.record(text.clone());

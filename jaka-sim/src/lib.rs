@@ -9,6 +9,7 @@ mod controller;
 mod delays;
 mod door;
 mod fault;
+mod firmware;
 mod kinematics;
 mod lock;
 mod motion;
@@ -23,11 +24,12 @@ pub use builder::{Builder, Takeover};
 pub use controller::Controller;
 pub use delays::Delays;
 pub use fault::{Fault, FaultPlan, ScriptError, StatusFault};
-pub use kinematics::Model;
+pub use firmware::{CodeStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, Separators, TruthStyle};
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
+pub use kinematics::Model;
 pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };

@@ -98,7 +98,8 @@ fn load_below(folder: &Path, prefix: &str, programs: &mut HashMap<String, Progra
 
 fn parse(text: &str) -> Result<Program, String> {
     let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-    let read = |(number, line): (usize, &str)| Request::read(line).map_err(|error| format!("line {}: {error}", number + 1));
+    let read =
+        |(number, line): (usize, &str)| Request::read(line).map_err(|error| format!("line {}: {error}", number + 1));
     lines.map(read).collect()
 }
 

@@ -53,7 +53,7 @@ impl Shared {
             world: Mutex::new(World::new(&options, book)?),
             clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
             faults: Mutex::new(options.faults.clone()),
-            steps: Mutex::new(Steps { now: Duration::ZERO, packet: Some(options.status_period) }),
+            steps: Mutex::new(Steps { now: Duration::ZERO, packet: Some(options.period()) }),
             options,
         })
     }
@@ -77,7 +77,7 @@ impl Shared {
         while let Some(due) = steps.packet.filter(|due| *due <= end) {
             lock(&self.world).advance_to(due);
             self.readers.publish(self);
-            steps.packet = due.checked_add(self.readers.period(self.options.status_period).max(CYCLE));
+            steps.packet = due.checked_add(self.readers.period(self.options.period()).max(CYCLE));
         }
         lock(&self.world).advance_to(end);
         steps.now = end;

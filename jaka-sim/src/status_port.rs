@@ -36,8 +36,8 @@ fn admit(guest: TcpStream, shared: &Arc<Shared>) -> io::Result<()> {
     log::trace!(target: "jaka_sim", "status reader connected");
     let host = Arc::clone(shared);
     // With a stepped clock, packets go out as it is stepped.
-    let period = Some(host.options.status_period).filter(|_| !host.options.stepped);
-    shared.readers.add(guest, move |reader| reader.run(period, || packet(&host.world().state)))
+    let period = Some(host.options.period()).filter(|_| !host.options.stepped);
+    shared.readers.add(guest, move |reader| reader.run(period, || packet(&host.world().state, host.options.firmware)))
 }
 
 /// Closes a connection, and waits for its thread.
@@ -81,7 +81,7 @@ impl Readers {
 
     /// Sends the present state to all.
     pub(crate) fn publish(&self, shared: &Shared) {
-        let packet = packet(&shared.world().state);
+        let packet = packet(&shared.world().state, shared.options.firmware);
         self.post(&Letter::Packet(packet.into()));
     }
 

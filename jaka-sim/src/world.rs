@@ -65,6 +65,7 @@ impl World {
             changes: Vec::new(),
             now: Duration::ZERO,
         };
+        options.firmware.fit(&mut world.state);
         world.settle();
         Ok(world)
     }

@@ -7,8 +7,8 @@ use jaka_proto::messages::force::{
 use jaka_proto::wire::{Typed, Writer};
 
 use super::{Outcome, accept, is_on, reply};
-use crate::world::World;
 use crate::state::AdmittanceControl;
+use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let state = &mut world.state;

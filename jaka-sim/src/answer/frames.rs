@@ -6,8 +6,8 @@ use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::world::World;
 use crate::state::Frame;
+use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let state = &mut world.state;

@@ -8,8 +8,8 @@ use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
 use crate::State;
-use crate::world::World;
 use crate::state::ToolVoltage;
+use crate::world::World;
 
 /// Outputs with this index and above are refused, so that no client can make the state grow.
 const MAX_OUTPUTS: i64 = 1024;

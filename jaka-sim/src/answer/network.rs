@@ -4,8 +4,8 @@ use jaka_proto::Request;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept};
-use crate::world::World;
 use crate::state::NetworkException;
+use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let state = &mut world.state;

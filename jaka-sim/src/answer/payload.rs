@@ -5,8 +5,8 @@ use jaka_proto::messages::payload::GetPayloadReply;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::world::World;
 use crate::state::Payload;
+use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let state = &mut world.state;

@@ -8,8 +8,8 @@ use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
 use crate::program::replay;
-use crate::world::{Recorder, World};
 use crate::state::{Trajectory, TrajectoryConfig};
+use crate::world::{Recorder, World};
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let trajectory = &mut world.state.trajectory;

@@ -86,7 +86,9 @@ impl FaultPlan {
     fn read_seed(&mut self, args: &mut Args<'_, '_>) -> Result<(), ScriptError> {
         let seed = args.number("a seed")?;
         match self.seed {
-            Some(other) if other != seed => Err(args.unfit(format!("the seed has been {other}, and there is only one"))),
+            Some(other) if other != seed => {
+                Err(args.unfit(format!("the seed has been {other}, and there is only one")))
+            }
             Some(_) => Ok(()),
             None => {
                 self.set_seed(seed);
@@ -117,10 +119,7 @@ fn one<'w, 's, T>(
 }
 
 /// What has to be the only thing in a text.
-fn alone<T>(
-    script: &str,
-    read: impl FnOnce(&mut Args<'_, '_>) -> Result<T, ScriptError>,
-) -> Result<T, ScriptError> {
+fn alone<T>(script: &str, read: impl FnOnce(&mut Args<'_, '_>) -> Result<T, ScriptError>) -> Result<T, ScriptError> {
     let words: Vec<_> = words::lines(script)?.into_iter().flatten().collect();
     let mut args = Args::new(&words);
     let item = read(&mut args)?;

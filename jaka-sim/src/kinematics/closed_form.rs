@@ -1,8 +1,8 @@
 //! All joint angles that reach a pose, in closed form.
 //!
-//! Joints 2 and 3 are parallel on every arm here, so the wrist stays at a fixed distance from the vertical plane through the
-//! base axis that joint 1 turns: that gives joint 1, two ways. The wrist gives two ways more, and the triangle of upper arm
-//! and forearm the last two: eight in all.
+//! Joints 2 and 3 are parallel on every arm here, so the wrist stays at a fixed distance from the vertical plane
+//! through the base axis that joint 1 turns: that gives joint 1, two ways. The wrist gives two ways more, and the
+//! triangle of upper arm and forearm the last two: eight in all.
 
 use std::f64::consts::PI;
 
@@ -10,12 +10,13 @@ use nalgebra::{Isometry3, Point3};
 
 use super::model::{Model, Wrist};
 
-/// How far beyond its range a sine or cosine may be and still count as rounding.
-const ROUNDING: f64 = 1e-9;
+/// How far beyond its range a sine or cosine may be and still count as rounding; `inverse` confirms what this lets
+/// through.
+const ROUNDING: f64 = 1e-6;
 
 impl Model {
-    /// The angles in radians, at most eight sets, that bring the flange to `target`; where the wrist is singular, the joint
-    /// that is free keeps its angle from `reference`.
+    /// The angles in radians, at most eight sets, that bring the flange to `target`; where the wrist is singular, the
+    /// joint that is free keeps its angle from `reference`.
     pub(super) fn closed_form(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Vec<[f64; 6]> {
         let solve = match self.wrist {
             Wrist::Parallel => Self::parallel_wrist,
@@ -39,7 +40,8 @@ impl Model {
     }
 }
 
-/// Two bars in a plane, joined end to end: the angles at the first joint and between the bars that bring the end to `x, y`.
+/// Two bars in a plane, joined end to end: the angles at the first joint and between the bars that bring the end to
+/// `x, y`.
 pub(super) fn two_bars(first: f64, second: f64, x: f64, y: f64) -> [Option<(f64, f64)>; 2] {
     let cos = (x * x + y * y - first * first - second * second) / (2.0 * first * second);
     let Some(bend) = unit(cos).map(f64::acos) else {

@@ -1,6 +1,6 @@
 //! From joint positions to the flange.
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 use super::model::Model;
 
@@ -8,13 +8,13 @@ impl Model {
     /// The flange in the base frame, in mm, for joint positions in degrees; soft limits are not looked at.
     ///
     /// Joint positions that are not finite give a transform that is not finite either.
-    pub fn forward(&self, joints: [f64; 6]) -> Isometry3<f64> {
+    pub(crate) fn forward(&self, joints: [f64; 6]) -> Isometry3<f64> {
         self.product(0..6, &self.angles(&joints))
     }
 
     /// The angles of the links in radians for joint positions in degrees.
     pub(super) fn angles(&self, joints: &[f64; 6]) -> [f64; 6] {
-        std::array::from_fn(|index| (joints[index] + self.joint_homeoff[index]).to_radians())
+        std::array::from_fn(|index| (joints[index] + self.joint_home_offset[index]).to_radians())
     }
 
     /// The transform across consecutive links, counted from 0, at angles in radians.
@@ -36,10 +36,13 @@ impl Model {
         self.a.iter().chain(&self.d).map(|length| length.abs()).sum()
     }
 
+    /// Across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
     fn link(&self, index: usize, angle: f64) -> Isometry3<f64> {
-        let twist = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), self.alpha[index].to_radians());
-        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
-        let along = Vector3::x() * self.a[index] + twist * Vector3::z() * self.d[index];
-        Isometry3::from_parts(Translation3::from(along), twist * turn)
+        let (twist_sin, twist_cos) = self.alpha[index].to_radians().sin_cos();
+        let along = Translation3::new(self.a[index], -twist_sin * self.d[index], twist_cos * self.d[index]);
+        let (half_sin, half_cos) = (0.5 * self.alpha[index].to_radians()).sin_cos();
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        let turn = Quaternion::new(half_cos * cos, half_sin * cos, -half_sin * sin, half_cos * sin);
+        Isometry3::from_parts(along, UnitQuaternion::new_unchecked(turn))
     }
 }

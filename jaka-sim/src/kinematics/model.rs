@@ -2,19 +2,19 @@
 
 use super::published::PUBLISHED;
 
-/// The figures of one arm: its Denavit-Hartenberg parameters, joint limits and joint speeds, in millimetres and degrees.
+/// The figures of one arm: its Denavit-Hartenberg parameters, joint limits and joint speeds, in millimetres and
+/// degrees.
 ///
 /// ```
-/// use jaka_sim::{Model, to_pose};
+/// use jaka_sim::Model;
 ///
 /// let arm = Model::default();
 /// assert_eq!(arm.name(), "Zu 5");
 ///
-/// let joints = [10.0, 60.0, 80.0, 30.0, -90.0, 0.0];
-/// let flange = arm.forward(joints);
-/// let found = arm.inverse(&flange, joints).expect("a pose the arm was just in");
-/// assert!(found.iter().zip(joints).all(|(found, joint)| (found - joint).abs() < 1e-6));
-/// assert!(to_pose(&flange)[2] > 0.0);
+/// let joints = [10.0, 60.0, 80.0, 30.0, -90.0, 0.0].into();
+/// let flange = arm.flange(joints);
+/// let found = arm.joints(flange, joints).expect("a pose the arm was just in");
+/// assert!(found.0.iter().zip(joints.0).all(|(found, joint)| (found - joint).abs() < 1e-6));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
@@ -22,7 +22,7 @@ pub struct Model {
     pub(super) alpha: [f64; 6],
     pub(super) a: [f64; 6],
     pub(super) d: [f64; 6],
-    pub(super) joint_homeoff: [f64; 6],
+    pub(super) joint_home_offset: [f64; 6],
     pub(super) joint_min: [f64; 6],
     pub(super) joint_max: [f64; 6],
     pub(super) joint_speed: [f64; 6],
@@ -44,7 +44,8 @@ impl Model {
         &PUBLISHED
     }
 
-    /// The arm of this name; case, blanks, punctuation and a leading "JAKA" do not matter: "Zu 5", "jaka_zu5", "ZU-5".
+    /// The arm of this name; case, blanks, punctuation and a leading "JAKA" do not matter: `Zu 5`, `jaka_zu5`,
+    /// `ZU-5`.
     pub fn named(name: &str) -> Option<&'static Self> {
         let wanted = plain(name);
         PUBLISHED.iter().find(|model| plain(model.name) == wanted)
@@ -71,8 +72,8 @@ impl Model {
     }
 
     /// What is added to each joint position to get the link's angle, in degrees, as `get_dh_param` answers it.
-    pub fn joint_homeoff(&self) -> &[f64; 6] {
-        &self.joint_homeoff
+    pub fn joint_home_offset(&self) -> &[f64; 6] {
+        &self.joint_home_offset
     }
 
     /// The lower soft limit of each joint in degrees.

@@ -1,16 +1,21 @@
 //! The published arms.
 //!
-//! Sources: the URDF files of the vendor's ROS 2 package, JakaCobot/jaka_ros2 `src/jaka_description/urdf/jaka_*.urdf`
-//! (commit 7e985b78, September 2025). Each gives the frame of every joint, from which the parameters here are read off, the
-//! joint limits (rounded in radians there: -1.48 to 4.62 is -85 to 265 degrees, 3.05 is 175) and the joint speeds. The Zu,
-//! Pro 16 and `MiniCobo` lengths and the limits in degrees agree with the Python package `robotkinematicscatalogue` 1.1.2
-//! (`JAKA_*.py`), and speeds and most lengths with the Rust crate `libjaka` 0.1.16 (`src/jaka/jaka_*.rs`), but for:
+//! Sources: the URDF files of the vendor's ROS 2 package, `JakaCobot/jaka_ros2`
+//! `src/jaka_description/urdf/jaka_*.urdf` (commit 7e985b78, September 2025). Each gives the frame of every joint,
+//! from which the parameters here are read off, the joint limits (rounded in radians there: -1.48 to 4.62 is -85 to
+//! 265 degrees, 3.05 is 175) and the joint speeds. The Zu, Pro 16 and `MiniCobo` lengths and the limits in degrees
+//! agree with the Python package `robotkinematicscatalogue` 1.1.2 (`JAKA_*.py`), and speeds and most lengths with the
+//! Rust crate `libjaka` 0.1.16 (`src/jaka/jaka_*.rs`), signs aside and but for:
+//! - Zu 7: the URDF has 303.53 for the forearm; both others, and the URDF of C7, S7 and Pro 7, have 303.5, followed
+//!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
-//! - Zu 12 and Zu 18: the catalogue has tighter limits, 270 degrees for joints 1, 5 and 6.
+//! - Zu 12 and Zu 18: the catalogue has tighter limits, 270 degrees for joints 1, 5 and 6 and on the Zu 18 less for 2
+//!   and 3.
+//! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
-//! What the URDF files carry beyond that is noise of the drawing and is left out: sideways shifts under 0.3 mm, the place of
-//! the base mesh, the turn of joint 6's mesh on the S7. `tests::urdf` compares each model with its chain.
+//! What the URDF files carry beyond that is noise of the drawing and is left out: sideways shifts under 0.3 mm, the
+//! place of the base mesh, the turn of joint 6's mesh on the S7. `tests::urdf` compares each model with its chain.
 
 use super::model::{Model, Wrist};
 
@@ -42,8 +47,8 @@ const SLOW_BASE: [f64; 6] = [120.0, 120.0, 120.0, 180.0, 180.0, 180.0];
 const SLOW_SHOULDER: [f64; 6] = [120.0, 120.0, 180.0, 180.0, 180.0, 180.0];
 const FAST_WRIST: [f64; 6] = [120.0, 120.0, 120.0, 220.0, 220.0, 220.0];
 
-/// An arm whose joints 2, 3 and 4 are parallel, from its lengths in mm: base height, upper arm, forearm, and the offsets of
-/// joints 4, 5 and 6.
+/// An arm whose joints 2, 3 and 4 are parallel, from its lengths in mm: base height, upper arm, forearm, and the
+/// offsets of joints 4, 5 and 6.
 const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Model {
     let [base, upper_arm, forearm, wrist_1, wrist_2, wrist_3] = lengths;
     Model {
@@ -51,7 +56,7 @@ const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Mo
         alpha: [0.0, 90.0, 0.0, 0.0, 90.0, -90.0],
         a: [0.0, 0.0, upper_arm, forearm, 0.0, 0.0],
         d: [base, 0.0, 0.0, -wrist_1, wrist_2, wrist_3],
-        joint_homeoff: [0.0; 6],
+        joint_home_offset: [0.0; 6],
         joint_min: [-360.0, -85.0, -175.0, -85.0, -360.0, -360.0],
         joint_max: [360.0, 265.0, 175.0, 265.0, 360.0, 360.0],
         joint_speed,
@@ -65,7 +70,7 @@ const MINICOBO: Model = Model {
     alpha: [0.0, 90.0, 0.0, -90.0, 90.0, -90.0],
     a: [0.0, 0.0, 210.0, 0.0, 0.0, 0.0],
     d: [187.0, 6.0, 0.0, 210.5, 0.0, 159.3],
-    joint_homeoff: [0.0, 90.0, -90.0, 0.0, 0.0, 0.0],
+    joint_home_offset: [0.0, 90.0, -90.0, 0.0, 0.0, 0.0],
     joint_min: [-360.0, -120.0, -130.0, -360.0, -120.0, -360.0],
     joint_max: [360.0, 120.0, 130.0, 360.0, 120.0, 360.0],
     joint_speed: [90.0; 6],

@@ -2,6 +2,7 @@
 
 mod conventions;
 mod hostile;
+mod polish;
 mod round_trip;
 mod urdf;
 

@@ -47,9 +47,7 @@ impl Path {
     pub(crate) fn length(&self) -> f64 {
         match self {
             Self::Joints { from, to } => from.iter().zip(to).map(|(from, to)| (to - from).abs()).fold(0.0, f64::max),
-            Self::Line { from, to, .. } => {
-                (to.translation.vector - from.translation.vector).norm().max(turn(from, to))
-            }
+            Self::Line { from, to, .. } => (to.translation.vector - from.translation.vector).norm().max(turn(from, to)),
             Self::Arc(arc) => {
                 let radius = (arc.from.translation.vector - arc.centre.coords).norm();
                 (radius * arc.angles.1).max(turn(&arc.from, &arc.middle) + turn(&arc.middle, &arc.to))

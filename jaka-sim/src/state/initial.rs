@@ -85,7 +85,7 @@ fn dh_parameters(model: &Model) -> kinematics::GetDhParamReply {
         alpha: *model.alpha(),
         a: *model.a(),
         d: *model.d(),
-        joint_home_offset: *model.joint_homeoff(),
+        joint_home_offset: *model.joint_home_offset(),
     }
 }
 

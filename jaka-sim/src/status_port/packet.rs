@@ -1,5 +1,7 @@
 //! The status packet.
 
+mod newer;
+
 use jaka_proto::messages::force::TorqueSensorCommunication;
 use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, FunctionInput, FunctionInputKind};
 use jaka_proto::messages::program::ProgramState;
@@ -10,52 +12,56 @@ use jaka_proto::messages::status::{
 use jaka_proto::wire::{Encode, Typed, Value, Writer};
 
 use super::extio;
-use crate::State;
+use crate::firmware::{Shape, respace};
 use crate::state::TorqueSensor;
+use crate::{Firmware, Separators, State};
 
-/// Digital outputs in the document's sample.
-const DIGITAL_OUTPUTS: i64 = 144;
-/// Analog outputs in the document's sample.
-const ANALOG_OUTPUTS: i64 = 66;
-/// Digital outputs of the tool in the document's sample.
-const TOOL_DIGITAL_OUTPUTS: i64 = 8;
-/// Function inputs in the document's sample; `get_funcdi_status` has two fewer.
-const FUNCTION_INPUTS: usize = 15;
 /// Elements of a withdrawn key in the document's sample.
 const HOMED: usize = 9;
 
-/// The packet that shows a state: the keys of the document's sample, in its order, with its lengths of arrays.
-pub(super) fn packet(state: &State) -> Vec<u8> {
+/// The packet that shows a state: the keys of the document's sample, in its order, as far as the firmware sends them.
+pub(super) fn packet(state: &State, firmware: Firmware) -> Vec<u8> {
     let mut status = RobotStatus::default();
     set_head(state, &mut status);
-    set_io(state, &mut status);
+    set_io(state, firmware.shape(), &mut status);
     set_modes(state, &mut status);
-    set_tail(state, &mut status);
-    with_length(status).into_bytes()
+    set_tail(state, firmware.shape(), &mut status);
+    match firmware {
+        Firmware::V1_5_14 => {}
+        Firmware::Document => add_extio(state, &mut status),
+        Firmware::Newer => {
+            add_extio(state, &mut status);
+            newer::add(state, &mut status);
+        }
+    }
+    with_length(status, firmware.separators()).into_bytes()
 }
 
 /// The packet's text, with its own length in it.
-fn with_length(mut status: RobotStatus) -> String {
+fn with_length(mut status: RobotStatus, separators: Separators) -> String {
     status.length = Some(0);
-    let rest = text(&status).len() - 1;
+    let rest = text(&status, separators).len() - 1;
     let mut length = rest;
     // The length counts its own digits. It never shrinks here, so this ends.
     while rest + length.to_string().len() != length {
         length = rest + length.to_string().len();
     }
     status.length = i64::try_from(length).ok();
-    text(&status)
+    text(&status, separators)
 }
 
-fn text(status: &RobotStatus) -> String {
+fn text(status: &RobotStatus, separators: Separators) -> String {
     let mut out = Writer::new();
     status.encode(&mut out);
-    out.into_string()
+    if separators == Separators::Compact { out.into_string() } else { respace(out.as_str(), separators) }
+}
+
+fn add_extio(state: &State, status: &mut RobotStatus) {
+    status.extio = Some(Typed::Known(extio::report(&state.extio)));
 }
 
 fn set_head(state: &State, status: &mut RobotStatus) {
     status.drag_status = Some(state.drag_mode);
-    status.extio = Some(Typed::Known(extio::report(&state.extio)));
     status.error_code = Some(state.error_code.clone());
     status.error_message = Some(state.error_message.clone());
     status.monitor_data = Some(Typed::Known(monitor_data()));
@@ -64,19 +70,26 @@ fn set_head(state: &State, status: &mut RobotStatus) {
     status.actual_position = Some(state.tcp_pose);
 }
 
-fn set_io(state: &State, status: &mut RobotStatus) {
-    let digital = |kind, count| {
-        let is_on = |index| state.digital_outputs.get(&(kind, index)).copied().unwrap_or_default();
-        (0..count).map(is_on).collect()
-    };
-    let analog = |index| state.analog_outputs.get(&(AnalogOutputKind::Cabinet, index)).copied().unwrap_or_default();
+fn set_io(state: &State, shape: Shape, status: &mut RobotStatus) {
     status.digital_inputs = Some(state.digital_inputs.clone());
-    status.digital_outputs = Some(digital(DigitalOutputKind::Cabinet, DIGITAL_OUTPUTS));
+    status.digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Cabinet, shape.digital));
     status.analog_inputs = Some(state.analog_inputs.clone());
-    status.analog_outputs = Some((0..ANALOG_OUTPUTS).map(analog).collect());
+    status.analog_outputs = Some(analog_outputs(state, AnalogOutputKind::Cabinet, shape.analog));
     status.tool_digital_inputs = Some(state.tool_digital_inputs.clone());
-    status.tool_digital_outputs = Some(digital(DigitalOutputKind::Tool, TOOL_DIGITAL_OUTPUTS));
+    status.tool_digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Tool, shape.tool_digital));
     status.tool_analog_inputs = Some(state.tool_analog_inputs.clone());
+}
+
+/// The first outputs of a place; those that have not been set are off.
+fn digital_outputs(state: &State, kind: DigitalOutputKind, count: usize) -> Vec<bool> {
+    let is_on = |index| state.digital_outputs.get(&(kind, index)).copied().unwrap_or_default();
+    (0..).map(is_on).take(count).collect()
+}
+
+/// The first outputs of a place; those that have not been set are 0.
+fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Vec<f64> {
+    let value = |index| state.analog_outputs.get(&(kind, index)).copied().unwrap_or_default();
+    (0..).map(value).take(count).collect()
 }
 
 fn set_modes(state: &State, status: &mut RobotStatus) {
@@ -100,10 +113,10 @@ fn set_modes(state: &State, status: &mut RobotStatus) {
 }
 
 /// The keys that the document does not explain have its values where no part of the state stands behind them.
-fn set_tail(state: &State, status: &mut RobotStatus) {
+fn set_tail(state: &State, shape: Shape, status: &mut RobotStatus) {
     let unassigned = FunctionInput { kind: FunctionInputKind::Unassigned, index: -1 };
     let inputs = state.function_inputs.iter().copied().chain(std::iter::repeat(unassigned));
-    let count = state.function_inputs.len().max(FUNCTION_INPUTS);
+    let count = state.function_inputs.len().max(shape.functions);
     status.on_soft_limit = Some(state.on_soft_limit);
     status.emergency_stop = Some(state.emergency_stop);
     status.drag_near_limit = Some(Typed::Known(vec![0; 6]));
@@ -172,8 +185,10 @@ mod tests {
         for padding in (0..120).chain(900..1020).chain(9_900..10_020) {
             let mut status = RobotStatus::default();
             status.error_message = Some("x".repeat(padding));
-            let text = with_length(status);
+            let text = with_length(status.clone(), Separators::Compact);
             assert!(text.starts_with(&format!("{{\"len\":{},", text.len())), "{padding}: {text}");
+            let text = with_length(status, Separators::Spaced);
+            assert!(text.starts_with(&format!("{{\"len\": {}, ", text.len())), "{padding}: {text}");
         }
     }
 }

@@ -73,7 +73,10 @@ fn a_plan_is_its_lines() {
         .always(Fault::Close);
     let lines = "\n# all of it\ndrop, hold # two\r\n  twice\nfor joint_move: drop, split 2\nrandom 7 1/20 drop,reset\nalways close";
     assert_eq!(plan(lines), expected);
-    assert_eq!(plan("drop,hold;twice;for joint_move:drop,split 2;random 7 1/20 drop , reset ; always close;"), expected);
+    assert_eq!(
+        plan("drop,hold;twice;for joint_move:drop,split 2;random 7 1/20 drop , reset ; always close;"),
+        expected
+    );
     assert_eq!(plan(&expected.to_string()), expected);
     assert_eq!(plan(" \n;;# nothing"), FaultPlan::new());
 }
@@ -105,5 +108,8 @@ fn errors_name_line_and_word() {
     for (text, message) in cases {
         assert_eq!(text.parse::<FaultPlan>().map_err(|error| error.to_string()), Err(message.to_owned()));
     }
-    assert_eq!("".parse::<Fault>().map_err(|error| error.to_string()), Err("line 1: ``: a fault must follow".to_owned()));
+    assert_eq!(
+        "".parse::<Fault>().map_err(|error| error.to_string()),
+        Err("line 1: ``: a fault must follow".to_owned())
+    );
 }

@@ -1,5 +1,6 @@
 //! Targets out of reach and inputs nobody should send.
 
+use super::super::model::Wrist;
 use super::super::{Model, from_pose, to_pose};
 
 const ODD: [f64; 10] =
@@ -19,7 +20,7 @@ fn too_far_is_out_of_reach() {
 fn too_near_the_base_axis_is_out_of_reach() {
     for model in Model::published() {
         let nearer =
-            0.9 * (model.d()[1] + model.d()[2] + if model.alpha()[3] == 0.0 { model.d()[3] } else { 0.0 }).abs();
+            0.9 * (model.d()[1] + model.d()[2] + if model.wrist == Wrist::Parallel { model.d()[3] } else { 0.0 }).abs();
         for z in [0.0, 200.0, 400.0] {
             let target = from_pose([nearer, 0.0, z, 180.0, 0.0, 0.0]);
             assert_eq!(model.inverse(&target, [0.0; 6]), None, "{}", model.name());
@@ -27,12 +28,13 @@ fn too_near_the_base_axis_is_out_of_reach() {
     }
 }
 
+/// Every way to reach this pose asks for joint 5 beyond its 120 degrees.
 #[test]
 fn a_pose_that_needs_a_joint_beyond_its_limit_is_refused() {
-    let arm = Model::default();
-    // Nearly folded: the elbow at 178 degrees either way, where 175 is the limit.
-    let target = arm.forward([0.0, 45.0, 178.0, -20.0, 90.0, 0.0]);
-    assert_eq!(arm.inverse(&target, [0.0, 45.0, 170.0, -20.0, 90.0, 0.0]), None);
+    let arm = Model::named("MiniCobo").expect("published");
+    let beyond = [96.0, 66.0, -3.0, -35.0, 175.0, 314.0];
+    assert!(!arm.within_limits(&beyond));
+    assert_eq!(arm.inverse(&arm.forward(beyond), beyond), None);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Joints to a pose and back, over random joints of every model.
 
+use super::super::model::Wrist;
 use super::super::{Model, from_pose, to_pose};
 use super::{Random, assert_close};
 
@@ -9,8 +10,8 @@ const CLOSE: (f64, f64) = (0.001, 0.0001);
 
 /// Whether two solutions meet at these joints, so that which of them is nearest is a matter of rounding.
 fn singular(model: &Model, joints: &[f64; 6]) -> bool {
-    let parallel = model.alpha()[3] == 0.0;
-    let bars = if parallel { joints[2] } else { joints[2] + model.joint_homeoff()[2] + 90.0 };
+    let parallel = model.wrist == Wrist::Parallel;
+    let bars = if parallel { joints[2] } else { joints[2] + model.joint_home_offset()[2] + 90.0 };
     let aside = (model.d()[1] + model.d()[2] + if parallel { model.d()[3] } else { 0.0 }).abs();
     let flange = model.forward(*joints);
     let wrist = flange * nalgebra::Point3::new(0.0, 0.0, -model.d()[5]);
@@ -43,7 +44,7 @@ fn a_close_reference_gives_the_joints_back() {
 fn a_far_reference_gives_a_solution_too() {
     for (seed, model) in (101..).zip(Model::published()) {
         let mut random = Random::new(seed);
-        for _ in 0..POSES {
+        for _ in 0..POSES / 5 {
             let (joints, reference) = (random.joints(model), random.joints(model));
             let target = model.forward(joints);
             let found = model.inverse(&target, reference).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
@@ -77,13 +78,14 @@ fn a_singular_wrist_keeps_the_reference() {
     for (seed, model) in (301..).zip(Model::published()) {
         let mut random = Random::new(seed);
         for sine in [0.0, 1e-12, 1e-9, 5e-8, 1.1e-7, 1e-6, 1e-4] {
-            for _ in 0..200 {
+            for round in 0..200 {
                 let mut joints = random.joints(model);
-                joints[4] = f64::to_degrees(sine);
+                let half_turn = if round % 2 == 1 && model.joint_max()[4] > 180.0 { 180.0 } else { 0.0 };
+                joints[4] = half_turn + f64::to_degrees(sine);
                 let target = model.forward(joints);
                 let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
                 assert_close(&model.forward(found), &target, CLOSE, model.name());
-                let free = if model.alpha()[3] == 0.0 { 5 } else { 3 };
+                let free = if model.wrist == Wrist::Parallel { 5 } else { 3 };
                 assert!(
                     sine > 1e-8 || (found[free] - joints[free]).abs() < 0.01,
                     "{} {joints:?} {found:?}",
@@ -117,5 +119,26 @@ fn turns_follow_the_reference() {
         let joints = [f64::midpoint(turn, 0.0), 60.0, 80.0, 30.0, -90.0, turn];
         let found = arm.inverse(&arm.forward(joints), joints).expect("reachable");
         assert!(found.iter().zip(joints).all(|(found, joint)| (found - joint).abs() < 0.001), "{joints:?} {found:?}");
+    }
+}
+
+#[test]
+fn joints_at_their_limits_solve() {
+    for (seed, model) in (401..).zip(Model::published()) {
+        let mut random = Random::new(seed);
+        for _ in 0..500 {
+            let mut joints = random.joints(model);
+            for (joint, (min, max)) in joints.iter_mut().zip(model.joint_min().iter().zip(model.joint_max())) {
+                match random.between(-1.0, 1.0) {
+                    ..-0.3 => *joint = *min,
+                    0.3.. => *joint = *max,
+                    _ => {}
+                }
+            }
+            let target = model.forward(joints);
+            let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            assert_close(&model.forward(found), &target, CLOSE, model.name());
+            assert!(model.within_limits(&found), "{} {found:?}", model.name());
+        }
     }
 }

@@ -1,0 +1,87 @@
+//! JSON text, taken apart and put together.
+
+use jaka_proto::wire::Reader;
+
+use super::Separators;
+
+/// The members of an object, their values as they are; `None` for what is no object.
+pub(super) fn members(json: &str) -> Option<Vec<(String, &str)>> {
+    let mut reader = Reader::new(json);
+    let mut members = Vec::new();
+    reader.begin_object().ok()?;
+    while let Some(key) = reader.next_key().ok()? {
+        members.push((key.into_owned(), reader.raw().ok()?));
+    }
+    reader.end().ok()?;
+    Some(members)
+}
+
+/// The elements of an array, as they are; `None` for what is no array.
+pub(super) fn elements(json: &str) -> Option<Vec<&str>> {
+    let mut reader = Reader::new(json);
+    let mut elements = Vec::new();
+    reader.begin_array().ok()?;
+    while reader.next_element().ok()? {
+        elements.push(reader.raw().ok()?);
+    }
+    reader.end().ok()?;
+    Some(elements)
+}
+
+/// The same text with other blanks between its parts. Strings stay as they are.
+pub(crate) fn respace(json: &str, separators: Separators) -> String {
+    let blank = if separators == Separators::Spaced { " " } else { "" };
+    let mut out = String::with_capacity(json.len() * 3 / 2);
+    let mut rest = json;
+    while let Some(at) = rest.find(['"', ',', ':', ' ', '\t', '\r', '\n']) {
+        out.push_str(&rest[..at]);
+        let end = at + if rest[at..].starts_with('"') { string(&rest[at..]) } else { 1 };
+        let part = &rest[at..end];
+        out.push_str(part.trim_ascii());
+        if matches!(part, "," | ":") {
+            out.push_str(blank);
+        }
+        rest = &rest[end..];
+    }
+    out.push_str(rest);
+    out
+}
+
+/// Length of the string with which `json` begins, with its quotes; all of `json` if the string does not end.
+fn string(json: &str) -> usize {
+    let mut at = 1;
+    while let Some(found) = json[at..].find(['"', '\\']) {
+        at += found + 1;
+        if json.as_bytes()[at - 1] == b'"' {
+            return at;
+        }
+        // What is escaped may be a character of several bytes.
+        at += json[at..].chars().next().map_or(0, char::len_utf8);
+    }
+    json.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blanks_stand_where_they_should() {
+        let json = " {\"a\" : [1 ,2,\t{}],\r\n\"b, c: \\\" d:e\" :\"\\\\\",\"f\":\"x , y:z\"}\n";
+        let compact = r#"{"a":[1,2,{}],"b, c: \" d:e":"\\","f":"x , y:z"}"#;
+        let spaced = r#"{"a": [1, 2, {}], "b, c: \" d:e": "\\", "f": "x , y:z"}"#;
+        for text in [json, compact, spaced] {
+            assert_eq!(respace(text, Separators::Compact), compact);
+            assert_eq!(respace(text, Separators::Spaced), spaced);
+        }
+    }
+
+    #[test]
+    fn text_that_is_no_json_does_no_harm() {
+        for text in ["", "\"", "\"\\", "\"\\é", "é,é", "\"é", ",", "(1, 2)", "\\\"", "\u{a0},"] {
+            respace(text, Separators::Spaced);
+            assert_eq!((members(text), elements(text)), (None, None), "{text}");
+        }
+        assert_eq!(respace("\"a, b", Separators::Spaced), "\"a, b");
+    }
+}

@@ -1,0 +1,178 @@
+//! How replies are written.
+
+use super::Firmware;
+
+/// How replies on the command port are written: choices in which firmware differs.
+///
+/// A reply says the same in every style, and jaka-proto reads the same from it. A style starts from that of a
+/// [`Firmware`].
+///
+/// ```
+/// use jaka_sim::{CodeStyle, Controller, Firmware, KeyOrder, ReplyStyle, TruthStyle};
+///
+/// let style = ReplyStyle::of(Firmware::V1_5_14)
+///     .error_code(CodeStyle::Number)
+///     .truth_values(TruthStyle::Literals)
+///     .key_order(KeyOrder::Reversed);
+/// let controller = Controller::builder().firmware(Firmware::V1_5_14).reply_style(style).start()?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct ReplyStyle {
+    pub(super) codes: CodeStyle,
+    pub(super) truths: TruthStyle,
+    pub(super) numbers: NumberStyle,
+    pub(super) separators: Separators,
+    pub(super) key_order: KeyOrder,
+    pub(super) success_message: bool,
+    pub(super) robot_error: bool,
+}
+
+impl ReplyStyle {
+    const DOCUMENT: Self = Self {
+        codes: CodeStyle::Text,
+        truths: TruthStyle::Document,
+        numbers: NumberStyle::Plain,
+        separators: Separators::Compact,
+        key_order: KeyOrder::Usual,
+        success_message: true,
+        robot_error: false,
+    };
+
+    /// The style of a firmware.
+    ///
+    /// [`Firmware::Document`] writes replies as the document's examples have them, without blanks;
+    /// [`Firmware::V1_5_14`] puts blanks between the parts; [`Firmware::Newer`] does that too, writes
+    /// truth values as its packets do, and tells the controller's error.
+    pub const fn of(firmware: Firmware) -> Self {
+        let spaced = Self { separators: Separators::Spaced, ..Self::DOCUMENT };
+        match firmware {
+            Firmware::V1_5_14 => spaced,
+            Firmware::Document => Self::DOCUMENT,
+            Firmware::Newer => Self { truths: TruthStyle::Packet, robot_error: true, ..spaced },
+        }
+    }
+
+    /// Chooses how error codes are written.
+    #[must_use]
+    pub const fn error_code(self, codes: CodeStyle) -> Self {
+        Self { codes, ..self }
+    }
+
+    /// Chooses how truth values are written.
+    #[must_use]
+    pub const fn truth_values(self, truths: TruthStyle) -> Self {
+        Self { truths, ..self }
+    }
+
+    /// Chooses how numbers are written; those of the Python literal in `get_extio_status` stay as they are.
+    #[must_use]
+    pub const fn numbers(self, numbers: NumberStyle) -> Self {
+        Self { numbers, ..self }
+    }
+
+    /// Chooses what stands between the parts of a reply.
+    #[must_use]
+    pub const fn separators(self, separators: Separators) -> Self {
+        Self { separators, ..self }
+    }
+
+    /// Chooses the order of keys.
+    #[must_use]
+    pub const fn key_order(self, key_order: KeyOrder) -> Self {
+        Self { key_order, ..self }
+    }
+
+    /// Leaves out the message of a reply that tells success.
+    #[must_use]
+    pub const fn without_success_message(self) -> Self {
+        Self { success_message: false, ..self }
+    }
+
+    /// Adds the controller's error to the answer of `get_robot_state`.
+    #[must_use]
+    pub const fn with_robot_error(self) -> Self {
+        Self { robot_error: true, ..self }
+    }
+}
+
+/// The style of [`Firmware::Document`].
+impl Default for ReplyStyle {
+    fn default() -> Self {
+        Self::DOCUMENT
+    }
+}
+
+impl From<Firmware> for ReplyStyle {
+    fn from(firmware: Firmware) -> Self {
+        Self::of(firmware)
+    }
+}
+
+/// How error codes are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum CodeStyle {
+    /// As a string: `"0"`.
+    #[default]
+    Text,
+    /// As a number: `0`.
+    Number,
+    /// As a string of hexadecimal digits: `"0x0"`. Negative codes, of which no such form is known, as [`Text`](Self::Text).
+    Hexadecimal,
+}
+
+/// How truth values are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum TruthStyle {
+    /// Each in the form that the document prints for it, such as `"True"`, `"robot_enabled"`, `1` or `true`.
+    #[default]
+    Document,
+    /// Each in the form in which status packets have it: `enabled` as `true`, `powered_on` as `1`. Words that packets do
+    /// not have become `true` and `false`, other forms stay.
+    Packet,
+    /// `true` and `false`.
+    Literals,
+    /// `1` and `0`.
+    Numbers,
+    /// `"1"` and `"0"`.
+    NumberTexts,
+    /// `"True"` and `"False"`.
+    Words,
+}
+
+/// How numbers are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum NumberStyle {
+    /// As short as may be: `3`, `0.5`.
+    #[default]
+    Plain,
+    /// With a fraction throughout, also for whole numbers: `3.0`, `0.5`.
+    Fractions,
+    /// As strings: `"3"`, `"0.5"`.
+    Texts,
+}
+
+/// What stands between the parts of a JSON text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum Separators {
+    /// No blanks.
+    #[default]
+    Compact,
+    /// A blank behind each comma and colon.
+    Spaced,
+}
+
+/// The order of a reply's keys.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum KeyOrder {
+    /// The error code first, then the message and the name, then the rest in the order of the spec.
+    #[default]
+    Usual,
+    /// The other way round.
+    Reversed,
+}

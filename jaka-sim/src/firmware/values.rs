@@ -1,0 +1,130 @@
+//! Values of replies in other forms than the document's, by what the spec says they are.
+
+use jaka_proto::wire::{Decode, Reader, Writer};
+use jaka_spec::{Field, Spec, Type, TypeKind};
+
+use super::json::{elements, members};
+use super::{NumberStyle, ReplyStyle, TruthStyle};
+
+/// The spec's name of the status packet.
+const PACKET: &str = "RobotStatus";
+
+/// Writes values in a style. What does not fit its type stays as it is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Values<'s> {
+    pub(super) spec: &'s Spec,
+    pub(super) style: ReplyStyle,
+}
+
+impl Values<'_> {
+    /// Writes the value of a field, given as JSON.
+    pub(super) fn field(self, field: &Field, json: &str, out: &mut Writer) {
+        self.value(&field.name, &field.ty, json, out);
+    }
+
+    fn value(self, name: &str, ty: &Type, json: &str, out: &mut Writer) {
+        match ty {
+            Type::Bool { off, on } => self.truth(name, [off, on], json, out),
+            Type::Int | Type::Float => self.number(json, out),
+            Type::List(element) | Type::Array(element, _) => self.list(name, element, json, out),
+            Type::Named(def) => match self.spec.type_def(def) {
+                Some(def) => self.named(name, &def.kind, json, out),
+                None => out.raw(json),
+            },
+            Type::Text | Type::Python(_) | Type::Json => out.raw(json),
+        }
+    }
+
+    fn named(self, name: &str, kind: &TypeKind, json: &str, out: &mut Writer) {
+        match kind {
+            TypeKind::Object(fields) => self.object(fields, json, out),
+            TypeKind::Array { fields, .. } => self.array(fields, json, out),
+            TypeKind::Wrapper(inner, _) => self.value(name, inner, json, out),
+            TypeKind::IntEnum(_) => self.number(json, out),
+            // Choices stand in Python literals alone.
+            TypeKind::TextEnum(_) | TypeKind::Choice(_) => out.raw(json),
+        }
+    }
+
+    fn list(self, name: &str, element: &Type, json: &str, out: &mut Writer) {
+        match elements(json) {
+            Some(list) => out.array(&list, |out, json| self.value(name, element, json, out)),
+            None => out.raw(json),
+        }
+    }
+
+    fn object(self, fields: &[Field], json: &str, out: &mut Writer) {
+        let Some(members) = members(json) else { return out.raw(json) };
+        out.raw("{");
+        for (key, json) in members {
+            out.comma();
+            out.text(&key);
+            out.raw(":");
+            match fields.iter().find(|field| field.wire == key) {
+                Some(field) => self.field(field, json, out),
+                None => out.raw(json),
+            }
+        }
+        out.raw("}");
+    }
+
+    /// Elements beyond the fields stay as they are.
+    fn array(self, fields: &[Field], json: &str, out: &mut Writer) {
+        let Some(elements) = elements(json) else { return out.raw(json) };
+        out.raw("[");
+        for (i, json) in elements.into_iter().enumerate() {
+            out.comma();
+            match fields.get(i) {
+                Some(field) => self.field(field, json, out),
+                None => out.raw(json),
+            }
+        }
+        out.raw("]");
+    }
+
+    fn truth(self, name: &str, printed: [&str; 2], json: &str, out: &mut Writer) {
+        let value = printed.iter().position(|form| *form == json).map(|at| at == 1);
+        let value = value.or_else(|| bool::decode(&mut Reader::new(json)).ok());
+        let [off, on] = self.forms(name, printed);
+        match value {
+            Some(value) => out.choose(value, off, on),
+            None => out.raw(json),
+        }
+    }
+
+    /// How false and true are written.
+    fn forms<'f>(&'f self, name: &str, printed: [&'f str; 2]) -> [&'f str; 2] {
+        match self.style.truths {
+            TruthStyle::Document => printed,
+            TruthStyle::Packet => match self.packet_forms(name) {
+                Some(forms) => forms,
+                None if printed[1].starts_with('"') => ["false", "true"],
+                None => printed,
+            },
+            TruthStyle::Literals => ["false", "true"],
+            TruthStyle::Numbers => ["0", "1"],
+            TruthStyle::NumberTexts => ["\"0\"", "\"1\""],
+            TruthStyle::Words => ["\"False\"", "\"True\""],
+        }
+    }
+    /// How status packets write false and true of the value with this name, if they have it.
+    fn packet_forms(&self, name: &str) -> Option<[&str; 2]> {
+        let TypeKind::Object(fields) = &self.spec.type_def(PACKET)?.kind else { return None };
+        match &fields.iter().find(|field| field.name == name)?.ty {
+            Type::Bool { off, on } => Some([off, on]),
+            _ => None,
+        }
+    }
+
+    fn number(self, json: &str, out: &mut Writer) {
+        let is_number = json.starts_with(|c: char| c == '-' || c.is_ascii_digit());
+        match self.style.numbers {
+            NumberStyle::Texts if is_number => out.text(json),
+            NumberStyle::Fractions if is_number && !json.contains(['.', 'e', 'E']) => {
+                out.raw(json);
+                out.raw(".0");
+            }
+            _ => out.raw(json),
+        }
+    }
+}
