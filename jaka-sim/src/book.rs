@@ -11,6 +11,7 @@ use jaka_spec::{Effect, Requirement, Spec};
 #[derive(Debug)]
 pub(crate) struct Book {
     entries: HashMap<String, Entry>,
+    /// All of it.
     pub(crate) spec: Spec,
     /// What the controller says to something that is no command.
     pub(crate) unknown: String,

@@ -118,7 +118,7 @@ impl Controller {
         self.set_state(|state| state.powered = false);
     }
 
-    /// The text of the requests received so far, in order, the last 10,000 of them.
+    /// The text of the requests received so far, in order, the last 10,000 of them and of these the last 16 MiB.
     ///
     /// Also those that were refused; without bytes that have not even the outline of a request.
     pub fn requests(&self) -> Vec<String> {

@@ -32,11 +32,11 @@ pub(crate) struct Shared {
     faults: Mutex<FaultPlan>,
 }
 
-/// How far a stepped clock is, and when the next packet is due.
-#[derive(Debug)]
+/// How far a stepped clock is, and when the last packet went out.
+#[derive(Debug, Default)]
 struct Steps {
     now: Duration,
-    packet: Option<Duration>,
+    packet: Duration,
 }
 
 impl Shared {
@@ -53,7 +53,7 @@ impl Shared {
             world: Mutex::new(World::new(&options, book)?),
             clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
             faults: Mutex::new(options.faults.clone()),
-            steps: Mutex::new(Steps { now: Duration::ZERO, packet: Some(options.period()) }),
+            steps: Mutex::default(),
             options,
         })
     }
@@ -74,10 +74,13 @@ impl Shared {
         }
         let mut steps = lock(&self.steps);
         let end = steps.now + time;
-        while let Some(due) = steps.packet.filter(|due| *due <= end) {
+        let period = self.readers.period(self.options.period()).max(CYCLE);
+        while let Some(due) = steps.packet.checked_add(period).filter(|due| *due <= end) {
+            // A packet that was not due at the period before goes out now.
+            let due = due.max(steps.now);
             lock(&self.world).advance_to(due);
             self.readers.publish(self);
-            steps.packet = due.checked_add(self.readers.period(self.options.period()).max(CYCLE));
+            steps.packet = due;
         }
         lock(&self.world).advance_to(end);
         steps.now = end;

@@ -195,3 +195,27 @@ fn faults_outlive_a_connection_and_held_replies_do_not() {
     assert_eq!([peer.receive(), peer.receive()], [payload(), payload()]);
     peer.assert_quiet();
 }
+
+#[test]
+fn garbage_is_random_and_the_same_each_time() {
+    let garbage = |seed| {
+        let (_controller, mut peer) = with([Fault::Garbage { bytes: 300, seed }]);
+        peer.send(request(PAYLOAD));
+        let bytes = peer.receive_bytes(300);
+        peer.assert_quiet();
+        bytes
+    };
+    assert_eq!(garbage(7), garbage(7));
+    assert_ne!(garbage(7), garbage(8));
+}
+
+#[test]
+fn an_oversized_reply_is_the_same_json() {
+    let reply = payload();
+    for size in [0, reply.len(), reply.len() + 1, 300_000] {
+        let (_controller, mut peer) = with([Fault::Oversized(size)]);
+        peer.send(request(PAYLOAD));
+        let oversized = peer.receive();
+        assert_eq!((oversized.len(), json(&oversized)), (size.max(reply.len()), json(&reply)));
+    }
+}

@@ -1,0 +1,90 @@
+//! Connections that are open and dead, and ports that another client has taken.
+
+mod common;
+
+use std::io::{ErrorKind, Write};
+
+use common::{LIMIT, Peer, assert_accepted, fresh, request};
+use jaka_sim::{Controller, Fault, Takeover};
+
+/// A client whose connection is half open, and its controller.
+fn half_open() -> (Controller, Peer) {
+    let controller = fresh();
+    controller.inject(Fault::HalfOpen);
+    let mut peer = Peer::commands(&controller);
+    peer.send(request("power_on") + &request("get_version"));
+    assert!(controller.wait_for_requests(1, LIMIT));
+    (controller, peer)
+}
+
+#[test]
+fn a_half_open_connection_answers_nothing() {
+    let (controller, mut peer) = half_open();
+    peer.send(request("get_version"));
+    controller.release();
+    assert!(controller.state().powered);
+    // A newcomer is served, and closes it.
+    assert_accepted(&Peer::commands(&controller).call("get_payload"), "get_payload");
+    assert_eq!(peer.read_to_end(), b"");
+    assert_eq!(controller.requests(), ["power_on", "get_payload"].map(request));
+}
+
+#[test]
+fn a_half_open_connection_ends_with_the_controller_and_with_the_client() {
+    let (controller, mut peer) = half_open();
+    drop(controller);
+    assert_eq!(peer.read_to_end(), b"");
+    let (controller, peer) = half_open();
+    drop(peer);
+    assert!(controller.wait_for_disconnect(LIMIT));
+}
+
+#[test]
+fn a_half_open_connection_fills_up() {
+    let (controller, mut peer) = half_open();
+    peer.stream.set_nonblocking(true).expect("an option can be set");
+    let full = (0..1024).find_map(|_| peer.stream.write_all(&[b' '; 64 << 10]).err());
+    assert_eq!(full.map(|error| error.kind()), Some(ErrorKind::WouldBlock));
+    peer.stream.set_nonblocking(false).expect("an option can be set");
+    drop(controller);
+    peer.read_to_end();
+}
+
+#[test]
+fn another_client_takes_the_port() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    for _ in 0..10 {
+        controller.inject(Fault::Takeover);
+        peer.send(request("power_on"));
+        assert_eq!(peer.read_to_end(), b"");
+        // Who comes back takes the port in turn.
+        peer = Peer::commands(&controller);
+        assert_eq!(peer.call("get_robot_state")["power"], "powered_on");
+    }
+    controller.take_over().expect("the controller listens");
+    assert_eq!(peer.read_to_end(), b"");
+}
+
+#[test]
+fn another_client_holds_the_port() {
+    let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
+    for _ in 0..10 {
+        let mut peer = Peer::commands(&controller);
+        controller.inject(Fault::Takeover);
+        peer.send(request("power_on"));
+        assert_eq!(peer.read_to_end(), b"");
+        for _ in 0..3 {
+            assert_eq!(Peer::commands(&controller).read_to_end(), b"");
+        }
+        controller.release();
+        assert!(controller.wait_for_disconnect(LIMIT));
+        let mut peer = Peer::commands(&controller);
+        assert_accepted(&peer.call("get_version"), "get_version");
+        controller.take_over().expect("the controller listens");
+        assert_eq!(peer.read_to_end(), b"");
+        assert_eq!(Peer::commands(&controller).read_to_end(), b"");
+        controller.release();
+        assert!(controller.wait_for_disconnect(LIMIT));
+    }
+}
