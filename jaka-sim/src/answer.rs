@@ -39,6 +39,18 @@ enum Outcome {
     Unhandled,
 }
 
+/// What follows a request, other than its reply at once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sequel {
+    Nothing,
+    /// The reply waits until the arm is at rest.
+    Rest,
+    /// The connection ends with the reply.
+    SessionEnd,
+    /// Both ports' connections end with the reply.
+    Shutdown,
+}
+
 type Topic = fn(&Request, &mut World, &mut Writer) -> Outcome;
 
 const TOPICS: [Topic; 14] = [
@@ -59,11 +71,25 @@ const TOPICS: [Topic; 14] = [
 ];
 
 /// Carries out a request, and writes the reply.
-pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Writer) {
+pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Writer) -> Sequel {
     match Request::read(text) {
-        Ok(request) => carry_out(&request, book, world, out),
+        Ok(request) => {
+            carry_out(&request, book, world, out);
+            return sequel(&request);
+        }
         Err(RequestError::Field { command, .. }) => refuse(&command, &usual_refusal(&command), out),
         Err(_) => refuse_unknown(book, out),
+    }
+    Sequel::Nothing
+}
+
+/// None of the commands that have one is ever refused.
+fn sequel(request: &Request) -> Sequel {
+    match request {
+        Request::WaitComplete(_) => Sequel::Rest,
+        Request::Quit(_) => Sequel::SessionEnd,
+        Request::Shutdown(_) => Sequel::Shutdown,
+        _ => Sequel::Nothing,
     }
 }
 

@@ -17,8 +17,9 @@ use self::feed::{Feed, Incoming, Next};
 use self::line::{Flow, Line};
 pub(crate) use self::rival::Rival;
 pub(crate) use self::seat::Seat;
+use crate::answer::{self, Sequel};
 use crate::shared::Shared;
-use crate::{Takeover, answer, firmware};
+use crate::{Takeover, firmware};
 
 /// Lets clients in until the door is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -67,8 +68,10 @@ fn vacate(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
 fn attend(line: &Arc<Line>, shared: &Shared) {
     let end = serve(line, shared);
     log::trace!(target: "jaka_sim", "command client leaves");
-    if end == Flow::Takeover {
-        take_over(shared);
+    match end {
+        Flow::Takeover => take_over(shared),
+        Flow::Shutdown => shut_down(shared),
+        _ => {}
     }
     // The seat is free before the client sees the end.
     shared.seat.leave(line);
@@ -85,18 +88,26 @@ fn take_over(shared: &Shared) {
     }
 }
 
+/// Closes the connections of the status port, as the end of the session closes this one. New ones are let in: those of a
+/// controller that has been started again.
+fn shut_down(shared: &Shared) {
+    // Where the system has no socket left to wait with, what has been let in so far has to do.
+    shared.status_door.settle().ok();
+    shared.readers.close();
+}
+
 fn serve(line: &Line, shared: &Shared) -> Flow {
     let mut feed = Feed::new(line.stream());
     let mut reply = Writer::new();
     loop {
-        let mut flow = line.way_out().send_due();
+        let mut flow = line.way_out().send_due(|| shared.world().is_at_rest());
         if flow == Flow::Stay {
             flow = receive(&mut feed, line, shared, &mut reply);
         }
         match flow {
             Flow::Stay => {}
             Flow::HalfOpen => return ignore(&mut feed, line),
-            Flow::Close | Flow::Reset | Flow::Takeover => return flow,
+            Flow::Close | Flow::Reset | Flow::Takeover | Flow::Shutdown => return flow,
         }
     }
 }
@@ -133,15 +144,18 @@ fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Write
     reply.clear();
     log::trace!(target: "jaka_sim", "received {incoming}");
     let mut world = shared.world();
-    match incoming {
+    let sequel = match incoming {
         Incoming::Request(text) => answer::answer(text, shared.book, &mut world, reply),
-        Incoming::NoText(_) | Incoming::Garbage => answer::refuse_unknown(shared.book, reply),
-    }
+        Incoming::NoText(_) | Incoming::Garbage => {
+            answer::refuse_unknown(shared.book, reply);
+            Sequel::Nothing
+        }
+    };
     firmware::restyle(shared.options.style(), &shared.book.spec, &world.state, reply);
     drop(world);
     let fault = shared.faults().next(incoming.command().as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
         shared.tape.record(text.clone());
     }
-    way_out.send_reply(reply.as_str(), fault)
+    way_out.send_reply(reply.as_str(), fault, sequel)
 }

@@ -96,7 +96,8 @@ fn read(mut parser: Parser) -> Result<Task, Box<dyn Error>> {
 }
 
 fn models() -> String {
-    Model::published().iter().map(|model| format!("{}\n", model.name())).collect()
+    let names: Vec<_> = Model::published().iter().map(Model::name).collect();
+    names.join("\n") + "\n"
 }
 
 fn model(name: &str) -> Result<Model, String> {

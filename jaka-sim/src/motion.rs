@@ -144,16 +144,13 @@ impl Running {
 
     /// The share of the way done at the end of a cycle, and whether the motion has ended there.
     fn cycle(&mut self, rate: f64) -> (f64, bool) {
-        let (along, ended) = match self.brake {
+        let (along, ended) = if let Some(brake) = self.brake {
             // Braking is not slowed down.
-            Some(brake) => {
-                self.time += CYCLE.as_secs_f64();
-                (brake.at(self.time), self.time >= brake.duration())
-            }
-            None => {
-                self.time += CYCLE.as_secs_f64() * rate;
-                (self.planned.profile.at(self.time), self.time >= self.planned.profile.duration())
-            }
+            self.time += CYCLE.as_secs_f64();
+            (brake.at(self.time), self.time >= brake.duration())
+        } else {
+            self.time += CYCLE.as_secs_f64() * rate;
+            (self.planned.profile.at(self.time), self.time >= self.planned.profile.duration())
         };
         let share = if self.length > 0.0 { (along.distance / self.length).min(1.0) } else { 1.0 };
         (share, ended)

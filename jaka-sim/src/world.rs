@@ -77,20 +77,23 @@ impl World {
 
     /// Lets time pass, cycle by cycle.
     pub(crate) fn advance_to(&mut self, now: Duration) {
-        while now.saturating_sub(self.now) >= CYCLE {
-            if self.is_idle() {
-                // Whole cycles, so that cycles stay where they are.
-                let cycles = (now - self.now).as_nanos() / CYCLE.as_nanos();
-                self.now += CYCLE * u32::try_from(cycles).unwrap_or(u32::MAX);
-                continue;
-            }
-            self.now += CYCLE;
+        let mut left = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();
+        while left > 0 {
+            // Where nothing goes on, all cycles are passed at once.
+            let cycles = if self.is_idle() { u32::try_from(left).unwrap_or(u32::MAX) } else { 1 };
+            self.now += CYCLE * cycles;
+            left -= u128::from(cycles);
             self.cycle();
         }
     }
 
     fn is_idle(&self) -> bool {
         self.changes.is_empty() && !self.engine.is_busy() && self.runner.is_none() && self.engine.busy().is_zero()
+    }
+
+    /// True where the arm does not move, and nothing waits for it to do so.
+    pub(crate) fn is_at_rest(&self) -> bool {
+        !self.engine.is_busy() && self.runner.is_none()
     }
 
     fn cycle(&mut self) {

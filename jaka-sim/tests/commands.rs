@@ -2,7 +2,9 @@
 
 mod common;
 
-use common::{Peer, assert_accepted, assert_refused, assert_unknown, fresh, json, ready, request};
+use std::time::Duration;
+
+use common::{Peer, assert_accepted, assert_refused, assert_unknown, fresh, json, ready, request, stepped};
 use jaka_proto::{Command, Envelope, Request, Visit, read_payload};
 use jaka_spec::Requirement;
 
@@ -55,7 +57,7 @@ fn servo_mode_ends_with_what_it_needs() {
 
 #[test]
 fn servo_mode_decides_what_moves() {
-    let controller = ready();
+    let controller = stepped();
     let mut peer = Peer::commands(&controller);
     let servo_j = r#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[0.5,0,0,0,0,-0.5],"stepNum":1}"#;
     let joint_move = r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,10,20,30,40,50],"speed":20}"#;
@@ -64,39 +66,21 @@ fn servo_mode_decides_what_moves() {
     let refused = json(&format!(r#"{{"errorCode":"-1","errorMsg":"{reason}","cmdName":"servo_j"}}"#));
     assert_eq!(peer.ask(servo_j), refused);
     assert_accepted(&peer.ask(joint_move), "joint_move");
+    controller.advance(Duration::from_secs(30));
     assert_accepted(&peer.ask(filter), "set_servo_move_filter");
     peer.ask(r#"{"cmdName":"servo_move","relFlag":1}"#);
     assert_refused(&peer.ask(joint_move), "joint_move");
     assert_refused(&peer.ask(filter), "set_servo_move_filter");
     assert_accepted(&peer.ask(servo_j), "servo_j");
+    controller.advance(Duration::from_millis(8));
     assert_eq!(peer.call("get_joint_pos")["joint_pos"], json("[0.5,10,20,30,40,49.5]"));
     peer.ask(r#"{"cmdName":"servo_move","relFlag":0}"#);
     assert_eq!(peer.ask(servo_j), refused);
 }
 
-#[test]
-fn joints_move_at_once() {
-    let controller = ready();
-    let mut peer = Peer::commands(&controller);
-    let moves = [
-        (r#""cmdName":"joint_move","relFlag":0,"jointPosition":[1,2,3,4,5,6],"speed":9"#, "[1,2,3,4,5,6]"),
-        (r#""cmdName":"joint_move","relFlag":1,"jointPosition":[1,1,1,1,1,-9],"speed":9"#, "[2,3,4,5,6,-3]"),
-        (r#""cmdName":"jog","jog_mode":2,"coord_map":1,"jnum":0,"jogvel":9,"poscmd":-4"#, "[-2,3,4,5,6,-3]"),
-        (r#""cmdName":"jog","jog_mode":3,"coord_map":1,"jnum":5,"jogvel":9,"poscmd":60"#, "[-2,3,4,5,6,60]"),
-        (r#""cmdName":"jog","jog_mode":3,"coord_map":0,"jnum":5,"jogvel":9,"poscmd":0"#, "[-2,3,4,5,6,60]"),
-        (r#""cmdName":"jog","jog_mode":1,"coord_map":1,"jnum":5,"jogvel":9"#, "[-2,3,4,5,6,60]"),
-        (r#""cmdName":"start_torq_sensor_payload_identify","jointPosition":[0,0,0,9,9,9]"#, "[0,0,0,9,9,9]"),
-    ];
-    for (fields, end) in moves {
-        assert_eq!(peer.ask(&format!("{{{fields}}}"))["errorCode"], "0", "{fields}");
-        assert_eq!(peer.call("get_joint_pos")["joint_pos"], json(end), "{fields}");
-    }
-    assert_eq!(peer.call("get_torq_sensor_identify_staus")["identify_status"], 0);
-}
-
 /// A setting, the query that reads it, and what the query has to answer then.
 const PAIRS: [(&str, &str, &str); 22] = [
-    (r#""load_program","programName":"track/a.jks""#, "get_loaded_program", r#""programName":"track/a.jks""#),
+    (r#""load_program","programName":"track/test.jks""#, "get_loaded_program", r#""programName":"track/test.jks""#),
     (r#""play_program""#, "get_program_state", r#""programState":"running""#),
     (r#""pause_program""#, "get_program_state", r#""programState":"paused""#),
     (r#""resume_program""#, "get_program_state", r#""programState":"running""#),
@@ -256,10 +240,9 @@ impl Visit for Decode<'_> {
 
 #[test]
 fn every_example_of_the_spec_is_answered() {
-    let controller = ready();
-    let mut peer = Peer::commands(&controller);
+    let controller = stepped();
     let spec = jaka_spec::builtin().expect("the spec is correct");
-    let mut accepted = 0;
+    let mut refused = Vec::new();
     for command in spec.commands() {
         for text in command.examples.iter().filter_map(|example| example.request.as_deref()) {
             controller.set_state(|state| {
@@ -267,6 +250,9 @@ fn every_example_of_the_spec_is_answered() {
                 state.enabled = true;
                 state.servo_mode = command.requires.contains(&Requirement::ServoMode);
             });
+            controller.advance(Duration::from_secs(60));
+            // Some commands end the connection.
+            let mut peer = Peer::commands(&controller);
             peer.send(text);
             let reply = peer.receive();
             let envelope = Envelope::read(&reply).expect("the reply is an object");
@@ -274,13 +260,13 @@ fn every_example_of_the_spec_is_answered() {
             if envelope.code.expect("the reply has a code").is_success() {
                 let request = Request::read(text).expect("the example is a request");
                 assert_eq!(request.visit(Decode(&reply)), Ok(()), "{reply}");
-                accepted += 1;
+            } else {
+                refused.push(&*command.wire);
             }
         }
     }
-    // All but the removal of a file that an example has renamed before.
-    let examples = spec.commands().flat_map(|command| &command.examples);
-    assert_eq!(accepted, examples.filter(|example| example.request.is_some()).count() - 1);
+    // Poses that the arm cannot reach, an arc between two poses that are one, and a file that has been renamed before.
+    assert_eq!(refused, ["movc", "servo_p", "kine_inverse", "remove_traj_file"]);
 }
 
 #[test]
@@ -313,8 +299,9 @@ fn the_state_begins_as_the_document_prints_it() {
     let controller = fresh();
     let mut peer = Peer::commands(&controller);
     let spec = jaka_spec::builtin().expect("the spec is correct");
-    // Which inputs there are is taken from the status packet, and servo mode cannot be on without power.
-    let others = ["get_digital_input_status", "is_in_servomove", "kine_forward", "get_extio_status"];
+    // Which inputs there are is taken from the status packet, servo mode cannot be on without power, and the arm is a real one.
+    let others = ["get_digital_input_status", "is_in_servomove", "get_extio_status"];
+    let others = [&others[..], &["get_joint_pos", "get_tcp_pos", "get_dh_param"]].concat();
     let queries = spec.commands().filter(|command| command.effect == jaka_spec::Effect::Query && command.is_bare());
     for command in queries.filter(|command| !others.contains(&&*command.wire)) {
         let printed = command.examples.iter().find_map(|example| example.reply.as_deref());

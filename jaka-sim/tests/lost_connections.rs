@@ -43,7 +43,7 @@ fn a_half_open_connection_ends_with_the_controller_and_with_the_client() {
 fn a_half_open_connection_fills_up() {
     let (controller, mut peer) = half_open();
     peer.stream.set_nonblocking(true).expect("an option can be set");
-    let full = (0..1024).find_map(|_| peer.stream.write_all(&[b' '; 64 << 10]).err());
+    let full = (0..1024).find_map(|_| peer.stream.write_all(&vec![b' '; 64 << 10]).err());
     assert_eq!(full.map(|error| error.kind()), Some(ErrorKind::WouldBlock));
     peer.stream.set_nonblocking(false).expect("an option can be set");
     drop(controller);

@@ -80,13 +80,19 @@ fn requests(spec: &Spec) -> Vec<(String, bool)> {
 fn replies(controller: &Controller, requests: &[(String, bool)]) -> Vec<String> {
     let mut peer = Peer::commands(controller);
     let ask = |(text, servo_mode): &(String, bool)| {
+        // No motion is left over, whose end `wait_complete` would wait for.
+        controller.set_state(|state| state.powered = false);
         controller.set_state(|state| {
             state.powered = true;
             state.enabled = true;
             state.servo_mode = *servo_mode;
         });
         peer.send(text);
-        peer.receive()
+        let reply = peer.receive();
+        if Request::read(text).is_ok_and(|request| request.info().ends_session) {
+            peer = Peer::commands(controller);
+        }
+        reply
     };
     requests.iter().map(ask).collect()
 }

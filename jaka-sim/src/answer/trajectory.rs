@@ -43,17 +43,17 @@ fn sample(command: &SetTrajSampleMode, world: &mut World) {
     world.state.trajectory.sampling = is_on(command.mode);
     let start = world.state.joint_position.0;
     if world.state.trajectory.sampling {
+        let names = &mut world.state.trajectory.file_names;
+        if !names.contains(&command.file_name) {
+            names.push(command.file_name.clone());
+        }
         world.recorder = Recorder { file_name: Some(command.file_name.clone()), points: vec![start] };
         return;
     }
     let Recorder { file_name, mut points } = std::mem::take(&mut world.recorder);
     if let Some(name) = file_name {
         points.push(start);
-        world.recordings.insert(name.clone(), points);
-        let names = &mut world.state.trajectory.file_names;
-        if !names.contains(&name) {
-            names.push(name);
-        }
+        world.recordings.insert(name, points);
     }
 }
 

@@ -31,6 +31,8 @@ pub(super) enum Flow {
     HalfOpen,
     /// Another client takes the port.
     Takeover,
+    /// The controller shuts down.
+    Shutdown,
 }
 
 impl Line {

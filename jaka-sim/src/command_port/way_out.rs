@@ -7,11 +7,15 @@ use std::sync::MutexGuard;
 use std::time::{Duration, Instant};
 
 use super::line::Flow;
+use crate::answer::Sequel;
 use crate::fault::Fault;
 
 /// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
 const MAX_LATE: usize = 10_000;
 const MAX_HELD: usize = 1 << 20;
+
+/// How often to look whether the arm is at rest.
+const REST_CHECK: Duration = Duration::from_millis(2);
 
 /// What has not gone out yet.
 #[derive(Debug, Default)]
@@ -27,10 +31,24 @@ pub(super) struct Kept {
 /// A reply that comes later.
 #[derive(Debug)]
 struct Late {
-    /// `None` is never.
-    due: Option<Instant>,
+    due: Due,
     reply: String,
     fault: Fault,
+    sequel: Sequel,
+}
+
+/// When a late reply goes out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Due {
+    At(Instant),
+    AtRest,
+    Never,
+}
+
+impl Due {
+    fn after(time: Duration) -> Self {
+        Instant::now().checked_add(time).map_or(Self::Never, Self::At)
+    }
 }
 
 /// The right to write on a connection.
@@ -46,11 +64,13 @@ impl<'l> WayOut<'l> {
     }
 
     /// Sends a reply, with what is wrong with it, or lets it wait.
-    pub(super) fn send_reply(&mut self, reply: &str, fault: Fault) -> Flow {
+    pub(super) fn send_reply(&mut self, reply: &str, fault: Fault, sequel: Sequel) -> Flow {
+        let late = |due, fault| Late { due, reply: reply.to_owned(), fault, sequel };
         let flow = match fault {
-            Fault::Delay(time) => self.put_off(reply, time, Fault::None),
-            fault if !self.kept.late.is_empty() => self.put_off(reply, Duration::ZERO, fault),
-            fault => self.send_now(reply, &fault),
+            Fault::Delay(time) => self.put_off(late(Due::after(time), Fault::None)),
+            fault if sequel == Sequel::Rest => self.put_off(late(Due::AtRest, fault)),
+            fault if !self.kept.late.is_empty() => self.put_off(late(Due::after(Duration::ZERO), fault)),
+            fault => self.send_now(reply, &fault, sequel),
         };
         if self.kept.is_full() {
             log::trace!(target: "jaka_sim", "too many replies wait");
@@ -60,10 +80,15 @@ impl<'l> WayOut<'l> {
     }
 
     /// Sends the replies whose time has come.
-    pub(super) fn send_due(&mut self) -> Flow {
-        while self.wait_for_due() == Some(Duration::ZERO) {
+    pub(super) fn send_due(&mut self, is_at_rest: impl Fn() -> bool) -> Flow {
+        let is_due = |late: &Late| match late.due {
+            Due::At(time) => time <= Instant::now(),
+            Due::AtRest => is_at_rest(),
+            Due::Never => false,
+        };
+        while self.kept.late.front().is_some_and(is_due) {
             let Some(late) = self.kept.late.pop_front() else { break };
-            let flow = self.send_now(&late.reply, &late.fault);
+            let flow = self.send_now(&late.reply, &late.fault, late.sequel);
             if flow != Flow::Stay {
                 return flow;
             }
@@ -71,10 +96,13 @@ impl<'l> WayOut<'l> {
         Flow::Stay
     }
 
-    /// How long the next of the late replies waits still; `None` where no time sends one.
+    /// How long to wait before looking again whether a late reply is due; `None` where no time makes one so.
     pub(super) fn wait_for_due(&self) -> Option<Duration> {
-        let due = self.kept.late.front()?.due?;
-        Some(due.saturating_duration_since(Instant::now()))
+        match self.kept.late.front()?.due {
+            Due::At(time) => Some(time.saturating_duration_since(Instant::now())),
+            Due::AtRest => Some(REST_CHECK),
+            Due::Never => None,
+        }
     }
 
     /// Sends the replies that are held back.
@@ -93,17 +121,23 @@ impl<'l> WayOut<'l> {
         self.stream.flush()
     }
 
-    fn put_off(&mut self, reply: &str, time: Duration, fault: Fault) -> Flow {
-        let due = Instant::now().checked_add(time);
-        self.kept.late.push_back(Late { due, reply: reply.to_owned(), fault });
+    fn put_off(&mut self, late: Late) -> Flow {
+        self.kept.late.push_back(late);
         Flow::Stay
     }
 
-    fn send_now(&mut self, reply: &str, fault: &Fault) -> Flow {
-        self.try_send(reply, fault).unwrap_or_else(|error| {
+    fn send_now(&mut self, reply: &str, fault: &Fault, sequel: Sequel) -> Flow {
+        let flow = self.try_send(reply, fault).unwrap_or_else(|error| {
             log::trace!(target: "jaka_sim", "command client lost: {error}");
             Flow::Close
-        })
+        });
+        match (flow, sequel) {
+            // A reply that a fault holds back keeps the connection.
+            (Flow::Stay, _) if !self.kept.held.is_empty() || !self.kept.joined.is_empty() => flow,
+            (Flow::Stay, Sequel::SessionEnd) => Flow::Close,
+            (Flow::Stay, Sequel::Shutdown) => Flow::Shutdown,
+            _ => flow,
+        }
     }
 
     fn try_send(&mut self, reply: &str, fault: &Fault) -> io::Result<Flow> {

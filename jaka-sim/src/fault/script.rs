@@ -118,13 +118,9 @@ fn one<'w, 's, T>(
     Ok(item)
 }
 
-/// What has to be the only thing in a text.
-fn alone<T>(script: &str, read: impl FnOnce(&mut Args<'_, '_>) -> Result<T, ScriptError>) -> Result<T, ScriptError> {
-    let words: Vec<_> = words::lines(script)?.into_iter().flatten().collect();
-    let mut args = Args::new(&words);
-    let item = read(&mut args)?;
-    args.end()?;
-    Ok(item)
+/// The words of a text that has one thing in it.
+fn all_words(text: &str) -> Result<Vec<Word<'_>>, ScriptError> {
+    Ok(words::lines(text)?.into_iter().flatten().collect())
 }
 
 impl FromStr for Fault {
@@ -135,7 +131,7 @@ impl FromStr for Fault {
     /// # Errors
     /// A word does not fit, or one is missing.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
-        alone(text, |args| args.fault())
+        one(&mut Args::new(&all_words(text)?), Args::fault)
     }
 }
 
@@ -147,6 +143,6 @@ impl FromStr for StatusFault {
     /// # Errors
     /// A word does not fit, or one is missing.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
-        alone(text, |args| args.status_fault())
+        one(&mut Args::new(&all_words(text)?), Args::status_fault)
     }
 }

@@ -73,7 +73,7 @@ impl Brake {
     pub(crate) fn at(&self, time: f64) -> Along {
         let time = time.clamp(0.0, self.duration());
         let speed = self.from.speed - self.deceleration * time;
-        Along { distance: self.from.distance + (self.from.speed + speed) / 2.0 * time, speed }
+        Along { distance: self.from.distance + f64::midpoint(self.from.speed, speed) * time, speed }
     }
 }
 

@@ -128,3 +128,14 @@ pub(crate) fn assert_refused(reply: &Value, command: &str) {
 pub(crate) fn assert_unknown(reply: &Value) {
     assert_eq!(*reply, json(r#"{"errorCode":"1","errorMsg":"Exception:function call failed"}"#));
 }
+
+/// A controller whose arm is enabled, and whose time the test moves on.
+pub(crate) fn stepped() -> Controller {
+    let builder = Controller::builder().delays(Delays::NONE).stepped_clock();
+    let controller = builder.status_period(Duration::MAX).start().expect("loopback has ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    controller
+}
