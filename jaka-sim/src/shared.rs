@@ -73,7 +73,7 @@ impl Shared {
             return;
         }
         let mut steps = lock(&self.steps);
-        let end = steps.now + time;
+        let end = steps.now.saturating_add(time);
         let period = self.readers.period(self.options.period()).max(CYCLE);
         while let Some(due) = steps.packet.checked_add(period).filter(|due| *due <= end) {
             // A packet that was not due at the period before goes out now.

@@ -11,6 +11,9 @@ use crate::program::replay;
 use crate::state::{Trajectory, TrajectoryConfig};
 use crate::world::{Recorder, World};
 
+/// How many trajectory files a controller keeps.
+const MOST_FILES: usize = 1000;
+
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let trajectory = &mut world.state.trajectory;
     match request {
@@ -25,8 +28,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         }
         Request::GetTrajConfig(command) => reply(command, config(trajectory), out),
         Request::SetTrajSampleMode(command) => {
-            sample(command, world);
-            accept(command, out)
+            if sample(command, world) { accept(command, out) } else { Outcome::Refused }
         }
         Request::GetTrajSampleStatus(command) => {
             reply(command, GetTrajSampleStatusReply { sampling: trajectory.sampling }, out)
@@ -38,23 +40,24 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
     }
 }
 
-/// Begins to record, or keeps what has been recorded.
-fn sample(command: &SetTrajSampleMode, world: &mut World) {
-    world.state.trajectory.sampling = is_on(command.mode);
-    let start = world.state.joint_position.0;
-    if world.state.trajectory.sampling {
-        let names = &mut world.state.trajectory.file_names;
-        if !names.contains(&command.file_name) {
-            names.push(command.file_name.clone());
+/// Begins to record, or keeps what has been recorded; false where there are too many files.
+fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
+    let trajectory = &mut world.state.trajectory;
+    let now = world.state.joint_position.0;
+    if is_on(command.mode) {
+        if !trajectory.file_names.contains(&command.file_name) {
+            if trajectory.file_names.len() >= MOST_FILES {
+                return false;
+            }
+            trajectory.file_names.push(command.file_name.clone());
         }
-        world.recorder = Recorder { file_name: Some(command.file_name.clone()), points: vec![start] };
-        return;
-    }
-    let Recorder { file_name, mut points } = std::mem::take(&mut world.recorder);
-    if let Some(name) = file_name {
-        points.push(start);
+        world.recorder = Recorder { file_name: Some(command.file_name.clone()), points: vec![now] };
+    } else if let Recorder { file_name: Some(name), mut points } = std::mem::take(&mut world.recorder) {
+        points.push(now);
         world.recordings.insert(name, points);
     }
+    trajectory.sampling = is_on(command.mode);
+    true
 }
 
 /// Files that there are not are refused.

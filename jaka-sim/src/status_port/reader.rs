@@ -70,7 +70,8 @@ impl Reader {
         outlet.send_packet(&packet())?;
         let mut last = Instant::now();
         loop {
-            let due = usual.and_then(|usual| last.checked_add(period(outlet.fault(), usual)));
+            let period = usual.map(|usual| period(outlet.fault(), usual));
+            let due = period.and_then(|period| last.checked_add(period));
             match self.next_job(due) {
                 Job::Fault(fault) => outlet = Outlet::new(&self.stream, fault),
                 Job::Letter(letter) => {
@@ -83,7 +84,8 @@ impl Reader {
                 }
                 Job::Packet => {
                     outlet.send_packet(&packet())?;
-                    last = Instant::now();
+                    // By the beat, unless it has been missed.
+                    last = due.filter(|due| Some(due.elapsed()) < period).unwrap_or_else(Instant::now);
                 }
                 Job::End => return Ok(()),
             }
