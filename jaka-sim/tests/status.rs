@@ -78,7 +78,6 @@ fn a_packet_shows_the_state() {
     let controller = ready();
     let mut commands = Peer::commands(&controller);
     let requests = [
-        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[6,5,4,3,2,1],"speed":9}"#,
         r#"{"cmdName":"set_digital_output","type":0,"index":143,"value":1}"#,
         r#"{"cmdName":"set_digital_output","type":1,"index":7,"value":1}"#,
         r#"{"cmdName":"set_analog_output","type":0,"index":7,"value":4.32}"#,
@@ -93,8 +92,8 @@ fn a_packet_shows_the_state() {
         assert_eq!(commands.ask(request)["errorCode"], "0", "{request}");
     }
     controller.set_state(|state| {
+        state.joint_position = [6.0, 5.0, 4.0, 3.0, 2.0, 1.0].into();
         state.digital_inputs[1] = true;
-        state.protective_stop = true;
         state.error_code = "0x10f0005".to_owned();
         state.error_message = "joint 1: \"limit\"".to_owned();
     });
@@ -111,7 +110,7 @@ fn a_packet_shows_the_state() {
         ("paused", "true"),
         ("enabled", "true"),
         ("powered_on", "1"),
-        ("protective_stop", "1"),
+        ("protective_stop", "0"),
         ("errcode", "\"0x10f0005\""),
         ("errmsg", "\"joint 1: \\\"limit\\\"\""),
     ];
@@ -122,6 +121,11 @@ fn a_packet_shows_the_state() {
     assert_eq!((ones("din"), ones("dout"), ones("tio_dout")), (Some(1), Some(1), Some(1)));
     assert_eq!((&packet["din"][1], &packet["dout"][143], &packet["tio_dout"][7]), (&on(), &on(), &on()));
     assert_eq!(packet["aout"][7], json("4.32"));
+
+    // A protective stop ends the program.
+    controller.collide();
+    let packet = json(&Peer::status(&controller).receive());
+    assert_eq!((&packet["protective_stop"], &packet["interp_state"]), (&on(), &json("0")));
 }
 
 fn on() -> Value {

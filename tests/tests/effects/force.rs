@@ -1,0 +1,124 @@
+//! Drag mode and control that yields to forces.
+
+use jaka_sync::Typed;
+use jaka_sync::force::{
+    AdmittanceAxis, CartesianAxis, ComplianceType, SetAdmitCtrlConfig, SetComplianceCondition, SetCompliantType,
+    VelocityCompliance,
+};
+use jaka_sync::status::TaskMode;
+use jaka_sync::types::Switch;
+
+use crate::arm::{Arm, disabled};
+
+effects! {
+    torque_control_enable => drag_mode_shows_on_port_10000,
+    drag_status => drag_mode_is_told,
+    set_admit_ctrl_config => an_axis_is_given_back,
+    get_admit_ctrl_config => axes_are_read,
+    set_compliance_condition => the_condition_is_kept,
+    enable_admittance_ctrl => admittance_control_is_switched,
+    get_compliant_type => the_type_is_read,
+    set_compliant_type => the_type_is_given_back,
+    disable_force_control => force_control_is_switched_off,
+    set_vel_compliant_ctrl => compliance_in_velocity_is_kept,
+}
+
+const AXIS: AdmittanceAxis =
+    AdmittanceAxis { enabled: true, user_force: 25.0, rebound: 3.0, constant_force: 5.0, normal_track: 2 };
+
+fn axes(arm: &mut Arm) -> Vec<AdmittanceAxis> {
+    match arm.client.get_admit_ctrl_config().expect("it answers").axes {
+        Typed::Known(axes) => axes.concat(),
+        Typed::Raw(raw) => panic!("these are no axes: {raw:?}"),
+    }
+}
+
+fn drag_mode_shows_on_port_10000(arm: &mut Arm) {
+    arm.client.torque_control_enable(Switch::On).expect("the arm is enabled");
+    let status = arm.status();
+    assert_eq!((status.drag_status, status.task_mode), (Some(true), Some(TaskMode::Drag)));
+    arm.client.torque_control_enable(Switch::Off).expect("the arm is enabled");
+    let status = arm.status();
+    assert_eq!((status.drag_status, status.task_mode), (Some(false), Some(TaskMode::Manual)));
+    arm.refuses(disabled, |client| client.torque_control_enable(Switch::On));
+}
+
+fn drag_mode_is_told(arm: &mut Arm) {
+    arm.controller.set_state(|state| state.drag_mode = true);
+    assert!(arm.client.drag_status().expect("it answers").drag_status);
+    // It ends where the arm is not enabled.
+    arm.controller.set_state(disabled);
+    assert!(!arm.client.drag_status().expect("it answers").drag_status);
+}
+
+fn an_axis_is_given_back(arm: &mut Arm) {
+    let mut expected = axes(arm);
+    expected[5] = AXIS;
+    let request = SetAdmitCtrlConfig {
+        axis: CartesianAxis::Rz,
+        enabled: Switch::On,
+        user_force: AXIS.user_force,
+        constant_force: AXIS.constant_force,
+        normal_track: AXIS.normal_track,
+        rebound: AXIS.rebound,
+    };
+    arm.client.set_admit_ctrl_config(&request).expect("it answers");
+    assert_eq!(axes(arm), expected);
+}
+
+fn axes_are_read(arm: &mut Arm) {
+    arm.controller.set_state(|state| state.admittance.axes[1] = AXIS);
+    assert_eq!(axes(arm), arm.controller.state().admittance.axes);
+    assert_eq!(axes(arm)[1], AXIS);
+}
+
+/// No command reads it back.
+fn the_condition_is_kept(arm: &mut Arm) {
+    let condition = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+    arm.client.set_compliance_condition(&SetComplianceCondition { condition }).expect("it answers");
+    assert_eq!(arm.controller.state().admittance.condition.map(f64::to_bits), condition.map(f64::to_bits));
+}
+
+/// No command reads it back.
+fn admittance_control_is_switched(arm: &mut Arm) {
+    for (flag, enabled) in [(Switch::On, true), (Switch::Off, false)] {
+        arm.client.enable_admittance_ctrl(flag).expect("it answers");
+        assert_eq!(arm.controller.state().admittance.enabled, enabled);
+    }
+}
+
+fn the_type_is_read(arm: &mut Arm) {
+    arm.controller.set_state(|state| {
+        state.admittance.compliance_type = ComplianceType::Velocity;
+        state.admittance.sensor_compensation = false;
+    });
+    let reply = arm.client.get_compliant_type().expect("it answers");
+    assert_eq!((reply.compliance_type, reply.sensor_compensation), (ComplianceType::Velocity, false));
+}
+
+fn the_type_is_given_back(arm: &mut Arm) {
+    for (switch, sensor_compensation) in [(Switch::On, true), (Switch::Off, false)] {
+        let compliance_type = ComplianceType::ConstantForce;
+        let request = SetCompliantType { sensor_compensation: switch, compliance_type };
+        arm.client.set_compliant_type(&request).expect("it answers");
+        let reply = arm.client.get_compliant_type().expect("it answers");
+        assert_eq!((reply.compliance_type, reply.sensor_compensation), (compliance_type, sensor_compensation));
+    }
+}
+
+fn force_control_is_switched_off(arm: &mut Arm) {
+    let compliance_type = ComplianceType::ConstantForce;
+    let request = SetCompliantType { sensor_compensation: Switch::On, compliance_type };
+    arm.client.set_compliant_type(&request).expect("it answers");
+    arm.client.enable_admittance_ctrl(Switch::On).expect("it answers");
+    arm.client.disable_force_control().expect("it answers");
+    assert_eq!(arm.client.get_compliant_type().expect("it answers").compliance_type, ComplianceType::Off);
+    assert!(!arm.controller.state().admittance.enabled);
+}
+
+/// No command reads it back.
+fn compliance_in_velocity_is_kept(arm: &mut Arm) {
+    let compliance = VelocityCompliance { level: 1, rate1: 0.1, rate2: 0.2, rate3: 0.3, rate4: 0.4 };
+    arm.client.set_vel_compliant_ctrl(compliance).expect("it answers");
+    assert_eq!(arm.controller.state().admittance.velocity, compliance);
+}

@@ -1,0 +1,18 @@
+//! What happens when the network fails.
+
+use jaka_sync::network::{NetworkExceptionAction, SetNetworkExceptionHandle};
+
+use crate::arm::Arm;
+
+effects! {
+    set_network_exception_handle => the_reaction_is_kept,
+}
+
+/// No command reads it back, and the document does not say what counts as a failure.
+fn the_reaction_is_kept(arm: &mut Arm) {
+    for (delay, action) in [(100, NetworkExceptionAction::Terminate), (0, NetworkExceptionAction::Keep)] {
+        arm.client.set_network_exception_handle(&SetNetworkExceptionHandle { delay, action }).expect("it answers");
+        let kept = arm.controller.state().network_exception;
+        assert_eq!((kept.delay_ms, kept.action), (delay, action));
+    }
+}
