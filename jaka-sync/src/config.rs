@@ -5,8 +5,9 @@ use std::time::Duration;
 
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
+use jaka_proto::wire::Decode;
 
-use crate::{Client, Error, StatusStream};
+use crate::{Client, Error, Monitor, Reconnect, StatusStream};
 
 /// How a connection behaves: timeouts, keepalive, frame size and checks.
 ///
@@ -25,6 +26,8 @@ pub struct Config {
     pub(crate) keepalive: Option<Duration>,
     pub(crate) max_frame: usize,
     pub(crate) advisory_ranges: AdvisoryRanges,
+    pub(crate) stale_after: Duration,
+    pub(crate) reconnect: Reconnect,
 }
 
 impl Default for Config {
@@ -36,6 +39,8 @@ impl Default for Config {
             keepalive: Some(Duration::from_secs(9)),
             max_frame: DEFAULT_MAX_FRAME,
             advisory_ranges: AdvisoryRanges::Enforced,
+            stale_after: Duration::from_millis(500),
+            reconnect: Reconnect::Never,
         }
     }
 }
@@ -94,6 +99,20 @@ impl Config {
         self
     }
 
+    /// After how long without a packet a [`Monitor`]'s news is stale. 0.5 s by default, several periods of any firmware.
+    #[must_use]
+    pub fn stale_after(mut self, age: Duration) -> Self {
+        self.stale_after = age;
+        self
+    }
+
+    /// When a [`Monitor`] connects anew after its connection has ended. Never, by default.
+    #[must_use]
+    pub fn reconnect(mut self, policy: Reconnect) -> Self {
+        self.reconnect = policy;
+        self
+    }
+
     /// Connects to a controller's command port.
     ///
     /// # Errors
@@ -108,5 +127,13 @@ impl Config {
     /// As [`StatusStream::connect`].
     pub fn connect_status(&self, address: impl Display) -> Result<StatusStream, Error> {
         StatusStream::with_config(&address.to_string(), self)
+    }
+
+    /// Connects a monitor to a controller's status port.
+    ///
+    /// # Errors
+    /// As [`Monitor::connect`].
+    pub fn monitor<S: Decode + Send + Sync + 'static>(&self, address: impl Display) -> Result<Monitor<S>, Error> {
+        Monitor::with_config(&address.to_string(), self)
     }
 }

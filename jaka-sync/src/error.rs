@@ -216,7 +216,7 @@ impl fmt::Display for Disconnect {
 }
 
 /// Firmware before the JSON protocol sent lines such as `joint_actual_position:(…)`.
-fn is_text_line(error: &FrameError) -> bool {
+pub(crate) fn is_text_line(error: &FrameError) -> bool {
     matches!(error, FrameError::Garbage { excerpt } if excerpt.bytes().starts_with(b"joint_actual_position"))
 }
 

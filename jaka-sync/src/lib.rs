@@ -6,6 +6,7 @@ mod config;
 mod error;
 mod link;
 mod methods;
+mod monitor;
 mod receive;
 mod reply;
 mod status_stream;
@@ -24,6 +25,7 @@ pub use jaka_proto::{
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };
+pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
 

@@ -23,7 +23,8 @@ fn digital_outputs_show_on_port_10000(arm: &mut Arm) {
     arm.client.set_digital_output(&set(DigitalOutputKind::Cabinet, Switch::On)).expect("it answers");
     arm.client.set_digital_output(&set(DigitalOutputKind::Tool, Switch::On)).expect("it answers");
     let status = arm.status();
-    let on = |pins: Option<Vec<bool>>| pins.map(|pins| (0..pins.len()).filter(|index| pins[*index]).collect::<Vec<_>>());
+    let on =
+        |pins: Option<Vec<bool>>| pins.map(|pins| (0..pins.len()).filter(|index| pins[*index]).collect::<Vec<_>>());
     assert_eq!((on(status.digital_outputs), on(status.tool_digital_outputs)), (Some(vec![2]), Some(vec![2])));
     arm.client.set_digital_output(&set(DigitalOutputKind::Cabinet, Switch::Off)).expect("it answers");
     let status = arm.status();

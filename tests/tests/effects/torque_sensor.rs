@@ -1,7 +1,9 @@
 //! The torque sensor and its payload.
 
 use jaka_sync::Typed;
-use jaka_sync::force::{IdentifyStatus, SetToolPayload, SetTorqueSensorComm, TorqueSensorBrand, TorqueSensorCommunication};
+use jaka_sync::force::{
+    IdentifyStatus, SetToolPayload, SetTorqueSensorComm, TorqueSensorBrand, TorqueSensorCommunication,
+};
 use jaka_sync::payload::SetPayload;
 use jaka_sync::status::TorqueSensorSettings;
 

@@ -36,8 +36,7 @@ fn record(arm: &mut Arm, file_name: &str) -> [f64; 6] {
 }
 
 fn the_settings_are_given_back(arm: &mut Arm) {
-    let request =
-        SetTrajConfig { acceleration: 150.0, speed: 30.0, position_interval: 0.2, orientation_interval: 0.3 };
+    let request = SetTrajConfig { acceleration: 150.0, speed: 30.0, position_interval: 0.2, orientation_interval: 0.3 };
     arm.client.set_traj_config(&request).expect("it answers");
     let reply = arm.client.get_traj_config().expect("it answers");
     assert_eq!((reply.acceleration, reply.speed), (150.0, 30.0));

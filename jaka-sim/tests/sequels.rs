@@ -1,0 +1,108 @@
+//! What follows a reply: the end of a connection; and the reply that follows the end of a motion.
+
+mod common;
+
+use std::io::ErrorKind;
+use std::time::Duration;
+
+use common::{LIMIT, Peer, assert_accepted, fresh, json, request, stepped};
+use jaka_sim::{Controller, Fault};
+
+/// The name in the reply to `wait_complete`, as the document prints it.
+const WAITED: &str = " wait_complete";
+
+/// A client whose arm is about to turn joint 1 by 30 degrees, for 1.75 s, and its controller.
+fn moving() -> (Controller, Peer) {
+    let controller = stepped();
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    let mut peer = Peer::commands(&controller);
+    let turn = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[30,0,0,0,0,0],"speed":20,"accel":80}"#;
+    assert_accepted(&peer.ask(turn), "joint_move");
+    (controller, peer)
+}
+
+#[test]
+fn quit_closes_the_connection_and_leaves_the_rest() {
+    let controller = fresh();
+    let mut reader = Peer::status(&controller);
+    let mut peer = Peer::commands(&controller);
+    assert_accepted(&peer.call("power_on"), "power_on");
+    assert_accepted(&peer.call("quit"), "quit");
+    assert_eq!(peer.read_to_end(), b"");
+    assert!(controller.wait_for_disconnect(LIMIT));
+    assert!(controller.state().powered);
+    controller.publish();
+    let [_, packet] = [reader.receive(), reader.receive()];
+    assert_eq!(json(&packet)["powered_on"], json("1"));
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+}
+
+#[test]
+fn shutdown_closes_the_connections_of_both_ports() {
+    let controller = fresh();
+    let mut readers = [Peer::status(&controller), Peer::status(&controller)];
+    let mut peer = Peer::commands(&controller);
+    assert_accepted(&peer.call("power_on"), "power_on");
+    assert_accepted(&peer.call("shutdown"), "shutdown");
+    assert_eq!(peer.read_to_end(), b"");
+    readers.iter_mut().for_each(|reader| drop(reader.read_to_end()));
+    // Started again, so to speak.
+    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+    assert_eq!(json(&Peer::status(&controller).receive())["powered_on"], json("0"));
+}
+
+#[test]
+fn the_connection_ends_after_a_late_reply_and_without_a_lost_one() {
+    let controller = fresh();
+    controller.inject(Fault::Delay(Duration::from_millis(20)));
+    let mut peer = Peer::commands(&controller);
+    assert_accepted(&peer.call("quit"), "quit");
+    assert_eq!(peer.read_to_end(), b"");
+    controller.inject(Fault::Drop);
+    let mut peer = Peer::commands(&controller);
+    peer.send(request("shutdown"));
+    assert_eq!(peer.read_to_end(), b"");
+}
+
+#[test]
+fn a_reply_that_is_held_back_keeps_the_connection() {
+    let controller = fresh();
+    controller.inject(Fault::Hold);
+    let mut peer = Peer::commands(&controller);
+    peer.send(request("quit"));
+    assert!(controller.wait_for_requests(1, LIMIT));
+    controller.release();
+    assert_accepted(&json(&peer.receive()), "quit");
+}
+
+#[test]
+fn wait_complete_is_answered_when_the_motion_has_ended() {
+    let (controller, mut peer) = moving();
+    peer.send(request("wait_complete"));
+    assert!(controller.wait_for_requests(2, LIMIT));
+    controller.advance(Duration::from_secs(1));
+    // This waits for whoever is about to send a reply.
+    controller.release();
+    peer.stream.set_nonblocking(true).expect("an option can be set");
+    let early = peer.stream.peek(&mut [0]).expect_err("the arm still moves");
+    assert_eq!(early.kind(), ErrorKind::WouldBlock);
+    peer.stream.set_nonblocking(false).expect("an option can be set");
+    controller.advance(Duration::from_secs(1));
+    assert_accepted(&json(&peer.receive()), WAITED);
+    // At rest it is answered at once.
+    assert_accepted(&peer.call("wait_complete"), WAITED);
+}
+
+#[test]
+fn a_stop_ends_the_wait_and_is_answered_after_it() {
+    let (controller, mut peer) = moving();
+    peer.send(request("wait_complete") + &request("stop_program"));
+    assert!(controller.wait_for_requests(3, LIMIT));
+    controller.advance(Duration::from_secs(1));
+    assert!(controller.state().in_position);
+    assert_accepted(&json(&peer.receive()), WAITED);
+    assert_accepted(&json(&peer.receive()), "stop_program");
+}

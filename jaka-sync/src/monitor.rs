@@ -1,0 +1,244 @@
+//! A thread that keeps the newest status packet.
+
+mod reconnect;
+mod statistics;
+mod subscription;
+mod thread;
+
+use std::fmt::Display;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::wire::{Decode, DecodeError, Reader};
+
+pub use self::reconnect::Reconnect;
+use self::statistics::Counters;
+pub use self::statistics::MonitorStatistics;
+pub use self::subscription::Subscription;
+use self::subscription::Queue;
+use crate::{Config, Disconnect, Error, STATUS_PORT, address};
+
+/// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
+///
+/// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type of your own that implements
+/// [`Decode`], so that no more is decoded than is used.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_sync::Monitor;
+///
+/// let monitor = Monitor::connect("10.5.5.100")?;
+/// let powered = monitor.wait_until(|status| status.powered_on == Some(true), Duration::from_secs(30))?;
+/// println!("powered, {:?} ago", powered.age());
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+///
+/// The reader never falls behind: packets that come faster than they are used are dropped, the newest is kept. Several
+/// monitors can be connected to one controller. Dropping the monitor ends its thread.
+#[derive(Debug)]
+pub struct Monitor<S = RobotStatus> {
+    board: Arc<Board<S>>,
+    thread: Option<JoinHandle<()>>,
+    timeout: Duration,
+    stale_after: Duration,
+}
+
+/// A status packet, and when it came.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Snapshot<S = RobotStatus> {
+    /// What the packet says.
+    pub status: S,
+    /// When it came.
+    pub received: Instant,
+    /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped or did not fit.
+    pub number: u64,
+}
+
+impl<S> Snapshot<S> {
+    /// How long ago the packet came.
+    pub fn age(&self) -> Duration {
+        self.received.elapsed()
+    }
+}
+
+/// What the thread and the monitor share.
+#[derive(Debug)]
+struct Board<S> {
+    state: Mutex<State<S>>,
+    changed: Condvar,
+}
+
+#[derive(Debug)]
+struct State<S> {
+    latest: Option<Arc<Snapshot<S>>>,
+    counters: Counters,
+    queues: Vec<Arc<Queue<S>>>,
+    /// Why no packet will come any more.
+    ended: Option<Arc<Disconnect>>,
+    /// Why the newest packet could not be decoded, until one can.
+    unfit: Option<DecodeError>,
+    /// The connection, for the monitor to end it.
+    stream: Option<std::net::TcpStream>,
+    closing: bool,
+}
+
+impl<S> Board<S> {
+    fn lock(&self) -> MutexGuard<'_, State<S>> {
+        // Every change is made whole before the lock is left.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn wait<'b>(&'b self, state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
+        self.changed.wait_timeout(state, time).unwrap_or_else(PoisonError::into_inner).0
+    }
+}
+
+impl Monitor<RobotStatus> {
+    /// Connects to a controller's status port: `10.5.5.100`, or an address with a port.
+    ///
+    /// # Errors
+    /// [`Error::Connect`] if nobody answers there within the connect timeout.
+    pub fn connect(address: impl Display) -> Result<Self, Error> {
+        Config::new().monitor(address)
+    }
+}
+
+impl<S: Decode + Send + Sync + 'static> Monitor<S> {
+    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
+        let stream = address::connect(address, STATUS_PORT, config)?;
+        let failed = |source| Error::Connect { address: address.to_owned(), source };
+        let state = State {
+            latest: None,
+            counters: Counters::default(),
+            queues: Vec::new(),
+            ended: None,
+            unfit: None,
+            stream: Some(stream.try_clone().map_err(failed)?),
+            closing: false,
+        };
+        let board = Arc::new(Board { state: Mutex::new(state), changed: Condvar::new() });
+        let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
+        let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
+        let thread = builder.spawn(move || worker.run(stream, decode::<S>)).map_err(failed)?;
+        let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
+        Ok(Self { board, thread: Some(thread), timeout, stale_after })
+    }
+}
+
+fn decode<S: Decode>(text: &str) -> Result<S, DecodeError> {
+    S::decode(&mut Reader::new(text))
+}
+
+impl<S> Monitor<S> {
+    /// The newest packet, if one has come.
+    ///
+    /// # Errors
+    /// [`Error::Disconnected`] if the connection has ended, so that old news is not taken for new.
+    pub fn latest(&self) -> Result<Option<Arc<Snapshot<S>>>, Error> {
+        let state = self.board.lock();
+        ended(&state)?;
+        Ok(state.latest.clone())
+    }
+
+    /// The newest packet, however old, and also after the connection has ended.
+    pub fn last(&self) -> Option<Arc<Snapshot<S>>> {
+        self.board.lock().latest.clone()
+    }
+
+    /// True if no packet has come for longer than [`Config::stale_after`].
+    pub fn is_stale(&self) -> bool {
+        self.last().is_none_or(|snapshot| snapshot.age() > self.stale_after)
+    }
+
+    /// Waits for the next packet that comes.
+    ///
+    /// # Errors
+    /// [`Error::StatusTimeout`] after the reply timeout; [`Error::Disconnected`] if the connection has ended.
+    pub fn next(&self) -> Result<Arc<Snapshot<S>>, Error> {
+        let now = self.last().map_or(0, |snapshot| snapshot.number);
+        self.wait_for(self.timeout, |snapshot| snapshot.number > now)
+    }
+
+    /// Waits until a packet says what `wanted` asks for; the newest one counts, unless it is stale.
+    ///
+    /// # Errors
+    /// [`Error::StatusTimeout`] after `timeout`, [`Error::UnexpectedStatus`] if packets came by then but did not fit;
+    /// [`Error::Disconnected`] if the connection has ended.
+    pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
+        let fresh = self.stale_after;
+        self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
+    }
+
+    fn wait_for(
+        &self,
+        timeout: Duration,
+        wanted: impl Fn(&Snapshot<S>) -> bool,
+    ) -> Result<Arc<Snapshot<S>>, Error> {
+        let since = Instant::now();
+        let mut state = self.board.lock();
+        let mut looked_at = 0;
+        loop {
+            ended(&state)?;
+            let latest = state.latest.as_ref().filter(|snapshot| snapshot.number > looked_at);
+            if let Some(latest) = latest {
+                if wanted(latest) {
+                    return Ok(Arc::clone(latest));
+                }
+                looked_at = latest.number;
+            }
+            let left = timeout.saturating_sub(since.elapsed());
+            if left.is_zero() {
+                return Err(state.unfit.clone().map_or(Error::StatusTimeout { after: timeout }, |source| {
+                    Error::UnexpectedStatus { source }
+                }));
+            }
+            state = self.board.wait(state, left);
+        }
+    }
+
+    /// Every packet from now on, in a queue of at most `capacity`; if it is full, the oldest is dropped and counted.
+    pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
+        let queue = Arc::new(Queue::new(capacity));
+        let mut state = self.board.lock();
+        if state.ended.is_some() {
+            queue.close();
+        }
+        state.queues.push(Arc::clone(&queue));
+        Subscription::new(queue)
+    }
+
+    /// How packets have been coming.
+    pub fn statistics(&self) -> MonitorStatistics {
+        self.board.lock().counters.statistics()
+    }
+
+    /// What ended the connection, if something did.
+    pub fn disconnect(&self) -> Option<Arc<Disconnect>> {
+        self.board.lock().ended.clone()
+    }
+}
+
+fn ended<S>(state: &State<S>) -> Result<(), Error> {
+    let cause = state.ended.clone();
+    cause.map_or(Ok(()), |cause| Err(Error::Disconnected { command: None, sent: false, cause }))
+}
+
+impl<S> Drop for Monitor<S> {
+    fn drop(&mut self) {
+        let mut state = self.board.lock();
+        state.closing = true;
+        if let Some(stream) = state.stream.take() {
+            // An error says that the connection has ended already.
+            let _ = stream.shutdown(std::net::Shutdown::Both);
+        }
+        drop(state);
+        self.board.changed.notify_all();
+        if let Some(thread) = self.thread.take() {
+            // A panic there has been reported.
+            drop(thread.join());
+        }
+    }
+}

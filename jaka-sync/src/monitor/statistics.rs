@@ -1,0 +1,106 @@
+//! How packets have been coming.
+
+use std::time::{Duration, Instant};
+
+/// How status packets have been coming since the monitor began.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct MonitorStatistics {
+    /// Packets that came and fitted.
+    pub packets: u64,
+    /// Packets that came and did not fit the type asked for.
+    pub unfit: u64,
+    /// Packets that were passed over since a newer one had come.
+    pub skipped: u64,
+    /// Bytes that belonged to no packet.
+    pub dropped_bytes: u64,
+    /// How often the beginning of a packet had to be searched for.
+    pub resyncs: u64,
+    /// How often the connection was made anew.
+    pub reconnects: u64,
+    /// Mean time between packets; `None` before the second.
+    pub period: Option<Duration>,
+    /// Mean deviation of the time between packets from the one before.
+    pub jitter: Duration,
+    /// The longest time between two packets.
+    pub longest_gap: Duration,
+}
+
+/// What is counted while packets come.
+#[derive(Debug, Default)]
+pub(super) struct Counters {
+    packets: u64,
+    pub(super) unfit: u64,
+    pub(super) skipped: u64,
+    pub(super) dropped_bytes: u64,
+    pub(super) resyncs: u64,
+    pub(super) reconnects: u64,
+    last: Option<(Instant, Duration)>,
+    gaps: u32,
+    gaps_total: Duration,
+    deviations: Duration,
+    longest: Duration,
+}
+
+impl Counters {
+    /// A packet came that fits.
+    pub(super) fn packet(&mut self, now: Instant) {
+        self.packets += 1;
+        let Some((last, last_gap)) = self.last else {
+            self.last = Some((now, Duration::ZERO));
+            return;
+        };
+        let gap = now.saturating_duration_since(last);
+        self.gaps += 1;
+        self.gaps_total += gap;
+        self.longest = self.longest.max(gap);
+        if self.gaps > 1 {
+            self.deviations += gap.abs_diff(last_gap);
+        }
+        self.last = Some((now, gap));
+    }
+
+    /// The time that follows is no gap between packets: the connection was lost.
+    pub(super) fn interrupted(&mut self) {
+        self.last = None;
+    }
+
+    pub(super) fn statistics(&self) -> MonitorStatistics {
+        MonitorStatistics {
+            packets: self.packets,
+            unfit: self.unfit,
+            skipped: self.skipped,
+            dropped_bytes: self.dropped_bytes,
+            resyncs: self.resyncs,
+            reconnects: self.reconnects,
+            period: self.gaps_total.checked_div(self.gaps),
+            jitter: self.deviations.checked_div(self.gaps.saturating_sub(1)).unwrap_or_default(),
+            longest_gap: self.longest,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_are_counted_between_packets_alone() {
+        let mut counters = Counters::default();
+        let start = Instant::now();
+        for ms in [0, 10, 20, 40] {
+            counters.packet(start + Duration::from_millis(ms));
+        }
+        counters.interrupted();
+        counters.packet(start + Duration::from_secs(100));
+        let found = counters.statistics();
+        assert_eq!((found.packets, found.longest_gap), (5, Duration::from_millis(20)));
+        assert_eq!(found.period, Some(Duration::from_millis(40) / 3));
+        assert_eq!(found.jitter, Duration::from_millis(5));
+    }
+
+    #[test]
+    fn no_packets_have_no_period() {
+        assert_eq!(Counters::default().statistics().period, None);
+    }
+}

@@ -1,0 +1,166 @@
+//! What the monitor's thread does.
+
+use std::net::TcpStream;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use jaka_proto::framing::{FrameError, Framer};
+use jaka_proto::wire::DecodeError;
+
+use super::{Board, Snapshot};
+use crate::receive::{self, Chunk};
+use crate::{Config, Disconnect, Error, STATUS_PORT, address};
+
+/// A read waits at most this long; the end of the connection and of the monitor end it at once.
+const READ: Duration = Duration::from_secs(1);
+
+/// The reader of the status port.
+pub(super) struct Worker<S> {
+    board: Arc<Board<S>>,
+    address: String,
+    config: Config,
+    number: u64,
+}
+
+impl<S> Worker<S> {
+    pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
+        Self { board, address, config, number: 0 }
+    }
+
+    /// Reads until the monitor is dropped, or the connection ends and is not made anew.
+    pub(super) fn run(mut self, stream: TcpStream, decode: fn(&str) -> Result<S, DecodeError>) {
+        let mut stream = Some(stream);
+        while let Some(connected) = stream.take() {
+            let cause = self.read(&connected, decode);
+            stream = self.reconnect(cause);
+        }
+        let mut state = self.board.lock();
+        for queue in state.queues.drain(..) {
+            queue.close();
+        }
+        drop(state);
+        self.board.changed.notify_all();
+    }
+
+    /// Reads until the connection ends, and says why it did.
+    fn read(&mut self, stream: &TcpStream, decode: fn(&str) -> Result<S, DecodeError>) -> Disconnect {
+        let mut framer = Framer::new(self.config.max_frame);
+        let mut timeout = receive::Timeout::default();
+        let mut newest = String::new();
+        loop {
+            match receive::chunk(stream, &mut framer, &mut timeout, READ) {
+                Ok(Chunk::Some) => {}
+                Ok(Chunk::TimeUp) => continue,
+                Err(cause) => return cause,
+            }
+            match self.take_newest(&mut framer, &mut newest) {
+                Ok(true) => self.post(decode(&newest)),
+                Ok(false) => {}
+                Err(cause) => return cause,
+            }
+        }
+    }
+
+    /// Keeps the text of the newest packet that has arrived in full; false if there is none.
+    fn take_newest(&mut self, framer: &mut Framer, newest: &mut String) -> Result<bool, Disconnect> {
+        let mut found = 0;
+        loop {
+            match framer.next_frame() {
+                Ok(None) => break,
+                Ok(Some(frame)) => match std::str::from_utf8(frame) {
+                    Ok(text) => {
+                        newest.clear();
+                        newest.push_str(text);
+                        found += 1;
+                    }
+                    Err(_) => self.board.lock().counters.unfit += 1,
+                },
+                Err(error) => self.resync(framer, error)?,
+            }
+        }
+        self.number += found;
+        self.board.lock().counters.skipped += found.saturating_sub(1);
+        Ok(found > 0)
+    }
+
+    /// Goes on at the next packet; old firmware that sends text has none.
+    fn resync(&mut self, framer: &mut Framer, error: FrameError) -> Result<(), Disconnect> {
+        if crate::error::is_text_line(&error) {
+            return Err(Disconnect::Frame(error));
+        }
+        let dropped = framer.resync();
+        let mut state = self.board.lock();
+        state.counters.resyncs += 1;
+        state.counters.dropped_bytes += u64::try_from(dropped).unwrap_or(u64::MAX);
+        log::debug!(target: "jaka_sync::wire", "status: {dropped} bytes dropped, {error}");
+        Ok(())
+    }
+
+    fn post(&mut self, decoded: Result<S, DecodeError>) {
+        let now = Instant::now();
+        let mut state = self.board.lock();
+        match decoded {
+            Ok(status) => {
+                let snapshot = Arc::new(Snapshot { status, received: now, number: self.number });
+                state.counters.packet(now);
+                state.unfit = None;
+                // A queue that nobody else holds has lost its subscription.
+                state.queues.retain(|queue| Arc::strong_count(queue) > 1);
+                for queue in &state.queues {
+                    queue.push(Arc::clone(&snapshot));
+                }
+                state.latest = Some(snapshot);
+            }
+            Err(error) => {
+                log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
+                state.counters.unfit += 1;
+                state.unfit = Some(error);
+            }
+        }
+        drop(state);
+        self.board.changed.notify_all();
+    }
+
+    /// Connects anew as the policy says; `None` if the monitor has come to its end.
+    fn reconnect(&self, mut cause: Disconnect) -> Option<TcpStream> {
+        for attempt in 0.. {
+            let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
+                break;
+            };
+            if self.pause(delay) {
+                break;
+            }
+            match address::connect(&self.address, STATUS_PORT, &self.config) {
+                Ok(stream) => return self.connected(stream),
+                Err(Error::Connect { source, .. }) => cause = Disconnect::Read(source),
+                Err(_) => {}
+            }
+        }
+        self.board.lock().ended = Some(Arc::new(cause));
+        None
+    }
+
+    /// Waits, and says whether the monitor was dropped meanwhile.
+    fn pause(&self, delay: Duration) -> bool {
+        let since = Instant::now();
+        let mut state = self.board.lock();
+        state.counters.interrupted();
+        loop {
+            let left = delay.saturating_sub(since.elapsed());
+            if state.closing || left.is_zero() {
+                return state.closing;
+            }
+            state = self.board.wait(state, left);
+        }
+    }
+
+    fn connected(&self, stream: TcpStream) -> Option<TcpStream> {
+        let mut state = self.board.lock();
+        if state.closing {
+            return None;
+        }
+        state.stream = stream.try_clone().ok();
+        state.counters.reconnects += 1;
+        Some(stream)
+    }
+}

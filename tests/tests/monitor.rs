@@ -1,0 +1,183 @@
+//! The monitor against the simulator: the newest packet, waiting, queues, losses and reconnection.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::wire::{Decode, DecodeError, Reader};
+use jaka_sim::{Controller, Delays, StatusFault};
+use jaka_sync::types::JointPosition;
+use jaka_sync::status::RobotStatus;
+use jaka_sync::{Config, Monitor, Reconnect};
+
+const LONG: Duration = Duration::from_secs(30);
+
+/// A controller that sends packets when told to, and a monitor that has had the first.
+fn quiet() -> (Controller, Monitor) {
+    let controller = Controller::builder()
+        .delays(Delays::NONE)
+        .stepped_clock()
+        .status_period(Duration::MAX)
+        .start()
+        .expect("loopback has free ports");
+    let monitor = Config::new().stale_after(LONG).monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|_: &RobotStatus| true, LONG).expect("the first packet comes at once");
+    (controller, monitor)
+}
+
+fn put(controller: &Controller, angle: f64) {
+    controller.set_state(|state| state.joint_position = [angle; 6].into());
+    controller.publish();
+}
+
+#[test]
+fn it_wakes_who_waits() {
+    let (controller, monitor) = quiet();
+    std::thread::scope(|scope| {
+        let waiting = scope.spawn(|| monitor.wait_until(|status| status.powered_on == Some(true), LONG));
+        put(&controller, 1.0);
+        controller.set_state(|state| state.powered = true);
+        controller.publish();
+        let found = waiting.join().expect("it does not panic").expect("the packet comes");
+        assert_eq!(found.status.powered_on, Some(true));
+    });
+    // The newest packet counts, too.
+    monitor.wait_until(|status| status.powered_on == Some(true), Duration::ZERO).expect("it is here already");
+}
+
+#[test]
+fn it_keeps_the_newest_however_fast_packets_come() {
+    let (controller, monitor) = quiet();
+    let slow = monitor.subscribe(10);
+    for n in 0..500 {
+        put(&controller, f64::from(n) / 10.0);
+    }
+    let is_last = |status: &RobotStatus| status.joint_actual_position == Some(JointPosition([49.9; 6]));
+    let last = monitor.wait_until(is_last, LONG).expect("the last packet comes");
+    assert_eq!(monitor.latest().expect("it is connected").expect("there is one").number, last.number);
+    // The queue holds the last ones, and counts those it dropped; those that were skipped never came to it.
+    let kept: Vec<_> = std::iter::from_fn(|| slow.try_next()).collect();
+    assert!(kept.len() <= 10 && is_last(&kept[kept.len() - 1].status));
+    assert!(kept.is_sorted_by_key(|snapshot| snapshot.number));
+    let statistics = monitor.statistics();
+    assert_eq!(statistics.packets + statistics.skipped, 501);
+    assert_eq!(statistics.packets - 1, slow.dropped() + kept.len() as u64);
+}
+
+#[test]
+fn a_silent_controller_is_stale_and_a_timeout() {
+    let (_controller, monitor) = quiet();
+    let error = monitor.wait_until(|status| status.enabled == Some(true), Duration::from_millis(20)).expect_err("no");
+    assert_eq!(error.to_string(), "no status packet within 20ms");
+    assert!(!monitor.is_stale());
+    let controller = Controller::builder().stepped_clock().start().expect("loopback has free ports");
+    let config = Config::new().stale_after(Duration::ZERO);
+    let impatient: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    // What is stale does not count, whatever it says.
+    assert!(impatient.wait_until(|_| true, Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
+    assert!(impatient.is_stale());
+}
+
+#[test]
+fn garbage_is_skipped_and_counted() {
+    let (controller, monitor) = quiet();
+    controller.send_status(b"garbage without a brace ");
+    put(&controller, 7.0);
+    monitor.wait_until(|status| status.joint_actual_position == Some([7.0; 6].into()), LONG).expect("it goes on");
+    let statistics = monitor.statistics();
+    assert_eq!((statistics.resyncs, statistics.dropped_bytes), (1, 24));
+    controller.status_fault(StatusFault::Pieces(7));
+    put(&controller, 8.0);
+    monitor.wait_until(|status| status.joint_actual_position == Some([8.0; 6].into()), LONG).expect("it goes on");
+}
+
+#[test]
+fn a_packet_that_does_not_fit_is_told_to_who_waits_in_vain() {
+    let (controller, monitor) = quiet();
+    controller.send_status(b"{\"len\": 40, \"enabled\": \"perhaps\"}");
+    let error = loop {
+        let error = monitor.wait_until(|status| status.enabled == Some(true), Duration::from_millis(50));
+        let error = error.expect_err("it is not enabled");
+        if !error.is_timeout() {
+            break error;
+        }
+    };
+    let source = std::error::Error::source(&error).expect("the field is named");
+    assert_eq!(source.to_string(), "field `enabled`: expected a truth value, found `\"perhaps\"`");
+    assert_eq!(monitor.statistics().unfit, 1);
+}
+
+#[test]
+fn an_ended_connection_is_told_and_nothing_hangs() {
+    let (controller, monitor) = quiet();
+    let queue = monitor.subscribe(4);
+    controller.disconnect();
+    let error = monitor.wait_until(|_| false, LONG).expect_err("the connection has ended");
+    assert!(error.is_disconnected());
+    assert!(monitor.latest().is_err_and(|error| error.is_disconnected()));
+    assert!(monitor.last().is_some() && monitor.disconnect().is_some());
+    assert!(queue.next_within(LONG).is_none() && queue.is_closed());
+}
+
+#[test]
+fn it_connects_anew_where_asked_to() {
+    let controller =
+        Controller::builder().status_period(Duration::from_millis(5)).start().expect("loopback has free ports");
+    let config = Config::new().reconnect(Reconnect::attempts(100)).stale_after(LONG);
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    for n in 1..=3 {
+        controller.disconnect();
+        let since = Instant::now();
+        while monitor.statistics().reconnects < n {
+            assert!(since.elapsed() < LONG, "it does not connect anew");
+            monitor.next().expect("packets go on");
+        }
+    }
+    let address = controller.status_addr();
+    drop(controller);
+    let few: Result<Monitor, _> = Config::new().connect_timeout(Duration::from_millis(50)).monitor(address);
+    assert!(few.is_err_and(|error| error.is_connect()));
+}
+
+#[test]
+fn attempts_to_connect_anew_come_to_an_end() {
+    let controller = Controller::start().expect("loopback has free ports");
+    let policy = Reconnect::attempts(2);
+    let config = Config::new().reconnect(policy).connect_timeout(Duration::from_millis(100));
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    drop(controller);
+    let error = monitor.wait_until(|_| false, LONG).expect_err("nobody is there any more");
+    assert!(error.is_disconnected());
+}
+
+/// What a program needs of the packet, and no more.
+#[derive(Debug, PartialEq)]
+struct Joints(Option<JointPosition>);
+
+impl Decode for Joints {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let mut joints = None;
+        reader.begin_object()?;
+        while let Some(key) = reader.next_key()? {
+            match &*key {
+                "joint_actual_position" => reader.field("joints", &mut joints)?,
+                _ => reader.skip()?,
+            }
+        }
+        Ok(Self(joints))
+    }
+}
+
+#[test]
+fn a_type_of_ones_own_is_decoded_in_place_of_the_whole_packet() {
+    let controller = Controller::start().expect("loopback has free ports");
+    let monitor: Monitor<Joints> = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let found = monitor.next().expect("a packet comes");
+    assert_eq!(found.status, Joints(Some(controller.state().joint_position)));
+}
+
+#[test]
+fn monitors_are_shared_between_threads() {
+    fn assert_send_and_sync<T: Send + Sync>() {}
+    assert_send_and_sync::<Monitor>();
+    assert_send_and_sync::<Monitor<Joints>>();
+    assert_send_and_sync::<jaka_sync::Subscription<RobotStatus>>();
+}
