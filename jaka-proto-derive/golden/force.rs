@@ -57,11 +57,14 @@ pub mod force {
     impl ::jaka_proto::Command for TorqueControlEnable {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "torque_control_enable",
-            "{\"cmdName\":\"torque_control_enable\"",
-            "4.36",
-            ::jaka_proto::Effect::Setting,
-        );
+                "torque_control_enable",
+                "{\"cmdName\":\"torque_control_enable\"",
+                "4.36",
+                ::jaka_proto::Effect::Setting,
+            )
+            .requires(
+                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
+            );
     }
     /// Reads whether the robot is in drag mode.
     ///
@@ -601,6 +604,13 @@ pub mod force {
                 "{\"cmdName\":\"start_torq_sensor_payload_identify\"",
                 "4.66",
                 ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::NotServoMode,
+                ],
             )
             .deadline_ms(60000u64);
     }

@@ -401,6 +401,13 @@ pub mod motion {
                 "4.6",
                 ::jaka_proto::Effect::Motion,
             )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::NotServoMode,
+                ],
+            )
             .deadline_ms(60000u64);
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
@@ -516,6 +523,13 @@ pub mod motion {
                 "4.7",
                 ::jaka_proto::Effect::Motion,
             )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::NotServoMode,
+                ],
+            )
             .deadline_ms(60000u64);
     }
     /// Moves all joints so that the tool centre point reaches a pose.
@@ -617,6 +631,13 @@ pub mod motion {
                 "{\"cmdName\":\"end_move\"",
                 "4.8",
                 ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::NotServoMode,
+                ],
             )
             .deadline_ms(60000u64);
     }
@@ -756,6 +777,13 @@ pub mod motion {
                 "{\"cmdName\":\"moveL\"",
                 "4.9",
                 ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::NotServoMode,
+                ],
             )
             .deadline_ms(60000u64);
     }
@@ -907,6 +935,13 @@ pub mod motion {
                 "{\"cmdName\":\"movc\"",
                 "4.10",
                 ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::NotServoMode,
+                ],
             )
             .deadline_ms(60000u64);
     }

@@ -151,6 +151,7 @@ pub mod power {
                 "4.3",
                 ::jaka_proto::Effect::Power,
             )
+            .requires(&[::jaka_proto::Requirement::Powered])
             .deadline_ms(30000u64);
     }
     /// What the controller answers to [`EnableRobot`].

@@ -244,11 +244,14 @@ pub mod program {
     impl ::jaka_proto::Command for PlayProgram {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "play_program",
-            "{\"cmdName\":\"play_program\"",
-            "4.20",
-            ::jaka_proto::Effect::Motion,
-        );
+                "play_program",
+                "{\"cmdName\":\"play_program\"",
+                "4.20",
+                ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
+            );
     }
     /// Pauses the program that is running.
     ///
@@ -314,11 +317,14 @@ pub mod program {
     impl ::jaka_proto::Command for ResumeProgram {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "resume_program",
-            "{\"cmdName\":\"resume_program\"",
-            "4.22",
-            ::jaka_proto::Effect::Motion,
-        );
+                "resume_program",
+                "{\"cmdName\":\"resume_program\"",
+                "4.22",
+                ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
+            );
     }
     /// Stops the program, or the motion, that is running.
     ///

@@ -135,11 +135,14 @@ pub mod servo {
     impl ::jaka_proto::Command for ServoMove {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "servo_move",
-            "{\"cmdName\":\"servo_move\"",
-            "4.14",
-            ::jaka_proto::Effect::Motion,
-        );
+                "servo_move",
+                "{\"cmdName\":\"servo_move\"",
+                "4.14",
+                ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
+            );
     }
     /// Moves all joints to a set-point, or by an offset, within one servo period.
     ///
@@ -240,11 +243,18 @@ pub mod servo {
     impl ::jaka_proto::Command for ServoJ {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "servo_j",
-            "{\"cmdName\":\"servo_j\"",
-            "4.15",
-            ::jaka_proto::Effect::Motion,
-        );
+                "servo_j",
+                "{\"cmdName\":\"servo_j\"",
+                "4.15",
+                ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::ServoMode,
+                ],
+            );
     }
     /// Moves the tool centre point to a set-point, or by an offset, within one servo period.
     ///
@@ -340,11 +350,18 @@ pub mod servo {
     impl ::jaka_proto::Command for ServoP {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "servo_p",
-            "{\"cmdName\":\"servo_p\"",
-            "4.16",
-            ::jaka_proto::Effect::Motion,
-        );
+                "servo_p",
+                "{\"cmdName\":\"servo_p\"",
+                "4.16",
+                ::jaka_proto::Effect::Motion,
+            )
+            .requires(
+                &[
+                    ::jaka_proto::Requirement::Powered,
+                    ::jaka_proto::Requirement::Enabled,
+                    ::jaka_proto::Requirement::ServoMode,
+                ],
+            );
     }
     /// Sets the filter that smooths the set-points of servo mode.
     ///
@@ -956,10 +973,11 @@ pub mod servo {
     impl ::jaka_proto::Command for SetServoMoveFilter {
         type Reply = ();
         const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
-            "set_servo_move_filter",
-            "{\"cmdName\":\"set_servo_move_filter\"",
-            "4.60",
-            ::jaka_proto::Effect::Setting,
-        );
+                "set_servo_move_filter",
+                "{\"cmdName\":\"set_servo_move_filter\"",
+                "4.60",
+                ::jaka_proto::Effect::Setting,
+            )
+            .requires(&[::jaka_proto::Requirement::NotServoMode]);
     }
 }

@@ -1,6 +1,6 @@
 //! Requests and replies.
 
-use jaka_spec::{Command, Effect, Request};
+use jaka_spec::{Command, Effect, Request, Requirement};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -77,6 +77,10 @@ fn info(command: &Command) -> TokenStream {
         Effect::Power => "Power",
         Effect::Session => "Session",
     });
+    let requires = (!command.requires.is_empty()).then(|| {
+        let requires = command.requires.iter().map(|requirement| ident(requirement_name(*requirement)));
+        quote!(.requires(&[#(::jaka_proto::Requirement::#requires),*]))
+    });
     let deadline = command.deadline.map(|deadline| {
         let ms = u64::try_from(deadline.as_millis()).unwrap_or(u64::MAX);
         quote!(.deadline_ms(#ms))
@@ -86,7 +90,16 @@ fn info(command: &Command) -> TokenStream {
     let bare = bare_reply_key(command).map(|key| quote!(.bare_reply(#key)));
     quote! {
         ::jaka_proto::CommandInfo::new(#name, #head, #section, ::jaka_proto::Effect::#effect)
-            #deadline #uncertain #ends #bare
+            #requires #deadline #uncertain #ends #bare
+    }
+}
+
+fn requirement_name(requirement: Requirement) -> &'static str {
+    match requirement {
+        Requirement::Powered => "Powered",
+        Requirement::Enabled => "Enabled",
+        Requirement::ServoMode => "ServoMode",
+        Requirement::NotServoMode => "NotServoMode",
     }
 }
 

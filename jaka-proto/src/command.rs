@@ -54,6 +54,8 @@ pub struct CommandInfo {
     pub section: &'static str,
     /// What the command does to the robot.
     pub effect: Effect,
+    /// States without which the controller refuses.
+    pub requires: &'static [Requirement],
     /// How long a reply may take, where the client's default does not fit.
     pub deadline: Option<Duration>,
     /// False where the controller may go away instead of replying.
@@ -68,7 +70,25 @@ impl CommandInfo {
     /// A command that is answered within the client's default time. For generated code.
     #[doc(hidden)]
     pub const fn new(name: &'static str, head: &'static str, section: &'static str, effect: Effect) -> Self {
-        Self { name, head, section, effect, deadline: None, reply_certain: true, ends_session: false, bare_reply: None }
+        Self {
+            name,
+            head,
+            section,
+            effect,
+            requires: &[],
+            deadline: None,
+            reply_certain: true,
+            ends_session: false,
+            bare_reply: None,
+        }
+    }
+
+    /// The same for a command that needs some state.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn requires(mut self, requires: &'static [Requirement]) -> Self {
+        self.requires = requires;
+        self
     }
 
     /// The same with a deadline of its own.
@@ -118,4 +138,18 @@ pub enum Effect {
     Power,
     /// Concerns the connection alone.
     Session,
+}
+
+/// A state that a command needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Requirement {
+    /// The arm has power.
+    Powered,
+    /// The arm is enabled.
+    Enabled,
+    /// Servo mode is on.
+    ServoMode,
+    /// Servo mode is off.
+    NotServoMode,
 }

@@ -18,7 +18,7 @@ pub mod messages {
     jaka_proto_derive::messages!();
 }
 
-pub use command::{Command, CommandInfo, Effect, Visit};
+pub use command::{Command, CommandInfo, Effect, Requirement, Visit};
 pub use envelope::{Envelope, Refusal, read_payload, write_refusal, write_reply};
 pub use error_code::ErrorCode;
 pub use ledger::{Arrival, Ledger, Mistrust, Ticket};

@@ -66,6 +66,12 @@ pub enum Error {
         /// How long was waited.
         after: Duration,
     },
+    /// A motion was not sent, since the robot has stopped or a connection was lost, and nobody has acknowledged it: see
+    /// [`Robot::acknowledge`](crate::Robot::acknowledge).
+    NotAcknowledged {
+        /// What happened.
+        outcome: Box<crate::Outcome>,
+    },
     /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
     UnexpectedStatus {
         /// Which field does not fit.
@@ -138,6 +144,9 @@ impl fmt::Display for Error {
             }
             Self::Disconnected { command: Some(command), .. } => {
                 write!(f, "the connection broke during `{command}`, which may have run")
+            }
+            Self::NotAcknowledged { outcome } => {
+                write!(f, "the motion was not sent, until what happened is acknowledged: {outcome}")
             }
             Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),

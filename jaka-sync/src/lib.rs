@@ -9,6 +9,7 @@ mod methods;
 mod monitor;
 mod receive;
 mod reply;
+mod robot;
 mod status_stream;
 mod stop;
 
@@ -21,11 +22,12 @@ pub use jaka_proto as proto;
 pub use jaka_proto::messages::*;
 #[doc(no_inline)]
 pub use jaka_proto::{
-    Command, CommandInfo, Effect, ErrorCode, Refusal,
+    Command, CommandInfo, Effect, ErrorCode, Refusal, Requirement,
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
+pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
 

@@ -16,8 +16,8 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 pub use self::reconnect::Reconnect;
 use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
-pub use self::subscription::Subscription;
 use self::subscription::Queue;
+pub use self::subscription::Subscription;
 use crate::{Config, Disconnect, Error, STATUS_PORT, address};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
@@ -172,11 +172,37 @@ impl<S> Monitor<S> {
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
     }
 
-    fn wait_for(
+    /// Looks at each newest packet as it comes, and whenever [`Waker::wake`] says so, until `look` has found something;
+    /// `None` after `timeout`, and the error once the connection has ended.
+    pub(crate) fn watch<T>(
         &self,
         timeout: Duration,
-        wanted: impl Fn(&Snapshot<S>) -> bool,
-    ) -> Result<Arc<Snapshot<S>>, Error> {
+        mut look: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
+    ) -> Result<Option<T>, Error> {
+        let since = Instant::now();
+        let mut state = self.board.lock();
+        let mut looked_at = 0;
+        loop {
+            let latest = state.latest.as_ref().filter(|snapshot| snapshot.number > looked_at);
+            looked_at = latest.map_or(looked_at, |snapshot| snapshot.number);
+            if let Some(found) = look(latest) {
+                return Ok(Some(found));
+            }
+            ended(&state)?;
+            let left = timeout.saturating_sub(since.elapsed());
+            if left.is_zero() {
+                return Ok(None);
+            }
+            state = self.board.wait(state, left);
+        }
+    }
+
+    /// What wakes those who [`watch`](Self::watch).
+    pub(crate) fn waker(&self) -> Waker<S> {
+        Waker { board: Arc::clone(&self.board) }
+    }
+
+    fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
         let since = Instant::now();
         let mut state = self.board.lock();
         let mut looked_at = 0;
@@ -191,9 +217,10 @@ impl<S> Monitor<S> {
             }
             let left = timeout.saturating_sub(since.elapsed());
             if left.is_zero() {
-                return Err(state.unfit.clone().map_or(Error::StatusTimeout { after: timeout }, |source| {
-                    Error::UnexpectedStatus { source }
-                }));
+                return Err(state
+                    .unfit
+                    .clone()
+                    .map_or(Error::StatusTimeout { after: timeout }, |source| Error::UnexpectedStatus { source }));
             }
             state = self.board.wait(state, left);
         }
@@ -218,6 +245,26 @@ impl<S> Monitor<S> {
     /// What ended the connection, if something did.
     pub fn disconnect(&self) -> Option<Arc<Disconnect>> {
         self.board.lock().ended.clone()
+    }
+}
+
+/// Wakes those who watch a monitor.
+#[derive(Debug)]
+pub(crate) struct Waker<S> {
+    board: Arc<Board<S>>,
+}
+
+impl<S> Clone for Waker<S> {
+    fn clone(&self) -> Self {
+        Self { board: Arc::clone(&self.board) }
+    }
+}
+
+impl<S> Waker<S> {
+    pub(crate) fn wake(&self) {
+        // With the lock, so that nobody is between looking and waiting.
+        drop(self.board.lock());
+        self.board.changed.notify_all();
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::time::Duration;
 
-use jaka_sim::{Controller, Fault};
+use jaka_sim::Fault;
 use jaka_sync::Client;
 use jaka_sync::collision::ClearError;
 use log::{LevelFilter, Log, Metadata, Record};

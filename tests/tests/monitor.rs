@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::{Controller, Delays, StatusFault};
-use jaka_sync::types::JointPosition;
 use jaka_sync::status::RobotStatus;
+use jaka_sync::types::JointPosition;
 use jaka_sync::{Config, Monitor, Reconnect};
 
 const LONG: Duration = Duration::from_secs(30);

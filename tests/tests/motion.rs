@@ -37,13 +37,14 @@ fn pose(client: &mut Client) -> [f64; 6] {
 
 /// Lets time go on until the arm is in position, and says for how long it was not. Calls `each` after each cycle.
 fn run(controller: &Controller, mut each: impl FnMut()) -> Duration {
-    let start = controller.elapsed();
+    let mut cycles = 0;
     while !controller.state().in_position {
         controller.advance(CYCLE);
         each();
-        assert!(controller.elapsed() - start < Duration::from_secs(600), "the motion never ends");
+        cycles += 1;
+        assert!(cycles < 100_000, "the motion never ends");
     }
-    controller.elapsed() - start
+    CYCLE * cycles
 }
 
 #[track_caller]
@@ -142,7 +143,8 @@ fn a_straight_line_is_straight() {
     let (controller, mut client) = ready();
     let start = pose(&mut client);
     let offset = Pose { x: 60.0, y: -120.0, z: 80.0, rx: 10.0, ry: -15.0, rz: 20.0 };
-    let request = MoveL { mode: MoveMode::Relative, pose: offset, speed: 100.0, acceleration: Some(400.0), tolerance: None };
+    let request =
+        MoveL { mode: MoveMode::Relative, pose: offset, speed: 100.0, acceleration: Some(400.0), tolerance: None };
     client.move_l(&request).expect("it is reachable");
     let direction: [f64; 3] = [60.0, -120.0, 80.0];
     let way = distance(direction, [0.0; 3]);
@@ -321,7 +323,9 @@ fn jogs_in_all_modes_and_frames() {
     client.jog(&Jog::Stop { frame: JogFrame::Joint, axis: 1 }).expect("it answers");
     run(&controller, || ());
     assert!((joints(&mut client)[1] - start[1] + 10.0).abs() < 0.2);
-    client.jog(&Jog::Absolute { frame: JogFrame::Joint, axis: 1, velocity: 20.0, position: start[1] }).expect("it goes");
+    client
+        .jog(&Jog::Absolute { frame: JogFrame::Joint, axis: 1, velocity: 20.0, position: start[1] })
+        .expect("it goes");
     run(&controller, || ());
     assert_close(joints(&mut client), start, 1e-9);
     client.jog(&Jog::Increment { frame: JogFrame::Joint, axis: 5, velocity: 20.0, distance: -7.0 }).expect("it goes");
@@ -332,7 +336,9 @@ fn jogs_in_all_modes_and_frames() {
     client.jog(&Jog::Increment { frame: JogFrame::World, axis: 1, velocity: 50.0, distance: 25.0 }).expect("it goes");
     run(&controller, || ());
     assert!((pose(&mut client)[1] - before[1] - 25.0).abs() < 0.01);
-    client.jog(&Jog::Absolute { frame: JogFrame::World, axis: 1, velocity: 50.0, position: before[1] }).expect("it goes");
+    client
+        .jog(&Jog::Absolute { frame: JogFrame::World, axis: 1, velocity: 50.0, position: before[1] })
+        .expect("it goes");
     run(&controller, || ());
     assert_close(pose(&mut client), before, 0.01);
     // The tool points down, so forward along its z is down.
@@ -405,9 +411,10 @@ fn programs_play_pause_and_resume() {
     controller.advance(Duration::from_millis(300));
     client.pause_program().expect("it answers");
     let paused = joints(&mut client);
-    assert_ne!(paused, start);
+    assert!((paused[0] - start[0]).abs() > 0.1);
     controller.advance(Duration::from_secs(5));
-    assert_eq!((joints(&mut client), state(&mut client)), (paused, ProgramState::Paused));
+    assert_close(joints(&mut client), paused, 0.0);
+    assert_eq!(state(&mut client), ProgramState::Paused);
     assert!(controller.state().program_state == ProgramState::Paused);
     client.resume_program().expect("it answers");
     controller.advance(Duration::from_secs(5));
@@ -464,7 +471,7 @@ fn collisions_emergency_stops_and_lost_power_end_motion() {
     controller.collide();
     let at = joints(&mut client);
     controller.advance(Duration::from_secs(5));
-    assert_eq!(joints(&mut client), at);
+    assert_close(joints(&mut client), at, 0.0);
     assert!(client.protective_stop_status().expect("it answers").protective_stop);
     assert!(client.joint_move(&back).is_err_and(|error| error.is_refused()));
     client.clear_error().expect("it answers");

@@ -28,7 +28,11 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         }
         Request::GetTrajConfig(command) => reply(command, config(trajectory), out),
         Request::SetTrajSampleMode(command) => {
-            if sample(command, world) { accept(command, out) } else { Outcome::Refused }
+            if sample(command, world) {
+                accept(command, out)
+            } else {
+                Outcome::Refused
+            }
         }
         Request::GetTrajSampleStatus(command) => {
             reply(command, GetTrajSampleStatusReply { sampling: trajectory.sampling }, out)

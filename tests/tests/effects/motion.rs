@@ -54,7 +54,7 @@ fn the_tool_moves_along_a_line(arm: &mut Arm) {
     let request = MoveL { mode: MoveMode::Relative, pose, speed: 30.0, acceleration: Some(300.0), tolerance: None };
     arm.client.move_l(&request).expect("it is reachable");
     arm.wait(1);
-    // After 0.1 s of acceleration, of 30 mm/s in the mean half.
+    // The 0.1 s of acceleration brings it half as far as the speed would.
     assert_close(arm.pose(), raised(start, 28.5), 0.1);
     assert!(arm.status().tcp_speed.is_some_and(|speed| (speed - 30.0).abs() < 0.1));
     arm.wait(5);

@@ -1,5 +1,6 @@
 //! Power, enabling and the controller's state.
 
+use jaka_sync::Client;
 use jaka_sync::status::TaskState;
 
 use crate::arm::{Arm, LIMIT, disabled, refused, turn};
@@ -15,7 +16,7 @@ effects! {
 }
 
 fn power_lets_the_arm_be_enabled(arm: &mut Arm) {
-    arm.refuses(|state| state.powered = false, |client| client.enable_robot());
+    arm.refuses(|state| state.powered = false, Client::enable_robot);
     assert_eq!(arm.status().task_state, Some(TaskState::PoweredOff));
     assert_eq!(arm.client.power_on().expect("it answers").powered_on, Some(true));
     let status = arm.status();

@@ -1,5 +1,6 @@
 //! Programs and the speed rate.
 
+use jaka_sync::Client;
 use jaka_sync::program::ProgramState;
 use jaka_sync::status::InterpreterState;
 
@@ -57,7 +58,7 @@ fn a_program_moves_the_arm(arm: &mut Arm) {
     arm.wait(5);
     assert_eq!(arm.status().interpreter_state, Some(InterpreterState::Idle));
     assert_close(arm.joints(), start, 1e-9);
-    arm.refuses(disabled, |client| client.play_program());
+    arm.refuses(disabled, Client::play_program);
 }
 
 fn a_pause_keeps_the_arm_where_it_is(arm: &mut Arm) {
@@ -81,7 +82,7 @@ fn a_program_goes_on_after_a_pause(arm: &mut Arm) {
     arm.wait(5);
     assert_close(arm.joints(), start, 1e-9);
     assert_eq!(arm.status().interpreter_state, Some(InterpreterState::Idle));
-    arm.refuses(disabled, |client| client.resume_program());
+    arm.refuses(disabled, Client::resume_program);
 }
 
 fn a_stop_ends_motion(arm: &mut Arm) {

@@ -1,0 +1,255 @@
+//! A client and a monitor together: motions that are waited for.
+
+mod explain;
+mod motion;
+mod outcome;
+mod wait;
+
+use std::fmt::Display;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::messages::types::JointPosition;
+
+pub use self::explain::Explanation;
+pub use self::motion::Motion;
+pub use self::outcome::{MotionEnd, NotReached, Outcome};
+use self::wait::{Grace, Wait};
+use crate::monitor::Waker;
+use crate::{Client, Config, Error, Monitor, StopHandle};
+
+/// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_sync::Robot;
+/// use jaka_sync::motion::JointMove;
+/// use jaka_sync::types::MoveMode;
+///
+/// let mut robot = Robot::connect("10.5.5.100")?;
+/// robot.power_up(Duration::from_secs(60))?;
+/// let request = JointMove {
+///     mode: MoveMode::Absolute,
+///     joint_position: [0.0, 90.0, 90.0, 90.0, -90.0, 0.0].into(),
+///     speed: 20.0,
+///     acceleration: Some(60.0),
+/// };
+/// robot.run(&request, Duration::from_secs(30))?.reached()?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// After a protective stop, an emergency stop or a lost connection, motions are refused until
+/// [`acknowledge`](Self::acknowledge) is called: somebody should have looked first. Nothing is ever sent again, or enabled
+/// again, on its own.
+#[derive(Debug)]
+pub struct Robot {
+    client: Client,
+    monitor: Arc<Monitor>,
+    grace: Grace,
+    silence: Duration,
+    /// What must be acknowledged before the arm moves again.
+    latched: Option<Outcome>,
+    batch: Option<Batch>,
+    stops: Arc<AtomicU64>,
+}
+
+/// Motions that were accepted and have not been waited for.
+#[derive(Debug, Clone, Copy)]
+struct Batch {
+    sent: Instant,
+    target: Option<JointPosition>,
+    stops: u64,
+}
+
+impl Robot {
+    /// Connects to a controller at the protocol's ports, 10001 and 10000.
+    ///
+    /// # Errors
+    /// As [`Client::connect`] and [`Monitor::connect`].
+    pub fn connect(address: impl Display) -> Result<Self, Error> {
+        let config = Config::new();
+        let monitor: Monitor = config.monitor(&address)?;
+        Ok(Self::new(config.connect(address)?, monitor))
+    }
+
+    /// A robot of connections that have been made, to the same controller.
+    ///
+    /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor).
+    pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
+        let monitor = monitor.into();
+        let grace = Grace { time: Duration::from_millis(400), packets: 3 };
+        let (silence, stops) = (Duration::from_secs(2), Arc::default());
+        Self { client, monitor, grace, silence, latched: None, batch: None, stops }
+    }
+
+    /// Sets how long the arm may take to begin a motion, and how many packets must have come by then. 0.4 s and three by
+    /// default.
+    ///
+    /// If the arm has not left its position within that, the motion is taken to have had no length, or, where its target is
+    /// known and the arm is not there, to have been stopped.
+    #[must_use]
+    pub fn start_grace(mut self, time: Duration, packets: u32) -> Self {
+        self.grace = Grace { time, packets: packets.max(1) };
+        self
+    }
+
+    /// Sets how long status packets may stay away while a motion is waited for. 2 s by default.
+    #[must_use]
+    pub fn status_silence(mut self, time: Duration) -> Self {
+        self.silence = time;
+        self
+    }
+
+    /// The client, for all other commands.
+    ///
+    /// Motions that are sent through it are not refused after a stop, and not waited for.
+    pub fn client(&mut self) -> &mut Client {
+        &mut self.client
+    }
+
+    /// The monitor, which can be cloned for other threads.
+    pub fn monitor(&self) -> &Arc<Monitor> {
+        &self.monitor
+    }
+
+    /// Powers and enables the arm, each step when the status says that the one before is done.
+    ///
+    /// # Errors
+    /// As [`Client::call`]; [`Error::StatusTimeout`] if the status does not follow in time.
+    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
+        let since = Instant::now();
+        let left = || timeout.saturating_sub(since.elapsed());
+        let now = self.monitor.wait_until(|_| true, left())?;
+        if now.status.powered_on != Some(true) {
+            self.client.power_on()?;
+            self.monitor.wait_until(|status| status.powered_on == Some(true), left())?;
+        }
+        if now.status.enabled != Some(true) {
+            self.client.enable_robot()?;
+            self.monitor.wait_until(|status| status.enabled == Some(true), left())?;
+        }
+        Ok(())
+    }
+
+    /// Sends a motion and waits for its end.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start). All that happens after the motion was accepted is told by the [`MotionEnd`].
+    pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
+        self.start(motion)?;
+        Ok(self.wait(timeout))
+    }
+
+    /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
+    ///
+    /// # Errors
+    /// As [`Client::call`]; [`Error::NotAcknowledged`] after a stop or a lost connection. Nothing was sent then.
+    pub fn start(&mut self, motion: &impl Motion) -> Result<(), Error> {
+        if let Some(outcome) = self.latch() {
+            return Err(Error::NotAcknowledged { outcome: Box::new(outcome) });
+        }
+        // What waits for the end tells an earlier stop from one that is meant for this motion.
+        let stops = self.stops.load(Ordering::SeqCst);
+        self.client.call(motion)?;
+        // Packets that came before the reply may be older than the motion.
+        let sent = Instant::now();
+        let first = self.batch.get_or_insert(Batch { sent, target: None, stops });
+        first.target = motion.target();
+        first.sent = sent;
+        Ok(())
+    }
+
+    /// Waits for the end of all motions that were started; at once, with [`Outcome::Reached`], if there are none.
+    pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
+        let since = Instant::now();
+        let Some(batch) = self.batch.take() else {
+            return MotionEnd { outcome: Outcome::Reached, waited: Duration::ZERO, packets: Vec::new() };
+        };
+        let mut wait = Wait::new(batch.sent, batch.target, self.grace);
+        let outcome = self.watch(&mut wait, batch.stops, timeout);
+        if outcome.latches() {
+            self.latched = Some(outcome.clone());
+        }
+        if matches!(outcome, Outcome::Deadline) {
+            // The motions may go on: they can be waited for again.
+            self.batch = Some(batch);
+        }
+        MotionEnd { outcome, waited: since.elapsed(), packets: wait.packets.into() }
+    }
+
+    fn watch(&self, wait: &mut Wait, stops: u64, timeout: Duration) -> Outcome {
+        let since = Instant::now();
+        loop {
+            let heard = self.monitor.last().map(|snapshot| snapshot.number);
+            let left = timeout.saturating_sub(since.elapsed());
+            let watched = self.monitor.watch(left.min(self.silence), |snapshot| {
+                if self.stops.load(Ordering::SeqCst) != stops {
+                    return Some(Outcome::Stopped);
+                }
+                snapshot.and_then(|snapshot| wait.look(snapshot))
+            });
+            match watched {
+                Ok(Some(outcome)) => return outcome,
+                Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect() },
+                Ok(None) if since.elapsed() >= timeout => return Outcome::Deadline,
+                Ok(None) if self.monitor.last().map(|snapshot| snapshot.number) == heard => {
+                    return Outcome::StatusLost { cause: None };
+                }
+                Ok(None) => {}
+            }
+        }
+    }
+
+    /// What must be acknowledged before the arm moves again, if something must.
+    pub fn latch(&mut self) -> Option<Outcome> {
+        if self.latched.is_none() {
+            let cause = self.client.disconnect().or_else(|| self.monitor.disconnect());
+            let lost = cause.map(|cause| Outcome::StatusLost { cause: Some(cause) });
+            let stopped = self.monitor.last().and_then(|snapshot| wait::trouble(&snapshot.status));
+            self.latched = lost.or_else(|| stopped.filter(Outcome::latches));
+        }
+        self.latched.clone()
+    }
+
+    /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving.
+    pub fn acknowledge(&mut self) {
+        self.latched = None;
+        self.batch = None;
+    }
+
+    /// Why the controller refused a command, as far as the status tells, and what call helps.
+    pub fn explain(&self, error: &Error) -> Option<Explanation> {
+        let status = self.monitor.last();
+        explain::explain(error.refusal()?, status.as_ref().map(|snapshot| &snapshot.status))
+    }
+
+    /// A handle that stops the arm from another thread and ends a [`wait`](Self::wait) at once.
+    pub fn stop_handle(&self) -> RobotStop {
+        RobotStop { handle: self.client.stop_handle(), stops: Arc::clone(&self.stops), waker: self.monitor.waker() }
+    }
+}
+
+/// Stops the arm of a [`Robot`] from another thread, and ends its wait at once.
+///
+/// This is no emergency stop; people are protected by the robot's own safety functions alone.
+#[derive(Debug, Clone)]
+pub struct RobotStop {
+    handle: StopHandle,
+    stops: Arc<AtomicU64>,
+    waker: Waker<RobotStatus>,
+}
+
+impl RobotStop {
+    /// Ends the wait, sends `stop_program` (4.23) and waits until the controller has taken it.
+    ///
+    /// # Errors
+    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on.
+    pub fn stop(&self) -> Result<(), Error> {
+        let stopped = self.handle.stop();
+        self.stops.fetch_add(1, Ordering::SeqCst);
+        self.waker.wake();
+        stopped
+    }
+}

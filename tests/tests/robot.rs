@@ -1,0 +1,294 @@
+//! Motions that are waited for, with a clock that the test moves on: each outcome, and many at random.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays, StatusFault};
+use jaka_sync::motion::{JointMove, MoveL};
+use jaka_sync::types::{MoveMode, Pose};
+use jaka_sync::{Client, Config, Error, Explanation, Monitor, MotionEnd, Outcome, Robot};
+use proptest::test_runner::{RngAlgorithm, TestRng};
+
+const CYCLE: Duration = Duration::from_millis(8);
+const LONG: Duration = Duration::from_secs(60);
+
+/// A controller that sends a packet each cycle, and a robot that is powered up.
+///
+/// The robot's grace is counted in packets alone, so that nothing depends on how fast this machine is.
+fn ready() -> (Controller, Robot) {
+    let controller = Controller::builder()
+        .delays(Delays::NONE)
+        .stepped_clock()
+        .status_period(CYCLE)
+        .start()
+        .expect("loopback has free ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    let monitor: Monitor =
+        Config::new().stale_after(LONG).monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|_| true, LONG).expect("the first packet comes at once");
+    let client = Client::connect(controller.command_addr()).expect("the controller listens");
+    let robot = Robot::new(client, monitor).start_grace(Duration::ZERO, 4).status_silence(LONG);
+    (controller, robot)
+}
+
+/// Lets a cycle pass, and waits until the monitor has its packet, so that it is never more than one behind.
+fn step(controller: &Controller, monitor: &Monitor) {
+    let before = monitor.last().map_or(0, |snapshot| snapshot.number);
+    controller.advance(CYCLE);
+    let since = Instant::now();
+    while monitor.disconnect().is_none() && monitor.last().is_none_or(|snapshot| snapshot.number == before) {
+        assert!(since.elapsed() < LONG, "the packet does not come");
+        thread::yield_now();
+    }
+}
+
+/// Runs `work` while time goes on; `each` is called before each cycle with its number.
+fn while_time_goes_on<T: Send>(
+    controller: &Controller,
+    monitor: &Arc<Monitor>,
+    work: impl FnOnce() -> T + Send,
+    mut each: impl FnMut(u32),
+) -> T {
+    let done = AtomicBool::new(false);
+    thread::scope(|scope| {
+        let working = scope.spawn(|| {
+            let result = work();
+            done.store(true, Ordering::SeqCst);
+            result
+        });
+        let mut cycle = 0;
+        while !done.load(Ordering::SeqCst) && !working.is_finished() {
+            each(cycle);
+            step(controller, monitor);
+            cycle += 1;
+        }
+        working.join().expect("the work does not panic")
+    })
+}
+
+fn to(angle: f64) -> JointMove {
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
+    JointMove { mode: MoveMode::Absolute, joint_position, speed: 90.0, acceleration: Some(500.0) }
+}
+
+fn run(controller: &Controller, robot: &mut Robot, motion: &JointMove, each: impl FnMut(u32)) -> MotionEnd {
+    let monitor = Arc::clone(robot.monitor());
+    let run = || robot.run(motion, LONG);
+    while_time_goes_on(controller, &monitor, run, each).expect("the motion is accepted")
+}
+
+/// Runs a long motion, and does something in its middle.
+fn disturbed(controller: &Controller, robot: &mut Robot, disturb: impl Fn()) -> MotionEnd {
+    run(controller, robot, &to(100.0), |cycle| {
+        if cycle == 20 {
+            disturb();
+        }
+    })
+}
+
+#[test]
+fn a_motion_reaches_its_target() {
+    let (controller, mut robot) = ready();
+    let end = run(&controller, &mut robot, &to(30.0), |_| ());
+    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!((controller.state().joint_position.0[0] - 30.0).abs() < 1e-9);
+    assert!(controller.state().in_position);
+    assert!(end.packets.len() <= 10 && end.packets.last().is_some_and(|last| last.status.in_position == Some(true)));
+    // A motion of no length ends too, and so does one that has an offset, or is Cartesian.
+    assert!(run(&controller, &mut robot, &to(30.0), |_| ()).outcome.is_reached());
+    let offset = JointMove { mode: MoveMode::Relative, joint_position: [5.0; 6].into(), ..to(0.0) };
+    assert!(run(&controller, &mut robot, &offset, |_| ()).outcome.is_reached());
+    let up = Pose { x: 0.0, y: 0.0, z: 20.0, rx: 0.0, ry: 0.0, rz: 0.0 };
+    let line = MoveL { mode: MoveMode::Relative, pose: up, speed: 100.0, acceleration: None, tolerance: None };
+    let monitor = Arc::clone(robot.monitor());
+    let height = controller.state().tcp_pose.z;
+    let end = while_time_goes_on(&controller, &monitor, || robot.run(&line, LONG), |_| ()).expect("it is reachable");
+    assert!(end.outcome.is_reached() && (controller.state().tcp_pose.z - height - 20.0).abs() < 0.01);
+}
+
+#[test]
+fn a_batch_is_waited_for_once() {
+    let (controller, mut robot) = ready();
+    for angle in [20.0, -20.0, 10.0] {
+        robot.start(&to(angle)).expect("it is reachable");
+    }
+    let monitor = Arc::clone(robot.monitor());
+    let end = while_time_goes_on(&controller, &monitor, || robot.wait(LONG), |_| ());
+    assert!(end.outcome.is_reached());
+    assert!((controller.state().joint_position.0[0] - 10.0).abs() < 1e-9);
+    assert!(robot.wait(Duration::ZERO).outcome.is_reached(), "nothing is left to wait for");
+}
+
+#[test]
+fn a_stop_ends_the_wait_at_once() {
+    let (controller, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let end = disturbed(&controller, &mut robot, || stop.stop().expect("the controller takes the stop"));
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(robot.latch().is_none(), "a stop that was asked for needs no acknowledgement");
+}
+
+#[test]
+fn a_stop_by_somebody_else_is_seen_where_the_target_is_known() {
+    let (controller, mut robot) = ready();
+    // As another client would: the state says that the arm rests, and it is not where it was sent.
+    let end = disturbed(&controller, &mut robot, || {
+        controller.set_state(|state| state.enabled = false);
+        controller.set_state(|state| state.enabled = true);
+    });
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.reached().is_err_and(|error| error.to_string() == "the motion was stopped before its target"));
+}
+
+#[test]
+fn protective_and_emergency_stops_latch_until_acknowledged() {
+    let (controller, mut robot) = ready();
+    let end = disturbed(&controller, &mut robot, || controller.collide());
+    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{:?}", end.outcome);
+    robot.client().clear_error().expect("it answers");
+    step(&controller, &Arc::clone(robot.monitor()));
+    let sent = controller.requests().len();
+    let error = robot.run(&to(0.0), LONG).expect_err("nobody has looked");
+    assert!(matches!(error, Error::NotAcknowledged { .. }) && !error.may_have_run());
+    assert_eq!(controller.requests().len(), sent);
+    robot.acknowledge();
+    assert!(run(&controller, &mut robot, &to(5.0), |_| ()).outcome.is_reached());
+
+    let end = disturbed(&controller, &mut robot, || controller.press_emergency_stop());
+    assert!(matches!(end.outcome, Outcome::EmergencyStop), "{:?}", end.outcome);
+    controller.release_emergency_stop();
+    step(&controller, &Arc::clone(robot.monitor()));
+    assert!(robot.start(&to(0.0)).is_err());
+}
+
+#[test]
+fn an_arm_that_is_disabled_ends_its_motion() {
+    let (controller, mut robot) = ready();
+    let end = disturbed(&controller, &mut robot, || controller.cut_power());
+    assert!(matches!(end.outcome, Outcome::Disabled), "{:?}", end.outcome);
+}
+
+#[test]
+fn an_error_of_the_controller_ends_a_motion_with_its_code() {
+    let (controller, mut robot) = ready();
+    let end = disturbed(&controller, &mut robot, || {
+        controller.set_state(|state| {
+            state.error_code = "0x12".to_owned();
+            state.error_message = "joint 3 is hot".to_owned();
+        });
+    });
+    assert_eq!(end.outcome.to_string(), "the controller reports error 0x12: joint 3 is hot");
+}
+
+#[test]
+fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
+    let (controller, mut robot) = ready();
+    let end = robot.run(&to(40.0), Duration::from_millis(20)).expect("it is accepted");
+    assert!(matches!(end.outcome, Outcome::Deadline));
+    let monitor = Arc::clone(robot.monitor());
+    let end = while_time_goes_on(&controller, &monitor, || robot.wait(LONG), |_| ());
+    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+}
+
+#[test]
+fn a_lost_status_is_told_and_latches() {
+    let (controller, mut robot) = ready();
+    robot.start(&to(40.0)).expect("it is accepted");
+    controller.disconnect();
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::StatusLost { cause: Some(_) }), "{:?}", end.outcome);
+    assert!(robot.start(&to(0.0)).is_err_and(|error| matches!(error, Error::NotAcknowledged { .. })));
+
+    let (controller, robot) = ready();
+    let mut robot = robot.status_silence(Duration::from_millis(50));
+    controller.status_fault(StatusFault::Silent);
+    robot.start(&to(40.0)).expect("it is accepted");
+    assert!(matches!(robot.wait(LONG).outcome, Outcome::StatusLost { cause: None }));
+}
+
+#[test]
+fn power_up_follows_the_state() {
+    let controller = Controller::builder().stepped_clock().status_period(CYCLE).start().expect("there are ports");
+    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let client = Client::connect(controller.command_addr()).expect("the controller listens");
+    let mut robot = Robot::new(client, monitor);
+    let monitor = Arc::clone(robot.monitor());
+    let power_up = || robot.power_up(LONG);
+    while_time_goes_on(&controller, &monitor, power_up, |_| ()).expect("the status follows");
+    assert!(controller.state().enabled);
+    assert!(controller.elapsed() > Duration::from_secs(11), "{:?}", controller.elapsed());
+    assert_eq!(controller.requests().len(), 2);
+}
+
+#[test]
+fn refusals_are_explained() {
+    let (controller, mut robot) = ready();
+    let mut why = |change: fn(&mut jaka_sim::State)| {
+        controller.set_state(change);
+        step(&controller, &Arc::clone(robot.monitor()));
+        let error = robot.client().joint_move(&to(0.0)).expect_err("the controller refuses");
+        robot.explain(&error)
+    };
+    assert_eq!(why(|state| state.protective_stop = true), Some(Explanation::ProtectiveStop));
+    assert_eq!(why(|state| state.emergency_stop = true), Some(Explanation::EmergencyStop));
+    let not_enabled = |state: &mut jaka_sim::State| {
+        state.emergency_stop = false;
+        state.protective_stop = false;
+    };
+    assert_eq!(why(not_enabled), Some(Explanation::NotEnabled));
+    assert_eq!(why(|state| state.powered = false), Some(Explanation::NotPowered));
+}
+
+/// Random motions: of some length or none, one or several, some of them stopped at a random moment. 300, or as many as
+/// `JAKA_MOTIONS` says.
+#[test]
+fn random_motions_end_as_they_should() {
+    let count: u32 = std::env::var("JAKA_MOTIONS").ok().and_then(|count| count.parse().ok()).unwrap_or(300);
+    let (controller, mut robot) = ready();
+    let mut random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    for number in 0..count {
+        one_random_motion(&controller, &mut robot, &mut random, number);
+    }
+}
+
+fn one_random_motion(controller: &Controller, robot: &mut Robot, random: &mut TestRng, number: u32) {
+    use proptest::prelude::RngCore;
+    let mut below = |limit: u32| random.next_u32() % limit;
+    let here = controller.state().joint_position.0[0];
+    let angles: Vec<f64> =
+        (0..=below(3)).map(|_| if below(4) == 0 { here } else { f64::from(below(60)) / 10.0 - 3.0 }).collect();
+    let stop_at = (below(4) == 0).then(|| below(40));
+    let target = angles[angles.len() - 1];
+    for angle in &angles {
+        robot.start(&to(*angle)).expect("it is reachable");
+    }
+    let stop = robot.stop_handle();
+    let monitor = Arc::clone(robot.monitor());
+    let mut stopped = false;
+    let end = while_time_goes_on(
+        controller,
+        &monitor,
+        || robot.wait(LONG),
+        |cycle| {
+            if stop_at == Some(cycle) {
+                stop.stop().expect("the controller takes the stop");
+                stopped = true;
+            }
+        },
+    );
+    let at = controller.state().joint_position.0[0];
+    match end.outcome {
+        Outcome::Reached => assert!((at - target).abs() < 1e-6, "motion {number} to {angles:?} ended at {at}"),
+        Outcome::Stopped => assert!(stopped, "motion {number} to {angles:?} was not stopped, and ended at {at}"),
+        other => panic!("motion {number} to {angles:?} ended with {other:?}"),
+    }
+    // The arm comes to rest before the next one.
+    while !controller.state().in_position {
+        step(controller, &monitor);
+    }
+}
