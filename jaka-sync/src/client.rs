@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
-use jaka_proto::{Command, CommandInfo, read_payload};
+use jaka_proto::{Command, CommandInfo, Ticket, read_payload};
 use serde_json::Value;
 
 use crate::link::Link;
@@ -82,6 +82,30 @@ impl Client {
         }
         let reply = read_payload(info, &self.reply);
         reply.map_err(|source| Error::UnexpectedReply { command: info.name.to_owned(), source })
+    }
+
+    /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
+    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<Ticket, Error> {
+        command.check(self.config.advisory_ranges)?;
+        let name = C::INFO.name;
+        let sent = self.link.send(name, Cow::Borrowed(name), Duration::ZERO, |out| command.write_request(out))?;
+        Ok(sent.ticket)
+    }
+
+    /// Takes off the replies to commands that were posted, as far as they have come.
+    pub(crate) fn drain(
+        &self,
+        command: &str,
+        mine: impl Fn(Ticket) -> bool,
+        each: impl FnMut(Ticket, Result<(), Error>),
+    ) -> Result<(), Error> {
+        let lost = |cause| Error::Disconnected { command: Some(command.to_owned()), sent: true, cause };
+        self.link.drain(mine, each, command).map_err(lost)
+    }
+
+    /// Gives up the reply to a command that was posted.
+    pub(crate) fn forget(&self, ticket: Ticket) {
+        self.link.forget(ticket);
     }
 
     /// Sends a command that the spec does not know, and gives back the whole reply as JSON.

@@ -72,6 +72,13 @@ pub enum Error {
         /// What happened.
         outcome: Box<crate::Outcome>,
     },
+    /// A servo session failed, and leaving servo mode failed too: the arm may still be in servo mode.
+    ServoModeNotLeft {
+        /// What failed in the session.
+        first: Box<Error>,
+        /// Why servo mode could not be left.
+        leaving: Box<Error>,
+    },
     /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
     UnexpectedStatus {
         /// Which field does not fit.
@@ -83,7 +90,10 @@ impl Error {
     /// True if the controller may have carried out the command although the call failed.
     pub fn may_have_run(&self) -> bool {
         match self {
-            Self::Timeout { .. } | Self::ReplyLost { .. } | Self::UnexpectedReply { .. } => true,
+            Self::Timeout { .. }
+            | Self::ReplyLost { .. }
+            | Self::UnexpectedReply { .. }
+            | Self::ServoModeNotLeft { .. } => true,
             Self::Disconnected { sent, .. } => *sent,
             _ => false,
         }
@@ -144,6 +154,9 @@ impl fmt::Display for Error {
             }
             Self::Disconnected { command: Some(command), .. } => {
                 write!(f, "the connection broke during `{command}`, which may have run")
+            }
+            Self::ServoModeNotLeft { first, leaving } => {
+                write!(f, "{first}; and servo mode could not be left: {leaving}")
             }
             Self::NotAcknowledged { outcome } => {
                 write!(f, "the motion was not sent, until what happened is acknowledged: {outcome}")

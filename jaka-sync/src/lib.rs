@@ -10,6 +10,7 @@ mod monitor;
 mod receive;
 mod reply;
 mod robot;
+mod servo_session;
 mod status_stream;
 mod stop;
 
@@ -28,6 +29,7 @@ pub use jaka_proto::{
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
+pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
 

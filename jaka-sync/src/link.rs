@@ -235,6 +235,68 @@ impl Link {
         }
     }
 
+    /// Reads what has arrived, without waiting, and calls `each` with the commands that `mine` knows and what became of
+    /// them: accepted, refused, or no answer any more.
+    ///
+    /// Where another thread is reading, what it has read for this one so far has to do.
+    pub(crate) fn drain(
+        &self,
+        mine: impl Fn(Ticket) -> bool,
+        mut each: impl FnMut(Ticket, Result<(), Error>),
+        command: &str,
+    ) -> Result<(), Arc<Disconnect>> {
+        let mut state = self.lock();
+        if state.reader == Reader::Nobody {
+            // With the lock held, nobody writes while the socket does not block.
+            if let Err(cause) = self.read_arrived(&mut state) {
+                self.break_off(&mut state, cause);
+            }
+            self.wake(&state);
+        }
+        let (answered, kept): (Vec<_>, _) = state.aside.drain(..).partition(|(ticket, _)| mine(*ticket));
+        state.aside = kept;
+        for (ticket, answer) in answered {
+            let sent = Sent { ticket, command, since: Instant::now(), timeout: Duration::ZERO };
+            each(ticket, deliver(answer, &sent, &mut String::new()));
+        }
+        state.broken.clone().map_or(Ok(()), Err)
+    }
+
+    fn read_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
+        let Ok(mut inbound) = self.inbound.try_lock() else {
+            return Ok(());
+        };
+        let Inbound { framer, timeout } = &mut *inbound;
+        self.stream.set_nonblocking(true).map_err(Disconnect::Read)?;
+        let arrived = loop {
+            match receive::chunk(&self.stream, framer, timeout, Duration::from_secs(1)) {
+                Ok(Chunk::Some) => {}
+                Ok(Chunk::TimeUp) => break Ok(()),
+                Err(cause) => break Err(cause),
+            }
+        };
+        self.stream.set_nonblocking(false).map_err(Disconnect::Read)?;
+        while let Some(frame) = framer.next_frame().map_err(Disconnect::Frame)? {
+            let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
+            log::trace!(target: "jaka_sync::wire", "<- {text}");
+            let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
+            let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
+            state.aside.extend(arrival.lost.iter().map(|ticket| (*ticket, Answer::Lost)));
+            if arrival.awaited {
+                state.aside.push((arrival.ticket, Answer::Reply(text.to_owned())));
+            }
+        }
+        arrived
+    }
+
+    /// Gives up the reply to a command: it belongs to nobody when it comes.
+    pub(crate) fn forget(&self, ticket: Ticket) {
+        let mut state = self.lock();
+        if let Err(mistrust) = state.ledger.give_up(ticket) {
+            self.break_off(&mut state, Disconnect::Mistrust(mistrust));
+        }
+    }
+
     /// Settles the debt that a reply belongs to.
     fn settle(&self, text: &str, sent: &Sent<'_>) -> Result<Settled, Disconnect> {
         let reply = Reply::read(text).map_err(Disconnect::NotJson)?;

@@ -18,7 +18,7 @@ pub use self::motion::Motion;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::wait::{Grace, Wait};
 use crate::monitor::Waker;
-use crate::{Client, Config, Error, Monitor, StopHandle};
+use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession, StopHandle};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
 ///
@@ -136,10 +136,12 @@ impl Robot {
     /// Sends a motion and waits for its end.
     ///
     /// # Errors
-    /// As [`start`](Self::start). All that happens after the motion was accepted is told by the [`MotionEnd`].
+    /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
+    /// was accepted is told by the [`MotionEnd`].
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
-        self.start(motion)?;
-        Ok(self.wait(timeout))
+        let since = Instant::now();
+        self.send(motion, |client| client.call_within(motion, timeout))?;
+        Ok(self.wait(timeout.saturating_sub(since.elapsed())))
     }
 
     /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
@@ -147,12 +149,18 @@ impl Robot {
     /// # Errors
     /// As [`Client::call`]; [`Error::NotAcknowledged`] after a stop or a lost connection. Nothing was sent then.
     pub fn start(&mut self, motion: &impl Motion) -> Result<(), Error> {
-        if let Some(outcome) = self.latch() {
-            return Err(Error::NotAcknowledged { outcome: Box::new(outcome) });
-        }
+        self.send(motion, |client| client.call(motion))
+    }
+
+    fn send<M: Motion>(
+        &mut self,
+        motion: &M,
+        call: impl FnOnce(&mut Client) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        self.check_latch()?;
         // What waits for the end tells an earlier stop from one that is meant for this motion.
         let stops = self.stops.load(Ordering::SeqCst);
-        self.client.call(motion)?;
+        call(&mut self.client)?;
         // Packets that came before the reply may be older than the motion.
         let sent = Instant::now();
         let first = self.batch.get_or_insert(Batch { sent, target: None, stops });
@@ -200,6 +208,20 @@ impl Robot {
                 Ok(None) => {}
             }
         }
+    }
+
+    /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
+    ///
+    /// # Errors
+    /// As [`Client::call`]; [`Error::NotAcknowledged`] after a stop or a lost connection; [`Error::StatusTimeout`] if the
+    /// controller does not enter servo mode in time.
+    pub fn servo(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
+        self.check_latch()?;
+        ServoSession::enter(self, config)
+    }
+
+    pub(crate) fn check_latch(&mut self) -> Result<(), Error> {
+        self.latch().map_or(Ok(()), |outcome| Err(Error::NotAcknowledged { outcome: Box::new(outcome) }))
     }
 
     /// What must be acknowledged before the arm moves again, if something must.

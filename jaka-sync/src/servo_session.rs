@@ -1,0 +1,68 @@
+//! Servo mode: set-points at the controller's own pace.
+
+mod pace;
+mod report;
+mod session;
+
+use std::time::Duration;
+
+use jaka_proto::messages::servo::SetServoMoveFilter;
+
+pub use self::report::ServoReport;
+pub use self::session::ServoSession;
+
+/// How a [`ServoSession`] runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ServoConfig {
+    pub(crate) step_count: u32,
+    pub(crate) filter: Option<SetServoMoveFilter>,
+    pub(crate) enter_timeout: Duration,
+    pub(crate) busy_wait: Duration,
+}
+
+impl Default for ServoConfig {
+    fn default() -> Self {
+        Self { step_count: 1, filter: None, enter_timeout: Duration::from_secs(5), busy_wait: Duration::ZERO }
+    }
+}
+
+impl ServoConfig {
+    /// A set-point each 8 ms, with the filter as it is.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the servo period to so many controller cycles of 8 ms; 1 by default, and at least.
+    #[must_use]
+    pub fn step_count(mut self, cycles: u32) -> Self {
+        self.step_count = cycles.max(1);
+        self
+    }
+
+    /// Sets the filter that smooths the set-points, before servo mode is entered. By default it stays as it is.
+    #[must_use]
+    pub fn filter(mut self, filter: SetServoMoveFilter) -> Self {
+        self.filter = Some(filter);
+        self
+    }
+
+    /// Sets how long the controller may take to enter servo mode. 5 s by default.
+    #[must_use]
+    pub fn enter_timeout(mut self, timeout: Duration) -> Self {
+        self.enter_timeout = timeout;
+        self
+    }
+
+    /// Sets for how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU time.
+    /// Not at all by default; 200 µs suit a usual Linux system.
+    #[must_use]
+    pub fn busy_wait(mut self, time: Duration) -> Self {
+        self.busy_wait = time;
+        self
+    }
+
+    /// The time between two set-points.
+    pub fn period(&self) -> Duration {
+        pace::CYCLE * self.step_count
+    }
+}

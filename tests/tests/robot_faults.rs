@@ -1,0 +1,145 @@
+//! Faults of the wire while motions are waited for and while set-points go out: each call ends in time, with an outcome or an
+//! error that fits, and nothing hangs.
+
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays, Fault, StatusFault};
+use jaka_sync::motion::JointMove;
+use jaka_sync::types::MoveMode;
+use jaka_sync::{Client, Config, Error, Monitor, Outcome, Robot, RobotStop, ServoConfig};
+
+/// No call may take longer than its deadline by more than this, on a busy machine.
+const SLACK: Duration = Duration::from_secs(20);
+const DEADLINE: Duration = Duration::from_secs(2);
+
+fn ready() -> (Controller, Robot) {
+    let controller = Controller::builder()
+        .delays(Delays::NONE)
+        .status_period(Duration::from_millis(10))
+        .start()
+        .expect("loopback has free ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    let config = Config::new().reply_timeout(Duration::from_millis(300)).max_frame(64 << 10);
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|status| status.enabled == Some(true), Duration::from_secs(30)).expect("packets come");
+    let client: Client = config.connect(controller.command_addr()).expect("the controller listens");
+    let silence = Duration::from_millis(500);
+    (controller, Robot::new(client, monitor).start_grace(Duration::from_millis(100), 3).status_silence(silence))
+}
+
+fn short_move() -> JointMove {
+    let joint_position = [3.0, 90.0, 90.0, 90.0, -90.0, 0.0].into();
+    JointMove { mode: MoveMode::Absolute, joint_position, speed: 90.0, acceleration: Some(700.0) }
+}
+
+fn faults() -> Vec<Fault> {
+    let hold = Duration::from_millis(50);
+    vec![
+        Fault::None,
+        Fault::Drop,
+        Fault::Hold,
+        Fault::Delay(hold),
+        Fault::Pieces(vec![1, 2, 3]),
+        Fault::WithNext,
+        Fault::Twice,
+        Fault::Nameless,
+        Fault::Renamed("get_payload".to_owned()),
+        Fault::Before(b"{}".to_vec()),
+        Fault::After(vec![0]),
+        Fault::Instead(b"nonsense".to_vec()),
+        Fault::Garbage { bytes: 500, seed: 7 },
+        Fault::Oversized(100_000),
+        Fault::Close,
+        Fault::CloseAfter(10),
+        Fault::Reset,
+        Fault::HalfOpen,
+        Fault::Takeover,
+    ]
+}
+
+#[test]
+fn motions_end_in_time_whatever_is_wrong_with_their_reply() {
+    for fault in faults() {
+        let (controller, mut robot) = ready();
+        controller.inject(fault.clone());
+        let since = Instant::now();
+        let result = robot.run(&short_move(), DEADLINE);
+        assert!(since.elapsed() < DEADLINE + SLACK, "{fault}: {:?}", since.elapsed());
+        match result {
+            // Accepted: then the motion is what the status says.
+            Ok(end) => {
+                assert!(end.outcome.is_reached(), "{fault}: {:?}", end.outcome);
+                assert!((controller.state().joint_position.0[0] - 3.0).abs() < 1e-6, "{fault}");
+            }
+            // Not known to be accepted: then it may have run, and the error says so.
+            Err(error) => assert!(error.may_have_run(), "{fault}: {error:?}"),
+        }
+    }
+}
+
+#[test]
+fn waits_end_in_time_whatever_is_wrong_with_the_status() {
+    let faults = [
+        (StatusFault::None, "reached"),
+        (StatusFault::Silent, "lost"),
+        (StatusFault::Slow(Duration::from_millis(80)), "reached"),
+        (StatusFault::Pieces(3), "reached"),
+        (StatusFault::CloseAfter(100), "lost"),
+        (StatusFault::Garbage { bytes: 300, seed: 3 }, "any"),
+        (StatusFault::Instead(b"{\"len\": 12}".to_vec()), "deadline"),
+    ];
+    for (fault, expected) in faults {
+        let (controller, mut robot) = ready();
+        controller.status_fault(fault.clone());
+        let since = Instant::now();
+        let end = robot.run(&short_move(), DEADLINE).expect("the command port is fine");
+        assert!(since.elapsed() < DEADLINE + SLACK, "{fault}: {:?}", since.elapsed());
+        let fits = match end.outcome {
+            Outcome::Reached => (controller.state().joint_position.0[0] - 3.0).abs() < 1e-6 && expected != "lost",
+            Outcome::StatusLost { .. } => expected == "lost" || expected == "any",
+            Outcome::Deadline => expected == "deadline" || expected == "any",
+            _ => false,
+        };
+        assert!(fits, "{fault}: {:?} instead of {expected}", end.outcome);
+    }
+}
+
+#[test]
+fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
+    for fault in faults() {
+        let (controller, mut robot) = ready();
+        let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+        controller.inject_for("servo_j", fault.clone());
+        let since = Instant::now();
+        let failed = (0..20).find_map(|_| session.joints_by([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
+        let finished = session.finish();
+        assert!(since.elapsed() < SLACK, "{fault}: {:?}", since.elapsed());
+        let requests = controller.requests();
+        let sent = requests.iter().filter(|request| request.contains("servo_j")).count();
+        match (failed, finished) {
+            (None, Ok(report)) => {
+                assert_eq!((report.cycles, sent), (20, 20), "{fault}");
+                assert!(report.accepted >= 19, "{fault}: {report:?}");
+            }
+            // The connection is broken: no set-point has gone out after the one that showed it.
+            (Some(error), _) | (None, Err(error)) => {
+                let ends = error.is_disconnected()
+                    || matches!(error, Error::NotAcknowledged { .. } | Error::ServoModeNotLeft { .. });
+                assert!(ends || error.may_have_run(), "{fault}: {error:?}");
+                assert!(sent <= 20, "{fault}");
+            }
+        }
+    }
+}
+
+#[test]
+fn robots_can_move_between_threads_and_their_stops_be_shared() {
+    fn assert_send<T: Send>() {}
+    fn assert_sync<T: Sync>() {}
+    assert_send::<Robot>();
+    assert_send::<RobotStop>();
+    assert_sync::<RobotStop>();
+}

@@ -1,0 +1,153 @@
+//! Servo sessions against the simulator, at the real pace.
+
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Duration;
+
+use jaka_sim::{Controller, Delays, Fault};
+use jaka_sync::servo::SetServoMoveFilter;
+use jaka_sync::types::JointPosition;
+use jaka_sync::{Client, Config, Error, ErrorCode, Monitor, Robot, ServoConfig};
+
+fn ready() -> (Controller, Robot) {
+    let mut delays = Delays::NONE;
+    delays.servo_mode = Delays::REAL.servo_mode;
+    let controller = Controller::builder().delays(delays).start().expect("loopback has free ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    monitor
+        .wait_until(|status| status.enabled == Some(true), Duration::from_secs(30))
+        .expect("packets come by themselves");
+    let client = Client::connect(controller.command_addr()).expect("the controller listens");
+    (controller, Robot::new(client, monitor))
+}
+
+const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
+
+#[test]
+fn every_set_point_is_sent_in_order_and_answered() {
+    let (controller, mut robot) = ready();
+    let start = controller.state().joint_position.0;
+    let filter = SetServoMoveFilter::JointLowPass { cutoff_frequency: 0.5 };
+    let mut session = robot.servo(&ServoConfig::new().filter(filter)).expect("the arm is enabled");
+    assert!(controller.state().servo_mode);
+    for _ in 0..100 {
+        session.joints_by(STEP).expect("servo mode is on");
+    }
+    let report = session.finish().expect("all were accepted");
+    assert_eq!((report.cycles, report.accepted, report.refused, report.unanswered), (100, 100, 0, 0));
+    assert!(report.lateness(0.5) <= report.lateness(1.0));
+    let state = controller.state();
+    assert!(!state.servo_mode || controller.requests().last().is_some_and(|last| last.contains("servo_move")));
+    assert_eq!(state.servo_filter, filter);
+    assert!((state.joint_position.0[0] - start[0] - 10.0).abs() < 1e-6);
+    let sent = controller.requests();
+    let first = sent.iter().position(|request| request.contains("set_servo_move_filter")).expect("it was sent");
+    assert!(sent[first + 1].contains("get_joint_pos") && sent[first + 2].contains("servo_move"));
+    assert_eq!(sent.iter().filter(|request| request.contains("servo_j")).count(), 100);
+}
+
+#[test]
+fn a_closure_gives_set_points_until_it_breaks() {
+    let (controller, mut robot) = ready();
+    let start = controller.state().joint_position.0;
+    let mut session = robot.servo(&ServoConfig::new().step_count(2)).expect("the arm is enabled");
+    let mut times = Vec::new();
+    let end = session.run(|time, status| {
+        assert!(status.is_some(), "the monitor has packets");
+        times.push(time);
+        let mut target = start;
+        target[2] += 0.05 * f64::from(u32::try_from(times.len()).expect("it is small"));
+        if times.len() > 20 { ControlFlow::Break("done") } else { ControlFlow::Continue(JointPosition(target)) }
+    });
+    assert_eq!(end.expect("servo mode is on"), "done");
+    // The beat is that of two cycles; one that was missed altogether is passed over.
+    assert!(times.iter().all(|time| time.as_millis() % 16 == 0) && times.is_sorted());
+    let report = session.finish().expect("all were accepted");
+    assert_eq!(report.accepted, 20);
+    assert!((controller.state().joint_position.0[2] - start[2] - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn a_step_that_is_too_fast_is_not_sent() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    let error = session.joints_by([1.5, 0.0, 0.0, 0.0, 0.0, 0.0]).expect_err("that is 187.5 deg/s");
+    assert_eq!(
+        error.to_string(),
+        "`servo_j` was not sent: field `joint_position[0]` is a step of 1.500 deg, \
+         allowed is a step of at most 1.440 deg each 8ms (180 deg/s)"
+    );
+    assert!(session.joints([0.0; 6]).is_err_and(|error| error.is_invalid_argument()));
+    session.joints_by(STEP).expect("a slow one is sent");
+    let report = session.finish().expect("it was accepted");
+    assert_eq!(report.cycles, 1);
+    assert_eq!(controller.requests().iter().filter(|request| request.contains("servo_j")).count(), 1);
+}
+
+#[test]
+fn a_refusal_is_told_soon_and_servo_mode_is_left() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    session.joints_by(STEP).expect("servo mode is on");
+    controller.set_state(|state| state.servo_mode = false);
+    let error = (0..50).find_map(|_| session.joints_by(STEP).err()).expect("a refusal comes within some cycles");
+    let refusal = error.refusal().expect("the controller refuses");
+    assert_eq!(refusal.code, ErrorCode(-1));
+    drop(session);
+    assert!(controller.requests().last().is_some_and(|last| last == r#"{"cmdName":"servo_move","relFlag":0}"#));
+    robot.client().get_joint_pos().expect("the connection works");
+}
+
+#[test]
+fn servo_mode_is_left_on_drop_and_on_panic() {
+    let (controller, mut robot) = ready();
+    let left = r#"{"cmdName":"servo_move","relFlag":0}"#;
+    drop(robot.servo(&ServoConfig::new()).expect("the arm is enabled"));
+    assert_eq!(controller.requests().last().map(String::as_str), Some(left));
+    robot.client().is_in_servomove().expect("it answers");
+    let panicked = catch_unwind(AssertUnwindSafe(|| {
+        let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+        session.joints_by(STEP).expect("servo mode is on");
+        panic!("a bug in the user's program");
+    }));
+    assert!(panicked.is_err());
+    assert_eq!(controller.requests().last().map(String::as_str), Some(left));
+}
+
+#[test]
+fn answers_that_never_come_are_counted_and_hold_nothing_up() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    for _ in 0..3 {
+        controller.inject_for("servo_j", Fault::Drop);
+    }
+    for _ in 0..20 {
+        session.joints_by(STEP).expect("nothing is refused");
+    }
+    let report = session.finish().expect("nothing was refused");
+    assert_eq!((report.cycles, report.accepted, report.unanswered), (20, 17, 3));
+    robot.client().get_joint_pos().expect("the connection works");
+}
+
+#[test]
+fn a_stop_or_a_lost_connection_ends_the_session() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    controller.collide();
+    let error = (0..200).find_map(|_| session.joints_by(STEP).err()).expect("the stop is noticed");
+    assert!(matches!(error, Error::NotAcknowledged { .. } | Error::Refused(_)), "{error:?}");
+    drop(session);
+    assert!(robot.servo(&ServoConfig::new()).is_err(), "nobody has looked");
+
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    controller.disconnect();
+    let error = (0..200).find_map(|_| session.joints_by(STEP).err()).expect("the loss is noticed");
+    assert!(error.is_disconnected() || matches!(error, Error::NotAcknowledged { .. }), "{error:?}");
+    let error = session.finish().expect_err("servo mode cannot be left");
+    assert!(matches!(error, Error::ServoModeNotLeft { .. }) || error.is_disconnected(), "{error:?}");
+}
