@@ -8,6 +8,7 @@ mod command;
 mod envelope;
 mod error_code;
 pub mod framing;
+pub mod geometry;
 mod ledger;
 pub mod python;
 mod request;

@@ -7,7 +7,6 @@
 mod common;
 
 use std::error::Error;
-use std::io::{BufRead, stdin};
 use std::time::{Duration, Instant};
 
 use jaka_sync::frames::SetToolOffsets;
@@ -20,10 +19,7 @@ use jaka_sync::{Client, StatusStream};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
-    if !target.is_simulated {
-        println!("The arm will be powered and joint 1 will move by 2 deg. Clear the area, then press Enter.");
-        stdin().lock().lines().next().transpose()?;
-    }
+    target.ask("The arm will be powered and joint 1 will move by 2 deg. Clear the area.")?;
     let mut robot = Client::connect(&target.commands)?;
     let mut status = StatusStream::connect(&target.status)?;
     println!("Version: {}", robot.get_version()?.version);

@@ -1,11 +1,13 @@
 //! A thread that keeps the newest status packet.
 
+mod observer;
 mod reconnect;
 mod statistics;
 mod subscription;
 mod thread;
 
 use std::fmt::Display;
+use std::ops::ControlFlow;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -13,6 +15,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
+use self::observer::Observers;
 pub use self::reconnect::Reconnect;
 use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
@@ -76,6 +79,7 @@ struct State<S> {
     latest: Option<Arc<Snapshot<S>>>,
     counters: Counters,
     queues: Vec<Arc<Queue<S>>>,
+    observers: Observers<S>,
     /// Why no packet will come any more.
     ended: Option<Arc<Disconnect>>,
     /// Why the newest packet could not be decoded, until one can.
@@ -114,6 +118,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
             latest: None,
             counters: Counters::default(),
             queues: Vec::new(),
+            observers: Observers::default(),
             ended: None,
             unfit: None,
             stream: Some(stream.try_clone().map_err(failed)?),
@@ -235,6 +240,13 @@ impl<S> Monitor<S> {
         }
         state.queues.push(Arc::clone(&queue));
         Subscription::new(queue)
+    }
+
+    /// Calls `call` with every packet from now on, on the monitor's own thread, until it breaks.
+    ///
+    /// Packets wait while it runs, so it should be short; it must not drop the monitor.
+    pub fn observe(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
+        self.board.lock().observers.add(call);
     }
 
     /// How packets have been coming.

@@ -6,8 +6,9 @@ mod outcome;
 mod wait;
 
 use std::fmt::Display;
-use std::sync::Arc;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use jaka_proto::messages::status::RobotStatus;
@@ -49,10 +50,19 @@ pub struct Robot {
     monitor: Arc<Monitor>,
     grace: Grace,
     silence: Duration,
-    /// What must be acknowledged before the arm moves again.
-    latched: Option<Outcome>,
+    /// What must be acknowledged before the arm moves again. The monitor's thread sets it, too.
+    latched: Arc<Mutex<Option<Outcome>>>,
     batch: Option<Batch>,
-    stops: Arc<AtomicU64>,
+    stops: Arc<Stops>,
+    /// The stops that this robot's program has been told of.
+    stops_told: u64,
+}
+
+/// How many stops were asked for through handles, and how many of them have been sent.
+#[derive(Debug, Default)]
+struct Stops {
+    begun: AtomicU64,
+    done: AtomicU64,
 }
 
 /// Motions that were accepted and have not been waited for.
@@ -60,7 +70,6 @@ pub struct Robot {
 struct Batch {
     sent: Instant,
     target: Option<JointPosition>,
-    stops: u64,
 }
 
 impl Robot {
@@ -80,8 +89,18 @@ impl Robot {
     pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
         let monitor = monitor.into();
         let grace = Grace { time: Duration::from_millis(400), packets: 3 };
-        let (silence, stops) = (Duration::from_secs(2), Arc::default());
-        Self { client, monitor, grace, silence, latched: None, batch: None, stops }
+        let latched = Arc::default();
+        latch_on_stops(&monitor, &latched);
+        Self {
+            client,
+            monitor,
+            grace,
+            silence: Duration::from_secs(2),
+            latched,
+            batch: None,
+            stops: Arc::default(),
+            stops_told: 0,
+        }
     }
 
     /// Sets how long the arm may take to begin a motion, and how many packets must have come by then. 0.4 s and three by
@@ -158,14 +177,10 @@ impl Robot {
         call: impl FnOnce(&mut Client) -> Result<(), Error>,
     ) -> Result<(), Error> {
         self.check_latch()?;
-        // What waits for the end tells an earlier stop from one that is meant for this motion.
-        let stops = self.stops.load(Ordering::SeqCst);
         call(&mut self.client)?;
         // Packets that came before the reply may be older than the motion.
         let sent = Instant::now();
-        let first = self.batch.get_or_insert(Batch { sent, target: None, stops });
-        first.target = motion.target();
-        first.sent = sent;
+        self.batch = Some(Batch { sent, target: motion.target() });
         Ok(())
     }
 
@@ -176,9 +191,17 @@ impl Robot {
             return MotionEnd { outcome: Outcome::Reached, waited: Duration::ZERO, packets: Vec::new() };
         };
         let mut wait = Wait::new(batch.sent, batch.target, self.grace);
-        let outcome = self.watch(&mut wait, batch.stops, timeout);
+        let mut outcome = self.watch(&mut wait, timeout);
+        // A stop that is on its way has the last word: the arm may be in position because of it.
+        let begun = self.stops.begun.load(Ordering::SeqCst);
+        if outcome.is_reached() && begun != self.stops_told {
+            outcome = Outcome::Stopped;
+        }
+        if matches!(outcome, Outcome::Stopped) {
+            self.stops_told = begun;
+        }
         if outcome.latches() {
-            self.latched = Some(outcome.clone());
+            lock(&self.latched).get_or_insert_with(|| outcome.clone());
         }
         if matches!(outcome, Outcome::Deadline) {
             // The motions may go on: they can be waited for again.
@@ -187,13 +210,13 @@ impl Robot {
         MotionEnd { outcome, waited: since.elapsed(), packets: wait.packets.into() }
     }
 
-    fn watch(&self, wait: &mut Wait, stops: u64, timeout: Duration) -> Outcome {
+    fn watch(&self, wait: &mut Wait, timeout: Duration) -> Outcome {
         let since = Instant::now();
         loop {
             let heard = self.monitor.last().map(|snapshot| snapshot.number);
             let left = timeout.saturating_sub(since.elapsed());
             let watched = self.monitor.watch(left.min(self.silence), |snapshot| {
-                if self.stops.load(Ordering::SeqCst) != stops {
+                if self.stops.done.load(Ordering::SeqCst) > self.stops_told {
                     return Some(Outcome::Stopped);
                 }
                 snapshot.and_then(|snapshot| wait.look(snapshot))
@@ -225,19 +248,23 @@ impl Robot {
     }
 
     /// What must be acknowledged before the arm moves again, if something must.
-    pub fn latch(&mut self) -> Option<Outcome> {
-        if self.latched.is_none() {
-            let cause = self.client.disconnect().or_else(|| self.monitor.disconnect());
-            let lost = cause.map(|cause| Outcome::StatusLost { cause: Some(cause) });
-            let stopped = self.monitor.last().and_then(|snapshot| wait::trouble(&snapshot.status));
-            self.latched = lost.or_else(|| stopped.filter(Outcome::latches));
+    ///
+    /// A stop latches whenever a packet shows it, also between motions; one that was asked for through a [`RobotStop`] where
+    /// no [`MotionEnd`] has told of it.
+    pub fn latch(&self) -> Option<Outcome> {
+        let cause = self.client.disconnect().or_else(|| self.monitor.disconnect());
+        let mut latched = lock(&self.latched);
+        if latched.is_none() {
+            *latched = cause.map(|cause| Outcome::StatusLost { cause: Some(cause) });
         }
-        self.latched.clone()
+        let stopped = self.stops.begun.load(Ordering::SeqCst) != self.stops_told;
+        latched.clone().or(stopped.then_some(Outcome::Stopped))
     }
 
     /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving.
     pub fn acknowledge(&mut self) {
-        self.latched = None;
+        *lock(&self.latched) = None;
+        self.stops_told = self.stops.begun.load(Ordering::SeqCst);
         self.batch = None;
     }
 
@@ -253,24 +280,45 @@ impl Robot {
     }
 }
 
-/// Stops the arm of a [`Robot`] from another thread, and ends its wait at once.
+fn lock(latched: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {
+    latched.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Has the monitor latch a robot at each stop that a packet shows, for as long as the robot lives.
+fn latch_on_stops(monitor: &Monitor, latched: &Arc<Mutex<Option<Outcome>>>) {
+    let latched = Arc::downgrade(latched);
+    monitor.observe(move |snapshot| {
+        let Some(latched) = latched.upgrade() else {
+            return ControlFlow::Break(());
+        };
+        if let Some(stop) = wait::trouble(&snapshot.status).filter(Outcome::latches) {
+            lock(&latched).get_or_insert(stop);
+        }
+        ControlFlow::Continue(())
+    });
+}
+
+/// Stops the arm of a [`Robot`] from another thread, and ends its wait at once. Where it is not waiting, the next motion is
+/// refused until [`Robot::acknowledge`].
 ///
 /// This is no emergency stop; people are protected by the robot's own safety functions alone.
 #[derive(Debug, Clone)]
 pub struct RobotStop {
     handle: StopHandle,
-    stops: Arc<AtomicU64>,
+    stops: Arc<Stops>,
     waker: Waker<RobotStatus>,
 }
 
 impl RobotStop {
-    /// Ends the wait, sends `stop_program` (4.23) and waits until the controller has taken it.
+    /// Sends `stop_program` (4.23), waits until the controller has taken it, and ends the wait.
     ///
     /// # Errors
     /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on.
     pub fn stop(&self) -> Result<(), Error> {
+        // From here on no motion is said to have reached its target, and none is sent.
+        self.stops.begun.fetch_add(1, Ordering::SeqCst);
         let stopped = self.handle.stop();
-        self.stops.fetch_add(1, Ordering::SeqCst);
+        self.stops.done.fetch_add(1, Ordering::SeqCst);
         self.waker.wake();
         stopped
     }

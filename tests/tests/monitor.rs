@@ -1,5 +1,6 @@
 //! The monitor against the simulator: the newest packet, waiting, queues, losses and reconnection.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
@@ -60,6 +61,24 @@ fn it_keeps_the_newest_however_fast_packets_come() {
     let statistics = monitor.statistics();
     assert_eq!(statistics.packets + statistics.skipped, 501);
     assert_eq!(statistics.packets - 1, slow.dropped() + kept.len() as u64);
+}
+
+#[test]
+fn observers_are_called_until_they_break() {
+    let (controller, monitor) = quiet();
+    let (sender, receiver) = std::sync::mpsc::channel();
+    monitor.observe(move |snapshot| {
+        let wanted = snapshot.status.joint_actual_position.map_or(0.0, |joints| joints.0[0]);
+        sender.send(wanted).expect("the test listens");
+        if wanted < 3.0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    for n in 1..=5 {
+        put(&controller, f64::from(n));
+        let is_here = |status: &RobotStatus| status.joint_actual_position == Some([f64::from(n); 6].into());
+        monitor.wait_until(is_here, LONG).expect("the packet comes");
+    }
+    // The sender went with the observer, so the channel ends.
+    assert_eq!(receiver.iter().map(f64::to_bits).collect::<Vec<_>>(), [1.0, 2.0, 3.0].map(f64::to_bits));
 }
 
 #[test]

@@ -134,6 +134,18 @@ fn a_stop_ends_the_wait_at_once() {
 }
 
 #[test]
+fn a_stop_between_motions_keeps_the_next_from_being_sent() {
+    let (controller, mut robot) = ready();
+    robot.stop_handle().stop().expect("the controller takes the stop");
+    let sent = controller.requests().len();
+    let error = robot.run(&to(5.0), LONG).expect_err("somebody wanted the arm to stop");
+    assert!(matches!(&error, Error::NotAcknowledged { outcome } if matches!(**outcome, Outcome::Stopped)));
+    assert_eq!(controller.requests().len(), sent);
+    robot.acknowledge();
+    assert!(run(&controller, &mut robot, &to(5.0), |_| ()).outcome.is_reached());
+}
+
+#[test]
 fn a_stop_by_somebody_else_is_seen_where_the_target_is_known() {
     let (controller, mut robot) = ready();
     // As another client would: the state says that the arm rests, and it is not where it was sent.
@@ -164,6 +176,20 @@ fn protective_and_emergency_stops_latch_until_acknowledged() {
     controller.release_emergency_stop();
     step(&controller, &Arc::clone(robot.monitor()));
     assert!(robot.start(&to(0.0)).is_err());
+}
+
+#[test]
+fn a_stop_between_motions_latches_too() {
+    let (controller, mut robot) = ready();
+    let monitor = Arc::clone(robot.monitor());
+    controller.collide();
+    step(&controller, &monitor);
+    robot.client().clear_error().expect("it answers");
+    step(&controller, &monitor);
+    assert!(matches!(robot.latch(), Some(Outcome::ProtectiveStop)));
+    assert!(robot.start(&to(0.0)).is_err());
+    robot.acknowledge();
+    assert!(robot.latch().is_none());
 }
 
 #[test]
@@ -287,6 +313,8 @@ fn one_random_motion(controller: &Controller, robot: &mut Robot, random: &mut Te
         Outcome::Stopped => assert!(stopped, "motion {number} to {angles:?} was not stopped, and ended at {at}"),
         other => panic!("motion {number} to {angles:?} ended with {other:?}"),
     }
+    // A stop that came when the motion had ended already.
+    robot.acknowledge();
     // The arm comes to rest before the next one.
     while !controller.state().in_position {
         step(controller, &monitor);

@@ -1,9 +1,13 @@
-//! What the examples share: a controller to talk to.
+//! What the examples share: a controller to talk to, and a question before its arm moves.
+//!
+//! Messages go to standard error, so that an example's own output can be used as it is.
 
 use std::env::args;
 use std::error::Error;
+use std::io::{BufRead, stdin};
 
 use jaka_sim::{Controller, Delays};
+use jaka_sync::{Config, Monitor, Robot};
 
 /// The addresses of a controller, and the simulated one itself if it is one.
 #[allow(dead_code, reason = "some examples use a part of it")]
@@ -14,19 +18,59 @@ pub(crate) struct Target {
     pub(crate) status: String,
     /// True if no robot is at the other end.
     pub(crate) is_simulated: bool,
-    _controller: Option<Controller>,
+    /// The simulated controller, for what no command can do.
+    pub(crate) controller: Option<Controller>,
+}
+
+#[allow(dead_code, reason = "some examples use a part of it")]
+impl Target {
+    /// Connects for commands and for status.
+    pub(crate) fn robot(&self) -> Result<Robot, jaka_sync::Error> {
+        let config = Config::new();
+        let monitor: Monitor = config.monitor(&self.status)?;
+        Ok(Robot::new(config.connect(&self.commands)?, monitor))
+    }
+
+    /// Asks before a robot does something; a simulated one just does it.
+    pub(crate) fn ask(&self, what: &str) -> Result<(), Box<dyn Error>> {
+        if self.is_simulated {
+            return Ok(());
+        }
+        eprintln!("{what} Then press Enter.");
+        // Without a terminal nobody has agreed.
+        stdin().lock().lines().next().transpose()?.ok_or("nobody is there to press Enter")?;
+        Ok(())
+    }
+}
+
+/// After an error, stops the arm, which may still move, and passes the error on.
+#[allow(dead_code, reason = "some examples move nothing")]
+pub(crate) fn or_stop<T>(robot: &Robot, result: Result<T, Box<dyn Error>>) -> Result<T, Box<dyn Error>> {
+    if result.is_err() {
+        match robot.stop_handle().stop() {
+            Ok(()) => eprintln!("Stopped after an error."),
+            Err(error) => eprintln!("The arm may still move: {error}"),
+        }
+    }
+    result
 }
 
 /// The robot at the address given on the command line, or a simulated controller if none is given.
+#[allow(dead_code, reason = "one example talks to two controllers")]
 pub(crate) fn target() -> Result<Target, Box<dyn Error>> {
-    if let Some(address) = args().nth(1) {
-        println!("Controller: {address}");
-        return Ok(Target { commands: address.clone(), status: address, is_simulated: false, _controller: None });
+    target_at(args().nth(1))
+}
+
+/// The robot at an address, or a simulated controller if there is none.
+pub(crate) fn target_at(address: Option<String>) -> Result<Target, Box<dyn Error>> {
+    if let Some(address) = address {
+        eprintln!("Controller: {address}");
+        return Ok(Target { commands: address.clone(), status: address, is_simulated: false, controller: None });
     }
     // A real controller takes some twelve seconds to switch power on and to enable the arm.
     let controller = Controller::builder().delays(Delays::NONE).start()?;
     let (commands, status) = (controller.command_addr().to_string(), controller.status_addr().to_string());
-    println!("Controller: simulated, commands at {commands}, status at {status}");
-    println!("(Give the address of a robot to use that instead.)");
-    Ok(Target { commands, status, is_simulated: true, _controller: Some(controller) })
+    eprintln!("Controller: simulated, commands at {commands}, status at {status}");
+    eprintln!("(Give the address of a robot to use that instead.)");
+    Ok(Target { commands, status, is_simulated: true, controller: Some(controller) })
 }

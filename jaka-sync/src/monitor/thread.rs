@@ -109,7 +109,14 @@ impl<S> Worker<S> {
                 for queue in &state.queues {
                     queue.push(Arc::clone(&snapshot));
                 }
-                state.latest = Some(snapshot);
+                state.latest = Some(Arc::clone(&snapshot));
+                // Called without the lock, so that they can ask the monitor.
+                let mut observers = std::mem::take(&mut state.observers);
+                drop(state);
+                observers.call(&snapshot);
+                state = self.board.lock();
+                let added = std::mem::replace(&mut state.observers, observers);
+                state.observers.join(added);
             }
             Err(error) => {
                 log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");

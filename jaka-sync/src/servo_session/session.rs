@@ -101,7 +101,11 @@ impl<'r> ServoSession<'r> {
     pub fn joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
         self.check_speed(target)?;
-        let request = ServoJ { mode: MoveMode::Absolute, joint_position: target, step_count: Some(self.config.step_count.into()) };
+        let request = ServoJ {
+            mode: MoveMode::Absolute,
+            joint_position: target,
+            step_count: Some(self.config.step_count.into()),
+        };
         self.send(&request)?;
         self.last = Some(target);
         Ok(())
@@ -115,7 +119,11 @@ impl<'r> ServoSession<'r> {
         let offset = offset.into();
         let (from, to) = (JointPosition([0.0; 6]), offset);
         self.check_step(from, to)?;
-        let request = ServoJ { mode: MoveMode::Relative, joint_position: offset, step_count: Some(self.config.step_count.into()) };
+        let request = ServoJ {
+            mode: MoveMode::Relative,
+            joint_position: offset,
+            step_count: Some(self.config.step_count.into()),
+        };
         self.send(&request)?;
         self.last = self.last.map(|last| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i])));
         Ok(())
@@ -128,7 +136,8 @@ impl<'r> ServoSession<'r> {
     /// # Errors
     /// As [`joints`](Self::joints), but for the speed.
     pub fn pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
-        let request = ServoP { pose: target.into(), mode: MoveMode::Absolute, step_count: Some(self.config.step_count.into()) };
+        let request =
+            ServoP { pose: target.into(), mode: MoveMode::Absolute, step_count: Some(self.config.step_count.into()) };
         self.last = None;
         self.send(&request)
     }
@@ -138,7 +147,8 @@ impl<'r> ServoSession<'r> {
     /// # Errors
     /// As [`pose`](Self::pose).
     pub fn pose_by(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
-        let request = ServoP { pose: offset.into(), mode: MoveMode::Relative, step_count: Some(self.config.step_count.into()) };
+        let request =
+            ServoP { pose: offset.into(), mode: MoveMode::Relative, step_count: Some(self.config.step_count.into()) };
         self.last = None;
         self.send(&request)
     }
@@ -194,17 +204,21 @@ impl<'r> ServoSession<'r> {
     fn take_answers(&mut self, command: &str) -> Result<(), Error> {
         let Self { robot, outstanding, report, refusal, .. } = self;
         let mut done = Vec::new();
-        let drained = robot.client().drain(command, |ticket| outstanding.contains(&ticket), |ticket, answer| {
-            done.push(ticket);
-            match answer {
-                Ok(()) => report.accepted += 1,
-                Err(Error::ReplyLost { .. }) => report.unanswered += 1,
-                Err(error) => {
-                    report.refused += 1;
-                    refusal.get_or_insert(error);
+        let drained = robot.client().drain(
+            command,
+            |ticket| outstanding.contains(&ticket),
+            |ticket, answer| {
+                done.push(ticket);
+                match answer {
+                    Ok(()) => report.accepted += 1,
+                    Err(Error::ReplyLost { .. }) => report.unanswered += 1,
+                    Err(error) => {
+                        report.refused += 1;
+                        refusal.get_or_insert(error);
+                    }
                 }
-            }
-        });
+            },
+        );
         outstanding.retain(|ticket| !done.contains(ticket));
         drained
     }

@@ -1,0 +1,112 @@
+//! Picks a part up and puts it down 60 mm beside, with a gripper on digital output 1 of the cabinet.
+//!
+//! `cargo run --example pick_and_place` runs against a simulated controller; with an address, against a robot. There the
+//! arm moves by a few centimetres from where it is, down as well: put it well above everything. It asks before. The arm
+//! stays enabled.
+
+mod common;
+
+use std::error::Error;
+use std::thread::sleep;
+use std::time::Duration;
+
+use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::motion::{EndMove, JointMove, MoveL};
+use jaka_sync::types::{MoveMode, Pose, Switch};
+use jaka_sync::{Motion, Outcome, Robot};
+
+/// The number of the gripper's output in commands.
+const OUTPUT: i64 = 1;
+/// Its place in the status, from 0. Firmware that counts outputs from 1 has it one place earlier.
+const OUTPUT_IN_STATUS: usize = 1;
+/// How long the fingers take. A gripper with a sensor says so itself: wait for its digital input then.
+const FINGERS: Duration = Duration::from_millis(300);
+/// How long a motion may take.
+const MOTION: Duration = Duration::from_secs(15);
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let target = common::target()?;
+    target.ask(
+        "The arm will be powered, digital output 1 switched, and the tool moved 20 mm along x, 60 mm along y and 30 mm \
+         down. Clear the area.",
+    )?;
+    let mut robot = target.robot()?;
+    robot.power_up(Duration::from_secs(60))?;
+    let result = pick_and_place(&mut robot);
+    common::or_stop(&robot, result)?;
+    println!("Done.");
+    Ok(())
+}
+
+fn pick_and_place(robot: &mut Robot) -> Result<(), Box<dyn Error>> {
+    let home = robot.client().get_joint_pos()?.joint_position;
+    let start = robot.client().get_tcp_pos()?.pose;
+    let above_part = Pose { x: start.x + 20.0, ..start };
+    let above_place = Pose { y: above_part.y + 60.0, ..above_part };
+
+    grip(robot, Switch::Off)?;
+    go(robot, "above the part", above_part, &swing(above_part))?;
+    down_and_up(robot, above_part, Switch::On)?;
+    go(robot, "above the place", above_place, &swing(above_place))?;
+    down_and_up(robot, above_place, Switch::Off)?;
+
+    let back = JointMove { mode: MoveMode::Absolute, joint_position: home, speed: 15.0, acceleration: Some(60.0) };
+    go(robot, "back", start, &back)
+}
+
+/// Straight down, the gripper, and straight up again.
+fn down_and_up(robot: &mut Robot, above: Pose, gripper: Switch) -> Result<(), Box<dyn Error>> {
+    let below = Pose { z: above.z - 30.0, ..above };
+    go(robot, "down", below, &line(below))?;
+    grip(robot, gripper)?;
+    go(robot, "up", above, &line(above))
+}
+
+/// Through free space: the joints take the shortest way.
+fn swing(pose: Pose) -> EndMove {
+    EndMove { pose, speed: 15.0, acceleration: Some(60.0) }
+}
+
+/// Near the part: the tool keeps to a straight line.
+fn line(pose: Pose) -> MoveL {
+    MoveL { mode: MoveMode::Absolute, pose, speed: 50.0, acceleration: Some(200.0), tolerance: None }
+}
+
+/// Runs a motion to its end. Whatever goes wrong, the gripper stays as it is: a part that it holds is not dropped.
+fn go(robot: &mut Robot, what: &str, pose: Pose, motion: &impl Motion) -> Result<(), Box<dyn Error>> {
+    let end = match robot.run(motion, MOTION) {
+        Ok(end) => end,
+        Err(error) => {
+            if let Some(why) = robot.explain(&error) {
+                println!("  refused: {why}");
+            }
+            return Err(error.into());
+        }
+    };
+    match &end.outcome {
+        // Another program might wait on. Here nothing useful can come of that: `main` stops the arm.
+        Outcome::Deadline => println!("  takes too long"),
+        Outcome::ProtectiveStop | Outcome::EmergencyStop => println!("  look at the arm before you go on"),
+        // Reached, or stopped, disabled, an error of the controller, a lost connection: the error below says it.
+        _ => {}
+    }
+    let waited = end.waited;
+    end.reached()?;
+    // A pose is no target that the wait could check: a motion that another client stopped looks as if it had ended.
+    let at = robot.client().get_tcp_pos()?.pose;
+    if [at.x - pose.x, at.y - pose.y, at.z - pose.z].iter().any(|off| off.abs() > 1.0) {
+        return Err(format!("the tool is not {what}, but at {at:?}").into());
+    }
+    println!("  {what}: [{:.1}, {:.1}, {:.1}] mm after {waited:.1?}", at.x, at.y, at.z);
+    Ok(())
+}
+
+/// Switches the gripper, and waits until the status shows it and the fingers have had their time.
+fn grip(robot: &mut Robot, value: Switch) -> Result<(), Box<dyn Error>> {
+    robot.client().set_digital_output(&SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index: OUTPUT, value })?;
+    let is_set = |outputs: &Vec<bool>| outputs.get(OUTPUT_IN_STATUS) == Some(&(value == Switch::On));
+    robot.monitor().wait_until(|status| status.digital_outputs.as_ref().is_some_and(is_set), Duration::from_secs(2))?;
+    sleep(FINGERS);
+    println!("  gripper {}", if value == Switch::On { "closed" } else { "open" });
+    Ok(())
+}
