@@ -39,6 +39,25 @@
 //! only the difference or sum of `rx` and `rz` is determined: `rz` is zero there. The angles may differ from those that a
 //! quaternion or matrix was made of, the orientation does not.
 //!
+//! # nalgebra, glam and others
+//! They exchange values with each other through the `mint` crate, and with us under the feature `mint`:
+//!
+//! ```
+//! # #[cfg(feature = "mint")] {
+//! use jaka_proto::messages::types::Pose;
+//!
+//! let pose = Pose::from_millimetres_degrees([300.0, 0.0, 200.0], [180.0, 0.0, 45.0]);
+//! let position = mint::Point3::from(pose); // mm; or a `mint::Vector3`
+//! let orientation = mint::Quaternion::from(pose); // or a `mint::ColumnMatrix3`, or `mint::EulerAngles`
+//! let back = Pose::try_from((position, orientation))?;
+//! assert!(back.distance_mm(&pose) == 0.0 && back.angle_deg(&pose) < 1e-9);
+//! # }
+//! # Ok::<(), jaka_proto::geometry::NotARotation>(())
+//! ```
+//!
+//! Angles are exchanged as `mint::IntraZYX`, which mint turns into `ExtraXYZ`. Prefer quaternions: nalgebra takes angles
+//! only as `IntraXYZ`, and reads those as `ExtraXYZ`.
+//!
 //! # Numbers that are not finite
 //! Nothing here panics. NaN and infinity in a position or pose give NaN or infinity, and such a pose is refused before it
 //! is sent; in a quaternion or matrix they are [`NotARotation`].

@@ -46,7 +46,7 @@ fn the_vendors_example() {
     // Given to four digits, and too long by 0.003.
     let quaternion = Quaternion { w: 0.0629, x: 0.522_886, y: -0.5592, z: 0.6453 };
     let found = pose.with_quaternion(quaternion).expect("near enough to one");
-    assert!(pose.angle_deg(&found) < 0.3, "{found:?}");
+    assert!(pose.angle_deg(&found) < 0.05, "{found:?}");
 }
 
 #[test]
