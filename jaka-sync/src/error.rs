@@ -29,6 +29,13 @@ pub enum Error {
     },
     /// The controller refused the command, which did not run. The connection is fine.
     Refused(Refusal),
+    /// The same for a motion of a [`Robot`](crate::Robot), where its status tells why. The motion did not run.
+    RefusedBecause {
+        /// The controller's own words.
+        refusal: Refusal,
+        /// Why, and what helps.
+        explanation: crate::Explanation,
+    },
     /// No reply came in time. The command may have run; read the robot's state before you go on.
     ///
     /// The connection can still be used: the reply, when it comes, is taken off and given to nobody.
@@ -111,7 +118,7 @@ impl Error {
 
     /// True if the controller refused the command.
     pub fn is_refused(&self) -> bool {
-        matches!(self, Self::Refused(_))
+        self.refusal().is_some()
     }
 
     /// True if nothing was sent because the spec forbids the request.
@@ -127,7 +134,7 @@ impl Error {
     /// The controller's code and message, if it refused the command.
     pub fn refusal(&self) -> Option<&Refusal> {
         match self {
-            Self::Refused(refusal) => Some(refusal),
+            Self::Refused(refusal) | Self::RefusedBecause { refusal, .. } => Some(refusal),
             _ => None,
         }
     }
@@ -139,6 +146,7 @@ impl fmt::Display for Error {
             Self::InvalidArgument(invalid) => invalid.fmt(f),
             Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
             Self::Refused(refusal) => refusal.fmt(f),
+            Self::RefusedBecause { refusal, explanation } => write!(f, "{refusal}; {explanation}"),
             Self::Timeout { command, after } => {
                 write!(f, "no reply to `{command}` within {after:?}; it may have run")
             }

@@ -19,6 +19,8 @@ pub use config::Config;
 pub use error::{Disconnect, Error};
 /// The layer below: messages, framing and codec, without I/O.
 pub use jaka_proto as proto;
+#[doc(no_inline)]
+pub use jaka_proto::geometry;
 #[doc(inline)]
 pub use jaka_proto::messages::*;
 #[doc(no_inline)]

@@ -177,7 +177,7 @@ impl Robot {
         call: impl FnOnce(&mut Client) -> Result<(), Error>,
     ) -> Result<(), Error> {
         self.check_latch()?;
-        call(&mut self.client)?;
+        call(&mut self.client).map_err(|error| self.explained(error))?;
         // Packets that came before the reply may be older than the motion.
         let sent = Instant::now();
         self.batch = Some(Batch { sent, target: motion.target() });
@@ -268,7 +268,17 @@ impl Robot {
         self.batch = None;
     }
 
-    /// Why the controller refused a command, as far as the status tells, and what call helps.
+    /// The same error, with the reason for a refusal where the status tells it.
+    fn explained(&self, error: Error) -> Error {
+        match (self.explain(&error), error) {
+            (Some(explanation), Error::Refused(refusal)) => Error::RefusedBecause { refusal, explanation },
+            (_, error) => error,
+        }
+    }
+
+    /// Why the controller refused a command of the [`client`](Self::client), as far as the status tells, and what helps.
+    ///
+    /// Motions of the robot itself are explained in their error: [`Error::RefusedBecause`].
     pub fn explain(&self, error: &Error) -> Option<Explanation> {
         let status = self.monitor.last();
         explain::explain(error.refusal()?, status.as_ref().map(|snapshot| &snapshot.status))

@@ -6,7 +6,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, StatusFault};
-use jaka_sync::motion::{JointMove, MoveL};
+use jaka_sync::force::StartTorqSensorPayloadIdentify;
+use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{MoveMode, Pose};
 use jaka_sync::{Client, Config, Error, Explanation, Monitor, MotionEnd, Outcome, Robot};
 use proptest::test_runner::{RngAlgorithm, TestRng};
@@ -268,6 +269,41 @@ fn refusals_are_explained() {
     };
     assert_eq!(why(not_enabled), Some(Explanation::NotEnabled));
     assert_eq!(why(|state| state.powered = false), Some(Explanation::NotPowered));
+}
+
+#[test]
+fn a_refused_motion_says_why_in_its_error() {
+    let (controller, mut robot) = ready();
+    controller.set_state(|state| state.enabled = false);
+    step(&controller, &Arc::clone(robot.monitor()));
+    let error = robot.run(&to(5.0), LONG).expect_err("the arm is not enabled");
+    assert!(error.is_refused() && !error.may_have_run());
+    assert_eq!(
+        error.to_string(),
+        "the controller refused `joint_move` with code 2: call joint_move failed; \
+         the arm is not enabled: call `enable_robot`"
+    );
+}
+
+#[test]
+fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
+    let (controller, mut robot) = ready();
+    let monitor = Arc::clone(robot.monitor());
+    let start = controller.state().tcp_pose;
+    let side = Pose { y: start.y + 40.0, ..start };
+    let request = EndMove { pose: side, speed: 60.0, acceleration: Some(400.0) };
+    let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
+    assert!(end.outcome.is_reached() && (controller.state().tcp_pose.y - side.y).abs() < 0.01);
+    let mid_pose = Pose { y: start.y + 20.0, z: start.z + 20.0, ..start };
+    let (mode, speed, acceleration, tolerance) = (MoveMode::Absolute, 60.0, 400.0, 0.0);
+    let request = MoveC { mode, mid_pose, end_pose: start, speed, acceleration, tolerance };
+    let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
+    assert!(end.outcome.is_reached() && (controller.state().tcp_pose.y - start.y).abs() < 0.01);
+    let mut joints = controller.state().joint_position;
+    joints.0[5] += 20.0;
+    let request = StartTorqSensorPayloadIdentify { joint_position: joints };
+    let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
+    assert!(end.outcome.is_reached() && (controller.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
 }
 
 /// Random motions: of some length or none, one or several, some of them stopped at a random moment. 300, or as many as

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, Delays, Fault};
 use jaka_sync::servo::SetServoMoveFilter;
-use jaka_sync::types::JointPosition;
+use jaka_sync::status::RobotStatus;
+use jaka_sync::types::{JointPosition, Pose};
 use jaka_sync::{Client, Config, Error, ErrorCode, Monitor, Robot, ServoConfig};
 
 fn ready() -> (Controller, Robot) {
@@ -25,6 +26,11 @@ fn ready() -> (Controller, Robot) {
     (controller, Robot::new(client, monitor))
 }
 
+/// The last set-points are under way when they have been answered.
+fn arrives(robot: &Robot, is_there: impl Fn(&RobotStatus) -> bool) {
+    robot.monitor().wait_until(is_there, Duration::from_secs(30)).expect("the arm follows the set-points");
+}
+
 const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
 
 #[test]
@@ -40,10 +46,9 @@ fn every_set_point_is_sent_in_order_and_answered() {
     let report = session.finish().expect("all were accepted");
     assert_eq!((report.cycles, report.accepted, report.refused, report.unanswered), (100, 100, 0, 0));
     assert!(report.lateness(0.5) <= report.lateness(1.0));
-    let state = controller.state();
-    assert!(!state.servo_mode || controller.requests().last().is_some_and(|last| last.contains("servo_move")));
-    assert_eq!(state.servo_filter, filter);
-    assert!((state.joint_position.0[0] - start[0] - 10.0).abs() < 1e-6);
+    arrives(&robot, |status| status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6));
+    assert!(controller.requests().last().is_some_and(|last| last.contains("servo_move")));
+    assert_eq!(controller.state().servo_filter, filter);
     let sent = controller.requests();
     let first = sent.iter().position(|request| request.contains("set_servo_move_filter")).expect("it was sent");
     assert!(sent[first + 1].contains("get_joint_pos") && sent[first + 2].contains("servo_move"));
@@ -68,7 +73,24 @@ fn a_closure_gives_set_points_until_it_breaks() {
     assert!(times.iter().all(|time| time.as_millis() % 16 == 0) && times.is_sorted());
     let report = session.finish().expect("all were accepted");
     assert_eq!(report.accepted, 20);
-    assert!((controller.state().joint_position.0[2] - start[2] - 1.0).abs() < 1e-6);
+    arrives(&robot, |status| status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6));
+}
+
+#[test]
+fn the_tool_centre_point_follows_set_points_too() {
+    let (controller, mut robot) = ready();
+    let start = controller.state().tcp_pose;
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    for n in 1..=20 {
+        session.pose(Pose { z: start.z + 0.1 * f64::from(n), ..start }).expect("servo mode is on");
+    }
+    for _ in 0..10 {
+        session.pose_by([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]).expect("servo mode is on");
+    }
+    let report = session.finish().expect("all were accepted");
+    assert_eq!((report.cycles, report.accepted), (30, 30));
+    let is_there = |at: Pose| (at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01;
+    arrives(&robot, |status| status.actual_position.is_some_and(is_there));
 }
 
 #[test]

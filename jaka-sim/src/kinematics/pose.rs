@@ -28,7 +28,7 @@ pub(crate) fn to_pose(transform: &Isometry3<f64>) -> [f64; 6] {
     let (x_x, x_y) = (turn[(0, 0)], turn[(1, 0)]);
     let rz = if x_x.hypot(x_y) < LOCKED { 0.0 } else { x_y.atan2(x_x) };
     let (sin, cos) = rz.sin_cos();
-    let ry = (-turn[(2, 0)]).atan2(cos * x_x + sin * x_y);
+    let ry = (-turn[(2, 0)]).atan2(x_x.hypot(x_y));
     let rx = (sin * turn[(0, 2)] - cos * turn[(1, 2)]).atan2(cos * turn[(1, 1)] - sin * turn[(0, 1)]);
     let at = transform.translation.vector;
     // Adding zero turns -0 into 0, which is what a reader of the wire expects.

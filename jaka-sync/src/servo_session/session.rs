@@ -251,6 +251,8 @@ impl<'r> ServoSession<'r> {
             self.take_answers(ServoJ::INFO.name)?;
             pace.wait();
         }
+        // The last set-point has its period, too.
+        self.pace.wait();
         Ok(())
     }
 
