@@ -72,8 +72,7 @@ fn single(spec: &Spec, field: &Field, request: &TokenStream) -> (TokenStream, To
 }
 
 fn named(spec: &Spec, name: &str) -> TokenStream {
-    let topic = spec.topics.iter().find(|topic| topic.types.iter().any(|def| def.name == name));
-    let module = ident(topic.map_or("", |topic| topic.name.as_str()));
+    let module = ident(spec.topic_of_type(name).map_or("", |topic| topic.name.as_str()));
     let name = ident(name);
     quote!(::jaka_proto::messages::#module::#name)
 }

@@ -37,8 +37,7 @@ impl Scope<'_> {
 
     /// The path of a named type, from inside the topic's module.
     fn path(self, name: &str) -> TokenStream {
-        let defined_in = |topic: &&Topic| topic.types.iter().any(|def| def.name == name);
-        let elsewhere = self.spec.topics.iter().find(defined_in).filter(|topic| topic.name != self.topic.name);
+        let elsewhere = self.spec.topic_of_type(name).filter(|topic| topic.name != self.topic.name);
         let module = elsewhere.map(|topic| ident(&topic.name)).map(|module| quote!(super::#module::));
         let name = ident(name);
         quote!(#module #name)

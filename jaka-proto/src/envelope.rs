@@ -5,7 +5,7 @@ use std::fmt;
 
 use crate::command::CommandInfo;
 use crate::error_code::ErrorCode;
-use crate::wire::{DecodeError, Encode, Fields, Reader, Writer};
+use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, trimmed};
 
 /// The part of a reply that says whose it is and whether the command was accepted.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,7 +31,7 @@ impl<'a> Envelope<'a> {
         reader.begin_object()?;
         while let Some(key) = reader.next_key()? {
             match &*key {
-                "cmdName" => command = text(&mut reader)?.map(trim),
+                "cmdName" => command = text(&mut reader)?.map(trimmed),
                 "errorCode" => code = Some(scalar(&mut reader)?),
                 "errorMsg" => message = text(&mut reader)?,
                 _ => reader.skip()?,
@@ -60,13 +60,6 @@ fn text<'a>(reader: &mut Reader<'a>) -> Result<Option<Cow<'a, str>>, DecodeError
 fn scalar(reader: &mut Reader<'_>) -> Result<Result<ErrorCode, DecodeError>, DecodeError> {
     let mut value = Reader::new(reader.raw()?);
     Ok(crate::wire::Decode::decode(&mut value).map_err(|error: DecodeError| error.in_field("error_code")))
-}
-
-fn trim(text: Cow<'_, str>) -> Cow<'_, str> {
-    match text {
-        Cow::Borrowed(text) => Cow::Borrowed(text.trim()),
-        Cow::Owned(text) => Cow::Owned(text.trim().to_owned()),
-    }
 }
 
 /// A command that the controller refused, in the controller's words. Nothing came of the command.

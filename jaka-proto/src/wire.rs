@@ -16,7 +16,7 @@ pub use decode::Decode;
 pub use encode::Encode;
 pub use error::DecodeError;
 pub use reader::Reader;
-pub(crate) use reader::read_message;
+pub(crate) use reader::{read_message, trimmed};
 #[doc(hidden)]
 pub use serde_impls::{deserialize, serialize};
 pub use typed::Typed;

@@ -13,7 +13,6 @@ use crate::clock::CYCLE;
 use crate::kinematics::{Model, from_pose, to_pose};
 use crate::motion::{Engine, Frame, Joints};
 use crate::program::{Program, Runner};
-use crate::state::Payload;
 use crate::{Builder, Delays, State};
 
 /// The state, and what changes it as time goes on.
@@ -80,10 +79,13 @@ impl World {
         let mut left = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();
         while left > 0 {
             // Where nothing goes on, all cycles are passed at once.
-            let cycles = if self.is_idle() { u32::try_from(left).unwrap_or(u32::MAX) } else { 1 };
+            let is_idle = self.is_idle();
+            let cycles = if is_idle { u32::try_from(left).unwrap_or(u32::MAX) } else { 1 };
             self.now += CYCLE * cycles;
             left -= u128::from(cycles);
-            self.cycle();
+            if !is_idle {
+                self.cycle();
+            }
         }
     }
 
@@ -196,8 +198,7 @@ impl World {
 
     fn identified(&mut self) {
         self.identifying = false;
-        let Payload { mass, centroid } = self.state.payload;
-        self.state.torque_sensor.identified = Payload { mass, centroid };
+        self.state.torque_sensor.identified = self.state.payload;
         self.state.torque_sensor.identify_status = IdentifyStatus::Done;
     }
 

@@ -281,10 +281,7 @@ impl Link {
             log::trace!(target: "jaka_sync::wire", "<- {text}");
             let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
             let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
-            state.aside.extend(arrival.lost.iter().map(|ticket| (*ticket, Answer::Lost)));
-            if arrival.awaited {
-                state.aside.push((arrival.ticket, Answer::Reply(text.to_owned())));
-            }
+            state.put_aside(&arrival, text, None);
         }
         arrived
     }
@@ -302,18 +299,11 @@ impl Link {
         let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
         let mut state = self.lock();
         let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
+        state.put_aside(&arrival, text, Some(sent.ticket));
+        self.wake(&state);
         if arrival.ticket == sent.ticket {
-            state.set_aside_lost(&arrival, sent);
-            self.wake(&state);
             return Ok(Settled::Mine(reply.accepted(sent.command)));
         }
-        if arrival.awaited {
-            state.aside.push((arrival.ticket, Answer::Reply(text.to_owned())));
-        } else {
-            log::debug!(target: "jaka_sync::wire", "late reply to `{}` dropped", arrival.command);
-        }
-        state.set_aside_lost(&arrival, sent);
-        self.wake(&state);
         Ok(if arrival.lost.contains(&sent.ticket) { Settled::MineLost } else { Settled::Other })
     }
 }
@@ -350,10 +340,15 @@ impl State {
         }
     }
 
-    /// Puts aside, for others than the caller, that their replies are lost.
-    fn set_aside_lost(&mut self, arrival: &Arrival, sent: &Sent<'_>) {
-        let others = arrival.lost.iter().filter(|ticket| **ticket != sent.ticket);
-        self.aside.extend(others.map(|ticket| (*ticket, Answer::Lost)));
+    /// Puts aside what others than the caller wait for: the reply, and that replies are lost.
+    fn put_aside(&mut self, arrival: &Arrival, text: &str, caller: Option<Ticket>) {
+        let lost = arrival.lost.iter().filter(|ticket| Some(**ticket) != caller);
+        self.aside.extend(lost.map(|ticket| (*ticket, Answer::Lost)));
+        if !arrival.awaited {
+            log::debug!(target: "jaka_sync::wire", "late reply to `{}` dropped", arrival.command);
+        } else if Some(arrival.ticket) != caller {
+            self.aside.push((arrival.ticket, Answer::Reply(text.to_owned())));
+        }
     }
 
     fn take(&mut self, ticket: Ticket) -> Option<Answer> {

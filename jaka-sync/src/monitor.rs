@@ -208,27 +208,12 @@ impl<S> Monitor<S> {
     }
 
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
-        let since = Instant::now();
-        let mut state = self.board.lock();
-        let mut looked_at = 0;
-        loop {
-            ended(&state)?;
-            let latest = state.latest.as_ref().filter(|snapshot| snapshot.number > looked_at);
-            if let Some(latest) = latest {
-                if wanted(latest) {
-                    return Ok(Arc::clone(latest));
-                }
-                looked_at = latest.number;
-            }
-            let left = timeout.saturating_sub(since.elapsed());
-            if left.is_zero() {
-                return Err(state
-                    .unfit
-                    .clone()
-                    .map_or(Error::StatusTimeout { after: timeout }, |source| Error::UnexpectedStatus { source }));
-            }
-            state = self.board.wait(state, left);
-        }
+        ended(&self.board.lock())?;
+        let found = self.watch(timeout, |latest| latest.filter(|latest| wanted(latest)).cloned())?;
+        found.ok_or_else(|| match self.board.lock().unfit.clone() {
+            Some(source) => Error::UnexpectedStatus { source },
+            None => Error::StatusTimeout { after: timeout },
+        })
     }
 
     /// Every packet from now on, in a queue of at most `capacity`; if it is full, the oldest is dropped and counted.

@@ -32,6 +32,11 @@ impl Spec {
         self.commands().find(|command| command.wire == wire)
     }
 
+    /// The topic in which the type with this name is defined.
+    pub fn topic_of_type(&self, name: &str) -> Option<&Topic> {
+        self.topics.iter().find(|topic| topic.types.iter().any(|def| def.name == name))
+    }
+
     /// The type with this name.
     pub fn type_def(&self, name: &str) -> Option<&TypeDef> {
         self.types().find(|def| def.name == name)

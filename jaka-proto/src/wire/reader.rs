@@ -412,7 +412,8 @@ pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
     Ok(message)
 }
 
-fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
+/// The text without the blanks around it.
+pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
     match text {
         Cow::Borrowed(text) => Cow::Borrowed(text.trim()),
         Cow::Owned(text) => Cow::Owned(text.trim().to_owned()),

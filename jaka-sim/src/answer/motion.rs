@@ -2,7 +2,7 @@
 
 use jaka_proto::Request;
 use jaka_proto::messages::motion::{EndMove, Jog, JogFrame, JointMove, MoveC, MoveL};
-use jaka_proto::messages::types::{JointPosition, MoveMode};
+use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept};
@@ -65,7 +65,7 @@ impl World {
     }
 
     /// The flange displaced along the axes of the user frame.
-    pub(super) fn displaced(&self, flange: &Frame, by: jaka_proto::messages::types::Pose) -> Frame {
+    pub(super) fn displaced(&self, flange: &Frame, by: Pose) -> Frame {
         let reference = Reference::Fixed { base: self.user(), tool: self.tool() };
         reference.moved(flange, &crate::kinematics::from_pose(by.into()))
     }
@@ -86,8 +86,8 @@ fn end_move(command: &EndMove, world: &World) -> Option<Planned> {
     world.plan_joints(to, command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
 }
 
-/// The first and last place of the tool on a straight way or an arc, from that of the flange.
-fn tool_frames(world: &World, mode: MoveMode, pose: jaka_proto::messages::types::Pose) -> Frame {
+/// Where the tool is at a pose that a command gives.
+fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Frame {
     let tool = world.tool();
     match mode {
         MoveMode::Relative => world.displaced(&world.model.forward(world.tail()), pose) * tool,
@@ -98,7 +98,7 @@ fn tool_frames(world: &World, mode: MoveMode, pose: jaka_proto::messages::types:
 fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
     let tool = world.tool();
     let from = world.model.forward(world.tail()) * tool;
-    let to = tool_frames(world, command.mode, command.pose);
+    let to = tool_at(world, command.mode, command.pose);
     let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
     world.plan(Path::line(from, to, tool), command.speed, acceleration)
 }
@@ -107,23 +107,20 @@ fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
 fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
     let tool = world.tool();
     let from = world.model.forward(world.tail()) * tool;
-    let middle = tool_frames(world, command.mode, command.mid_pose);
-    let to = tool_frames(world, command.mode, command.end_pose);
+    let middle = tool_at(world, command.mode, command.mid_pose);
+    let to = tool_at(world, command.mode, command.end_pose);
     let arc = Arc::through(from, middle, to, tool)?;
     world.plan(Path::Arc(Box::new(arc)), command.speed, command.acceleration)
 }
 
 fn start_jog(jog: &Jog, world: &mut World) -> bool {
-    if let Jog::Stop { axis, .. } = *jog {
-        stop_jog(world, axis);
-        return true;
-    }
-    // The axis must be stopped before it is jogged again.
-    if world.engine.is_busy() {
-        return false;
-    }
     match *jog {
-        Jog::Stop { .. } => true,
+        Jog::Stop { axis, .. } => {
+            stop_jog(world, axis);
+            true
+        }
+        // The axis must be stopped before it is jogged again.
+        _ if world.engine.is_busy() => false,
         Jog::Continuous { frame, axis, velocity } => {
             world.engine.jog = jogging(world, frame, axis, velocity);
             world.engine.jog.is_some()
