@@ -4,6 +4,7 @@ mod builtin;
 mod item;
 mod model;
 mod names;
+mod pack;
 mod read;
 mod report;
 mod resolve;
@@ -14,6 +15,7 @@ pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
     Type, TypeDef, TypeKind, Variant, Versions,
 };
+pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
 
 /// A TOML file: the path that errors name, and its text.

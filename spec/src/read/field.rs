@@ -13,10 +13,19 @@ pub(super) fn fields<'s>(item: &Item<'_, 's>, key: &'static str, what: &str, ind
     let mut keys = Unique::default();
     let read = |item: &Item<'_, 's>| {
         let wire = item.required_text("wire");
+        let name = snake_name(item, &wire);
         keys.add(item, "key", &wire);
-        field(item, wire, index, &mut names)
+        names.add(item, "name", &name);
+        read(item, wire.value, name, index)
     };
     item.items(key, what).iter().map(read).collect()
+}
+
+/// One field of a struct written as an object.
+pub(crate) fn field<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
+    let wire = item.required_text("wire");
+    let name = snake_name(item, &wire);
+    read(item, wire.value, name, index)
 }
 
 /// Fields of a struct written as an array: they have a place instead of a key.
@@ -24,7 +33,9 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     let mut names = Unique::default();
     let mut optional_seen = false;
     let read = |item: &Item<'_, 's>| {
-        let field = field(item, Placed { at: item.at, value: String::new() }, index, &mut names);
+        let name = snake_name(item, &Placed { at: item.at, value: String::new() });
+        names.add(item, "name", &name);
+        let field = read(item, String::new(), name, index);
         if optional_seen && !field.optional {
             item.error(item.at, "an element behind an optional one must be optional too");
         }
@@ -34,17 +45,14 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     item.items("field", "field").iter().map(read).collect()
 }
 
-fn field<'s>(
-    item: &Item<'_, 's>,
-    wire: Placed<'s, String>,
-    index: &mut Index<'s>,
-    names: &mut Unique<'s, String>,
-) -> Field {
-    let name = snake_name(item, &wire);
-    names.add(item, "name", &name);
-    if RESERVED_FIELDS.contains(&name.value.as_str()) {
-        item.error(name.at, &format!("`{}` is a name of the generated code; give another as `name`", name.value));
-    }
+/// One field of a struct written as an array.
+pub(crate) fn element<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
+    let name = snake_name(item, &Placed { at: item.at, value: String::new() });
+    read(item, String::new(), name, index)
+}
+
+fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {
+    check_name(item, &name);
     let field = Field {
         name: name.value,
         ty: field_type(item, index),
@@ -56,11 +64,66 @@ fn field<'s>(
         doc: required_doc(item),
         disputed: item.texts("disputed").into_iter().map(|text| text.value).collect(),
         versions: versions(item),
-        wire: wire.value,
+        wire,
     };
     check_field(item, &field);
     item.finish();
     field
+}
+
+/// The field as an `[[override]]` changes it: what the table does not say stays as it is.
+pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut Index<'s>) -> Field {
+    let name = snake_name(item, &Placed { at: item.at, value: base.name.clone() });
+    check_name(item, &name);
+    let flag = |key, before: bool| item.flag(key).map_or(before, |flag| flag.value);
+    let bound = |key, before| item.bound(key).map_or(before, |bound| Some(bound.value).filter(|b| b.is_finite()));
+    let mut field = Field {
+        wire: base.wire.clone(),
+        name: name.value,
+        ty: if item.has("type") { field_type(item, index) } else { base.ty.clone() },
+        unit: item
+            .text("unit")
+            .map_or_else(|| base.unit.clone(), |unit| Some(unit.value).filter(|unit| !unit.is_empty())),
+        range: Range {
+            min: bound("min", base.range.min),
+            max: bound("max", base.range.max),
+            advisory: flag("advisory", base.range.advisory),
+        },
+        ascii: flag("ascii", base.ascii),
+        optional: flag("optional", base.optional),
+        or_raw: flag("or_raw", base.or_raw),
+        doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
+        disputed: base.disputed.clone(),
+        versions: versions(item).or(&base.versions),
+    };
+    settle(item, &mut field, base);
+    check_field(item, &field);
+    item.finish();
+    field
+}
+
+/// Where sources contradict each other, whoever takes a side says why.
+fn settle(item: &Item<'_, '_>, field: &mut Field, base: &Field) {
+    match item.text("settled") {
+        Some(settled) if base.disputed.is_empty() => {
+            item.error(settled.at, "`settled` is for a disputed field, and no source disputes this one");
+        }
+        Some(settled) => {
+            field.disputed.clear();
+            field.doc = format!("{}\n\nSettled: {}", field.doc, settled.value.trim());
+        }
+        None if !base.disputed.is_empty() && (field.ty != base.ty || field.doc != base.doc) => {
+            let readings = base.disputed.join("; ");
+            item.error(item.at, &format!("the meaning is disputed ({readings}); say in `settled` how you found out"));
+        }
+        None => {}
+    }
+}
+
+fn check_name(item: &Item<'_, '_>, name: &Placed<'_, String>) {
+    if RESERVED_FIELDS.contains(&name.value.as_str()) {
+        item.error(name.at, &format!("`{}` is a name of the generated code; give another as `name`", name.value));
+    }
 }
 
 fn check_field(item: &Item<'_, '_>, field: &Field) {
