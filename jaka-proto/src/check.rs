@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::wire::Typed;
+
 /// What a number or text may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
@@ -217,6 +219,13 @@ impl Validate for String {
 impl Validate for serde_json::Value {
     fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), InvalidArgument> {
         Ok(())
+    }
+}
+
+/// What is given as raw JSON is not checked.
+impl<T: Validate> Validate for Typed<T> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+        self.known().map_or(Ok(()), |value| value.validate(place, limits))
     }
 }
 

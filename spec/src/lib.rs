@@ -15,6 +15,7 @@ pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
     Type, TypeDef, TypeKind, Variant, Versions,
 };
+pub use names::to_camel;
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
 
