@@ -126,7 +126,7 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
     "#]]);
 
     user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
-    user.expect(&expect![[r#"
+    user.expect(&expect![[r"
         error: expected string literal
          --> src/lib.rs:1:18
           |
@@ -134,5 +134,5 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
           |                  ^^^^^
 
         error: could not compile `user` (lib) due to 1 previous error
-    "#]]);
+    "]]);
 }
