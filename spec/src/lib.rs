@@ -2,6 +2,8 @@
 
 mod builtin;
 mod item;
+#[cfg(feature = "json")]
+pub mod json;
 mod model;
 mod names;
 mod pack;
