@@ -49,7 +49,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enable_flag", &self.enable_flag, &check::Limits::NONE)?;
             Ok(())
         }
@@ -86,7 +86,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -177,7 +177,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("brand", &self.brand, &check::Limits::NONE)?;
             Ok(())
         }
@@ -217,7 +217,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -370,7 +370,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("axis", &self.axis, &check::Limits::NONE)?;
             place.check("enabled", &self.enabled, &check::Limits::NONE)?;
             place.check("user_force", &self.user_force, &check::Limits::NONE)?;
@@ -413,7 +413,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -515,7 +515,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mode",
@@ -592,7 +592,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             Ok(())
         }
@@ -639,7 +639,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -709,7 +709,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -808,7 +808,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mass",
@@ -854,7 +854,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -956,7 +956,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("condition", &self.condition, &check::Limits::NONE)?;
             Ok(())
         }
@@ -1012,7 +1012,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enable_flag", &self.enable_flag, &check::Limits::NONE)?;
             Ok(())
         }
@@ -1046,7 +1046,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1161,7 +1161,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "sensor_compensation",
@@ -1245,7 +1245,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("communication", &self.communication, &check::Limits::NONE)?;
             place.check("address", &self.address, &check::Limits::NONE)?;
             place
@@ -1294,7 +1294,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1379,7 +1379,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1435,7 +1435,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("compliance", &self.compliance, &check::Limits::NONE)?;
             Ok(())
         }
@@ -1489,7 +1489,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Sony | Self::BoschSensortec | Self::StMicroelectronics => {
                     check::Standing::Listed
@@ -1556,7 +1556,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::X | Self::Y | Self::Z | Self::Rx | Self::Ry | Self::Rz => {
                     check::Standing::Listed
@@ -1690,7 +1690,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Off | Self::ConstantForce | Self::Velocity => {
                     check::Standing::Listed
@@ -1741,7 +1741,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::TcpIp | Self::Rs485 => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -1802,7 +1802,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("level", &self.level, &check::Limits::NONE)?;
             place.check("rate1", &self.rate1, &check::Limits::NONE)?;
             place.check("rate2", &self.rate2, &check::Limits::NONE)?;

@@ -63,7 +63,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place
                 .check(
@@ -116,7 +116,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -230,7 +230,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place
                 .check(
@@ -283,7 +283,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -376,7 +376,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -498,7 +498,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "output_enable",
@@ -553,7 +553,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -683,7 +683,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Cabinet | Self::Tool | Self::Extension => check::Standing::Listed,
                 Self::Relay | Self::ModbusSlave | Self::Profinet | Self::EthernetIp => {
@@ -735,7 +735,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Cabinet | Self::Extension => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
