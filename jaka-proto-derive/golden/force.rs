@@ -49,7 +49,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enable_flag", &self.enable_flag, &check::Limits::NONE)?;
             Ok(())
         }
@@ -84,7 +84,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -175,7 +175,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("brand", &self.brand, &check::Limits::NONE)?;
             Ok(())
         }
@@ -215,7 +215,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -368,7 +368,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("axis", &self.axis, &check::Limits::NONE)?;
             place.check("enabled", &self.enabled, &check::Limits::NONE)?;
             place.check("user_force", &self.user_force, &check::Limits::NONE)?;
@@ -411,7 +411,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -513,7 +513,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mode",
@@ -590,7 +590,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             Ok(())
         }
@@ -637,7 +637,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -707,7 +707,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -806,7 +806,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mass",
@@ -852,7 +852,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -954,7 +954,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("condition", &self.condition, &check::Limits::NONE)?;
             Ok(())
         }
@@ -1010,7 +1010,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enable_flag", &self.enable_flag, &check::Limits::NONE)?;
             Ok(())
         }
@@ -1044,7 +1044,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1159,7 +1159,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "sensor_compensation",
@@ -1243,7 +1243,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("communication", &self.communication, &check::Limits::NONE)?;
             place.check("address", &self.address, &check::Limits::NONE)?;
             place
@@ -1292,7 +1292,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1377,7 +1377,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1433,7 +1433,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("compliance", &self.compliance, &check::Limits::NONE)?;
             Ok(())
         }
@@ -1487,7 +1487,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Sony | Self::BoschSensortec | Self::StMicroelectronics => {
                     check::Standing::Listed
@@ -1554,7 +1554,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::X | Self::Y | Self::Z | Self::Rx | Self::Ry | Self::Rz => {
                     check::Standing::Listed
@@ -1620,7 +1620,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enabled", &self.enabled, &check::Limits::NONE)?;
             place.check("user_force", &self.user_force, &check::Limits::NONE)?;
             place.check("rebound", &self.rebound, &check::Limits::NONE)?;
@@ -1669,7 +1669,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Done | Self::NotDone | Self::Failed => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -1722,7 +1722,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Off | Self::ConstantForce | Self::Velocity => {
                     check::Standing::Listed
@@ -1773,7 +1773,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::TcpIp | Self::Rs485 => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -1834,7 +1834,7 @@ pub mod force {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("level", &self.level, &check::Limits::NONE)?;
             place.check("rate1", &self.rate1, &check::Limits::NONE)?;
             place.check("rate2", &self.rate2, &check::Limits::NONE)?;

@@ -63,7 +63,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place
                 .check(
@@ -116,7 +116,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -230,7 +230,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place
                 .check(
@@ -283,7 +283,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -376,7 +376,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -498,7 +498,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "output_enable",
@@ -553,7 +553,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -683,7 +683,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Cabinet | Self::Tool | Self::Extension => check::Standing::Listed,
                 Self::Relay | Self::ModbusSlave | Self::Profinet | Self::EthernetIp => {
@@ -735,7 +735,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Cabinet | Self::Extension => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -784,7 +784,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("count", &self.count, &check::Limits::NONE)?;
             place.check("modules", &self.modules, &check::Limits::NONE)?;
             place.check("state", &self.state, &check::Limits::NONE)?;
@@ -837,7 +837,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("setup", &self.setup, &check::Limits::NONE)?;
             place.check("pin_map", &self.pin_map, &check::Limits::NONE)?;
             Ok(())
@@ -941,7 +941,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Rtu { name, connection, pins } => {
                     place.check("name", name, &check::Limits::NONE)?;
@@ -1016,7 +1016,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("baud_rate", &self.baud_rate, &check::Limits::NONE)?;
             place.check("data_bit_length", &self.data_bit_length, &check::Limits::NONE)?;
             place.check("slave_id", &self.slave_id, &check::Limits::NONE)?;
@@ -1069,7 +1069,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("address", &self.address, &check::Limits::NONE)?;
             place.check("port", &self.port, &check::Limits::NONE)?;
             place.check("slave_id", &self.slave_id, &check::Limits::NONE)?;
@@ -1147,7 +1147,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
             place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
             place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
@@ -1191,7 +1191,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("start", &self.start, &check::Limits::NONE)?;
             place.check("count", &self.count, &check::Limits::NONE)?;
             Ok(())
@@ -1268,7 +1268,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
             place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
             place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
@@ -1372,7 +1372,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("running", &self.running, &check::Limits::NONE)?;
             place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
             place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
@@ -1417,7 +1417,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place.check("index", &self.index, &check::Limits::NONE)?;
             Ok(())
@@ -1467,7 +1467,7 @@ pub mod io {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Unassigned | Self::Cabinet | Self::Tool | Self::Modbus => {
                     check::Standing::Listed

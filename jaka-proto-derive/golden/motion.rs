@@ -290,7 +290,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Stop { frame, axis } => {
                     place.check("frame", frame, &check::Limits::NONE)?;
@@ -489,7 +489,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             place
@@ -599,7 +599,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("pose", &self.pose, &check::Limits::NONE)?;
             place
                 .check(
@@ -734,7 +734,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("pose", &self.pose, &check::Limits::NONE)?;
             place
@@ -891,7 +891,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("mid_pose", &self.mid_pose, &check::Limits::NONE)?;
             place.check("end_pose", &self.end_pose, &check::Limits::NONE)?;
@@ -974,7 +974,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -1028,7 +1028,7 @@ pub mod motion {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::World | Self::Joint | Self::Tool => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,

@@ -62,7 +62,7 @@ pub mod network {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "delay",
@@ -128,7 +128,7 @@ pub mod network {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Keep | Self::Pause | Self::Terminate => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,

@@ -95,7 +95,7 @@ pub mod changed {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             place
@@ -126,7 +126,8 @@ pub mod changed {
                         min: Some(0f64),
                         unit: "mm",
                         ..check::Limits::NONE
-                    },
+                    }
+                        .since([1, 7, 1]),
                 )?;
             Ok(())
         }
@@ -191,7 +192,7 @@ pub mod changed {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "rate",
@@ -283,7 +284,7 @@ pub mod changed {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "output_enable",
@@ -343,7 +344,7 @@ pub mod changed {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::V24 | Self::V12 => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -1354,7 +1355,7 @@ pub mod changed {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "length",

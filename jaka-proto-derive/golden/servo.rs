@@ -32,7 +32,7 @@ pub mod servo {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -127,7 +127,7 @@ pub mod servo {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("servo_mode", &self.servo_mode, &check::Limits::NONE)?;
             Ok(())
         }
@@ -223,7 +223,7 @@ pub mod servo {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             place
@@ -330,7 +330,7 @@ pub mod servo {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("pose", &self.pose, &check::Limits::NONE)?;
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place
@@ -798,7 +798,7 @@ pub mod servo {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Disabled {} => {}
                 Self::JointLowPass { cutoff_frequency } => {

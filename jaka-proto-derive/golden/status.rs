@@ -1003,7 +1003,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "length",
@@ -1234,7 +1234,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::PoweredOff | Self::PoweredOn | Self::Enabled3 | Self::Enabled4 => {
                     check::Standing::Listed
@@ -1293,7 +1293,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Manual | Self::Automatic | Self::Reserved | Self::Drag => {
                     check::Standing::Listed
@@ -1352,7 +1352,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Idle | Self::Loading | Self::Paused | Self::Running => {
                     check::Standing::Listed
@@ -1445,7 +1445,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("pin_states", &self.pin_states, &check::Limits::NONE)?;
             place.check("setup", &self.setup, &check::Limits::NONE)?;
             place.check("count", &self.count, &check::Limits::NONE)?;
@@ -1510,7 +1510,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
             place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
             place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
@@ -1616,7 +1616,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Rtu { name, connection, pins } => {
                     place.check("name", name, &check::Limits::NONE)?;
@@ -1681,7 +1681,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
             place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
             place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
@@ -1738,7 +1738,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
             place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
             place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
@@ -1782,7 +1782,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::On | Self::Off => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -1848,7 +1848,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "scb_major_version",
@@ -1971,7 +1971,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("current", &self.current, &check::Limits::NONE)?;
             place.check("voltage", &self.voltage, &check::Limits::NONE)?;
             place.check("temperature", &self.temperature, &check::Limits::NONE)?;
@@ -2047,7 +2047,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("settings", &self.settings, &check::Limits::NONE)?;
             place.check("state", &self.state, &check::Limits::NONE)?;
             Ok(())
@@ -2159,7 +2159,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Tcp { connection, payload } => {
                     place.check("connection", connection, &check::Limits::NONE)?;
@@ -2210,7 +2210,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("address", &self.address, &check::Limits::NONE)?;
             place.check("port", &self.port, &check::Limits::NONE)?;
             Ok(())
@@ -2262,7 +2262,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("baud_rate", &self.baud_rate, &check::Limits::NONE)?;
             place.check("data_bits", &self.data_bits, &check::Limits::NONE)?;
             place.check("stop_bits", &self.stop_bits, &check::Limits::NONE)?;
@@ -2306,7 +2306,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mass",
@@ -2375,7 +2375,7 @@ pub mod status {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("working", &self.working, &check::Limits::NONE)?;
             place.check("error_code", &self.error_code, &check::Limits::NONE)?;
             place.check("contact_force", &self.contact_force, &check::Limits::NONE)?;

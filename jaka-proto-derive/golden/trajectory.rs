@@ -89,7 +89,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "acceleration",
@@ -160,7 +160,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -298,7 +298,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("file_name", &self.file_name, &check::Limits::NONE)?;
             Ok(())
@@ -333,7 +333,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -401,7 +401,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -500,7 +500,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("source", &self.source, &check::Limits::NONE)?;
             place.check("destination", &self.destination, &check::Limits::NONE)?;
             Ok(())
@@ -559,7 +559,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("file_name", &self.file_name, &check::Limits::NONE)?;
             Ok(())
         }
@@ -619,7 +619,7 @@ pub mod trajectory {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("file_name", &self.file_name, &check::Limits::NONE)?;
             Ok(())
         }

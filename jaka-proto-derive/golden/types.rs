@@ -34,7 +34,7 @@ pub mod types {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let limits = check::Limits {
                 unit: "deg",
                 ..*limits
@@ -113,7 +113,7 @@ pub mod types {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "x",
@@ -210,7 +210,7 @@ pub mod types {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Absolute | Self::Relative => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -254,7 +254,7 @@ pub mod types {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Off | Self::On => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,

@@ -28,7 +28,7 @@ pub mod variables {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
@@ -140,7 +140,7 @@ pub mod variables {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("id", &self.id, &check::Limits::NONE)?;
             place.check("alias", &self.alias, &check::Limits::NONE)?;
             place.check("value", &self.value, &check::Limits::NONE)?;
@@ -205,7 +205,7 @@ pub mod variables {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("alias", &self.alias, &check::Limits::NONE)?;
             place.check("id", &self.id, &check::Limits::NONE)?;
             place.check("value", &self.value, &check::Limits::NONE)?;

@@ -88,9 +88,10 @@ fn info(command: &Command) -> TokenStream {
     let uncertain = (!command.reply_certain).then(|| quote!(.reply_uncertain()));
     let ends = command.ends_session.then(|| quote!(.ends_session()));
     let bare = bare_reply_key(command).map(|key| quote!(.bare_reply(#key)));
+    let firmware = validate::firmware(&command.versions);
     quote! {
         proto::CommandInfo::new(#name, #head, #section, proto::Effect::#effect)
-            #requires #deadline #uncertain #ends #bare
+            #requires #deadline #uncertain #ends #bare #firmware
     }
 }
 

@@ -32,6 +32,111 @@ fn client_methods() {
 }
 
 #[test]
+fn what_not_all_firmware_has_says_so() {
+    let text = r#"
+title = "Fan"
+
+[[command]]
+wire = "set_fan"
+effect = "setting"
+since = "1.6.5"
+until = "1.7"
+doc = "Sets the cabinet's fan."
+
+[[command.request]]
+wire = "curve"
+type = "FanCurve"
+doc = "The speeds."
+
+[[command.request]]
+wire = "delay"
+type = "float"
+unit = "s"
+min = 0
+optional = true
+until = "1.6"
+doc = "How long it runs on."
+
+[[type]]
+name = "FanCurve"
+kind = "object"
+doc = "Speeds of the fan."
+
+[[type.field]]
+wire = "quiet"
+type = "bool"
+optional = true
+since = "1.7"
+doc = "Whether it is quiet."
+"#;
+    let spec = jaka_spec::load(&[Source { path: "spec/fan.toml", text }]).expect("the spec is correct");
+    let impls = impls_of(topic::messages(&spec), &["Validate", "Command"]);
+    expect![[r#"
+        impl check::Validate for SetFan {
+            #[allow(unused_variables)]
+            fn validate(
+                &self,
+                place: &check::Place<'_>,
+                limits: &check::Limits,
+            ) -> Result<(), check::NotSent> {
+                place.check("curve", &self.curve, &check::Limits::NONE)?;
+                place
+                    .check(
+                        "delay",
+                        &self.delay,
+                        &check::Limits {
+                            min: Some(0f64),
+                            unit: "s",
+                            ..check::Limits::NONE
+                        }
+                            .until([1, 6]),
+                    )?;
+                Ok(())
+            }
+        }
+        impl proto::Command for SetFan {
+            type Reply = ();
+            const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
+                    "set_fan",
+                    "{\"cmdName\":\"set_fan\"",
+                    "",
+                    proto::Effect::Setting,
+                )
+                .since([1, 6, 5])
+                .until([1, 7]);
+        }
+        impl check::Validate for FanCurve {
+            #[allow(unused_variables)]
+            fn validate(
+                &self,
+                place: &check::Place<'_>,
+                limits: &check::Limits,
+            ) -> Result<(), check::NotSent> {
+                place.check("quiet", &self.quiet, &check::Limits::NONE.since([1, 7]))?;
+                Ok(())
+            }
+        }
+    "#]]
+    .assert_eq(&impls);
+}
+
+/// The implementations of these traits in the modules of an expansion.
+fn impls_of(tokens: TokenStream, traits: &[&str]) -> String {
+    let mut file: syn::File = syn::parse2(tokens).expect("the expansion is valid Rust");
+    let is_wanted = |item: &syn::Item| {
+        let syn::Item::Impl(item) = item else { return false };
+        let name = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
+        name.is_some_and(|name| traits.iter().any(|wanted| name.ident == wanted))
+    };
+    let modules = file.items.into_iter().filter_map(|item| match item {
+        syn::Item::Mod(module) => module.content,
+        _ => None,
+    });
+    file.items = modules.flat_map(|(_, items)| items).filter(is_wanted).collect();
+    prettyplease::unparse(&file)
+}
+
+#[test]
 fn each_error_of_the_spec_is_a_compiler_error() {
     let text = "title = \"Motion\"\n\n[[command]]\nwire = \"go\"\neffect = \"fly\"\n";
     let errors = jaka_spec::load(&[Source { path: "spec/motion.toml", text }]).expect_err("the spec is wrong");

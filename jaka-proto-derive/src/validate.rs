@@ -1,7 +1,7 @@
 //! The checks of requests, and of the types inside them.
 
-use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind};
-use proc_macro2::{Ident, TokenStream};
+use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::codec::{ident, names, variant_path};
@@ -48,7 +48,7 @@ fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
                 &self,
                 place: &check::Place<'_>,
                 limits: &check::Limits,
-            ) -> Result<(), check::InvalidArgument> {
+            ) -> Result<(), check::NotSent> {
                 #body
             }
         }
@@ -85,12 +85,24 @@ fn limits(field: &Field) -> TokenStream {
     let advisory = field.range.advisory.then(|| quote!(advisory: true,));
     let ascii = field.ascii.then(|| quote!(ascii: true,));
     let unit = field.unit.as_deref().map(|unit| quote!(unit: #unit,));
+    let firmware = firmware(&field.versions);
     let set = [min, max, advisory, ascii, unit];
     if set.iter().all(Option::is_none) {
-        return quote!(check::Limits::NONE);
+        return quote!(check::Limits::NONE #firmware);
     }
     let set = set.iter().flatten();
-    quote!(check::Limits { #(#set)* ..check::Limits::NONE })
+    quote!(check::Limits { #(#set)* ..check::Limits::NONE } #firmware)
+}
+
+/// What follows limits, or a command's information, of something that not all firmware has.
+pub(crate) fn firmware(versions: &Versions) -> TokenStream {
+    let numbers = |version: &Version| {
+        let numbers = version.numbers().iter().map(|number| Literal::u32_unsuffixed(*number));
+        quote!([#(#numbers),*])
+    };
+    let since = versions.since.as_ref().map(numbers).map(|numbers| quote!(.since(#numbers)));
+    let until = versions.until.as_ref().map(numbers).map(|numbers| quote!(.until(#numbers)));
+    quote!(#since #until)
 }
 
 fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {

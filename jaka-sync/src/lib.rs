@@ -28,7 +28,7 @@ pub use jaka_proto::geometry;
 pub use jaka_proto::messages::*;
 #[doc(no_inline)]
 pub use jaka_proto::{
-    Command, CommandInfo, Effect, ErrorCode, Refusal, Requirement,
+    Command, CommandInfo, Effect, ErrorCode, FirmwareRange, FirmwareVersion, NotInFirmware, Refusal, Requirement,
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::names::to_camel;
+use crate::version::Versions;
 
 /// A whole protocol: the topics in the order they were given.
 #[derive(Debug, Clone, PartialEq)]
@@ -160,23 +161,6 @@ pub enum Requirement {
     ServoMode,
     /// Servo mode is off.
     NotServoMode,
-}
-
-/// The firmware versions that know an item.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Versions {
-    /// First version that has it.
-    pub since: Option<String>,
-    /// Last version that has it.
-    pub until: Option<String>,
-}
-
-impl Versions {
-    /// These, and what `others` says where these say nothing.
-    pub(crate) fn or(self, others: &Self) -> Self {
-        let Self { since, until } = others.clone();
-        Self { since: self.since.or(since), until: self.until.or(until) }
-    }
 }
 
 /// The body of a request.

@@ -8,6 +8,7 @@ use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Request
 use crate::names::is_snake;
 use crate::report::{At, Report};
 use crate::resolve::Index;
+use crate::version::Versions;
 
 mod common;
 mod field;
@@ -81,7 +82,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         ends_session: item.flag("ends_session").is_some_and(|flag| flag.value),
         reconstructed: item.text("reconstructed").map(|text| text.value),
         deprecated: item.text("deprecated").map(|text| text.value),
-        versions: versions(item),
+        versions: versions(item, &Versions::default()),
         doc: required_doc(item),
         errata: item.texts("errata").into_iter().map(|text| text.value).collect(),
         request,

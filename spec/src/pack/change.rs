@@ -166,7 +166,7 @@ impl<'s> Draft<'s, '_> {
             command.requires = read::requires(item);
         }
         command.deadline = read::deadline(item).or(command.deadline);
-        command.versions = read::versions(item).or(&before.versions);
+        command.versions = read::versions(item, &before.versions);
         if let Some(doc) = item.text("doc") {
             doc.value.trim().clone_into(&mut command.doc);
         }

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::item::{Item, Placed};
-use crate::model::Versions;
 use crate::names::{is_camel, is_snake};
 use crate::report::At;
+use crate::version::{Version, Versions};
 
 pub(super) fn doc(item: &Item<'_, '_>) -> Option<String> {
     item.text("doc").map(|text| text.value.trim().to_owned())
@@ -58,16 +58,21 @@ pub(super) fn word<T: Copy>(
     found
 }
 
-pub(crate) fn versions(item: &Item<'_, '_>) -> Versions {
+/// The versions that know the item; what its table does not say is as `before`.
+pub(crate) fn versions(item: &Item<'_, '_>, before: &Versions) -> Versions {
     let version = |key| {
         let text = item.text(key)?;
-        let fits = text.value.split('.').all(|part| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit()));
-        if !fits {
+        let version = Version::read(&text.value);
+        if version.is_none() {
             item.error(text.at, &format!("`{key}` is a version such as 1.5 or 1.6.5"));
         }
-        Some(text.value)
+        version
     };
-    Versions { since: version("since"), until: version("until") }
+    let versions = Versions { since: version("since"), until: version("until") }.or(before);
+    if versions.is_void() {
+        item.error(item.at, "`since` is later than `until`");
+    }
+    versions
 }
 
 /// Names that may stand only once, with the place of the first; none for those of the spec that a pack adds to.

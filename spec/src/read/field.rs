@@ -6,6 +6,7 @@ use crate::model::{Field, Range, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::resolve::Index;
 use crate::type_text;
+use crate::version::Versions;
 
 /// Fields of a struct written as an object, from `[[… .key]]`.
 pub(super) fn fields<'s>(item: &Item<'_, 's>, key: &'static str, what: &str, index: &mut Index<'s>) -> Vec<Field> {
@@ -63,7 +64,7 @@ fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: 
         or_raw: item.flag("or_raw").is_some_and(|flag| flag.value),
         doc: required_doc(item),
         disputed: item.texts("disputed").into_iter().map(|text| text.value).collect(),
-        versions: versions(item),
+        versions: versions(item, &Versions::default()),
         wire,
     };
     check_field(item, &field);
@@ -96,7 +97,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut I
         or_raw: flag("or_raw", base.or_raw),
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         disputed: base.disputed.clone(),
-        versions: versions(item).or(&base.versions),
+        versions: versions(item, &base.versions),
     };
     settle(item, &mut field, base);
     check_field(item, &field);
