@@ -3,7 +3,7 @@
 /// Angles are degrees and lengths millimetres, as on the wire.
 pub mod types {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Positions, or offsets, of joints 1 to 6. In deg.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct JointPosition(pub [f64; 6]);
@@ -27,7 +27,7 @@ pub mod types {
             wire::Decode::decode(reader).map(Self)
         }
     }
-    ::jaka_proto::__serde_impls!(JointPosition);
+    proto::__serde_impls!(JointPosition);
     impl check::Validate for JointPosition {
         #[allow(unused_variables)]
         fn validate(
@@ -96,7 +96,7 @@ pub mod types {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(Pose);
+    proto::__serde_impls!(Pose);
     impl From<[f64; 6]> for Pose {
         fn from([x, y, z, rx, ry, rz]: [f64; 6]) -> Self {
             Self { x, y, z, rx, ry, rz }
@@ -203,7 +203,7 @@ pub mod types {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(MoveMode);
+    proto::__int_enum_impls!(MoveMode);
     impl check::Validate for MoveMode {
         #[allow(unused_variables)]
         fn validate(
@@ -247,7 +247,7 @@ pub mod types {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(Switch);
+    proto::__int_enum_impls!(Switch);
     impl check::Validate for Switch {
         #[allow(unused_variables)]
         fn validate(

@@ -1,34 +1,22 @@
 //! The checks of requests, and of the types inside them.
 
-use std::collections::BTreeSet;
-
-use jaka_spec::{Command, EnumValue, Field, Request, Spec, Type, TypeDef, TypeKind, Version, Versions};
+use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::codec::{Scope, ident, names, variant_path};
+use crate::codec::{ident, names, variant_path};
 
 /// The checks of a request.
 pub(crate) fn request(command: &Command, name: &Ident) -> TokenStream {
     let body = match &command.request {
         Request::Fields(fields) => struct_body(fields),
-        Request::Choice(choice) => {
-            let arms = choice.variants.iter().map(|variant| {
-                let (path, names) = (variant_path(variant), names(&variant.fields));
-                let checks = checks(&variant.fields, |name| quote!(#name));
-                quote!(#path { #(#names),* } => { #checks })
-            });
-            quote!(match self { #(#arms)* } Ok(()))
-        }
+        Request::Choice(choice) => choice_body(choice, None),
     };
     implement(name, &body)
 }
 
-/// The checks of a type, if requests use it.
-pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> Option<TokenStream> {
-    if !sent_types(scope.spec).contains(def.name.as_str()) {
-        return None;
-    }
+/// The checks of a type.
+pub(crate) fn type_def(def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let body = match &def.kind {
         TypeKind::Object(fields) | TypeKind::Array { fields, .. } => struct_body(fields),
@@ -47,10 +35,9 @@ pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> Option<TokenStream> {
                 check::Validate::validate(&self.0, place, &limits)
             }
         }
-        // The model reads choices, but no request of a known firmware sends one inside an array.
-        TypeKind::Choice(_) => quote!(Ok(())),
+        TypeKind::Choice(choice) => choice_body(choice, Some(&quote!(Self::Other(_) => {}))),
     };
-    Some(implement(&name, &body))
+    implement(&name, &body)
 }
 
 fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
@@ -66,6 +53,16 @@ fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
             }
         }
     }
+}
+
+/// The checks of each variant; `other` is the arm of what the spec does not list.
+fn choice_body(choice: &Choice, other: Option<&TokenStream>) -> TokenStream {
+    let arms = choice.variants.iter().map(|variant| {
+        let (path, names) = (variant_path(variant), names(&variant.fields));
+        let checks = checks(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { #checks })
+    });
+    quote!(match self { #(#arms)* #other } Ok(()))
 }
 
 fn struct_body(fields: &[Field]) -> TokenStream {
@@ -130,36 +127,5 @@ fn enum_body<T>(values: &[EnumValue<T>], allowed: &str, wire: &TokenStream) -> T
             Self::Other(_) => check::Standing::Unknown,
         };
         place.listed(&#wire, standing, #allowed)
-    }
-}
-
-/// The names of all types that requests use, also inside other types.
-fn sent_types(spec: &Spec) -> BTreeSet<&str> {
-    let mut sent = BTreeSet::new();
-    let mut open: Vec<&Type> = spec.commands().flat_map(sent_fields).map(|field| &field.ty).collect();
-    while let Some(ty) = open.pop() {
-        match ty {
-            Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) => open.push(inner),
-            Type::Named(name) if sent.insert(name.as_str()) => {
-                open.extend(spec.type_def(name).into_iter().flat_map(parts));
-            }
-            _ => {}
-        }
-    }
-    sent
-}
-
-fn sent_fields(command: &Command) -> Vec<&Field> {
-    match &command.request {
-        Request::Fields(fields) => fields.iter().collect(),
-        Request::Choice(choice) => choice.variants.iter().flat_map(|variant| &variant.fields).collect(),
-    }
-}
-
-fn parts(def: &TypeDef) -> Vec<&Type> {
-    match &def.kind {
-        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => fields.iter().map(|field| &field.ty).collect(),
-        TypeKind::Wrapper(ty, _) => vec![ty],
-        _ => Vec::new(),
     }
 }

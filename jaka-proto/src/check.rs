@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::firmware::{FirmwareRange, FirmwareVersion, NotInFirmware};
+use crate::wire::Typed;
 
 /// What a field may hold, and which firmware has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -289,6 +290,13 @@ impl Validate for String {
 impl Validate for serde_json::Value {
     fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
         Ok(())
+    }
+}
+
+/// What is given as raw JSON is not checked.
+impl<T: Validate> Validate for Typed<T> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+        self.known().map_or(Ok(()), |value| value.validate(place, limits))
     }
 }
 

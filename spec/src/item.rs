@@ -63,7 +63,7 @@ impl<'a, 's> Item<'a, 's> {
 
     /// True where the table has the key, whatever its value.
     pub(crate) fn has(&self, key: &'static str) -> bool {
-        self.table.contains_key(key)
+        self.get(key).is_some()
     }
 
     /// True where the value under `key` is a string.

@@ -2,6 +2,8 @@
 
 mod builtin;
 mod item;
+#[cfg(feature = "json")]
+pub mod json;
 mod model;
 mod names;
 mod pack;
@@ -16,6 +18,7 @@ pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
     Type, TypeDef, TypeKind, Variant,
 };
+pub use names::to_camel;
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
 pub use version::{Version, Versions};

@@ -54,7 +54,7 @@ pub(crate) fn is_camel(name: &str) -> bool {
 }
 
 /// `joint_move` becomes `JointMove`.
-pub(crate) fn to_camel(snake: &str) -> String {
+pub fn to_camel(snake: &str) -> String {
     let mut camel = String::with_capacity(snake.len());
     for word in snake.split('_') {
         let mut chars = word.chars();

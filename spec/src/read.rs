@@ -37,7 +37,7 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     let root = Item::new(String::new(), start, table.get_ref(), report);
     let name = stem(source.path).to_owned();
     if !is_snake(&name) {
-        report.error(start, format!("the file's name is the topic's, and `{name}` is no snake_case name"));
+        report.error(start, format!("the file's name is that of a module, and `{name}` is no snake_case name"));
     }
     let mut topic = Topic {
         title: root.required_text("title").value,

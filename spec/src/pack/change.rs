@@ -88,8 +88,8 @@ impl<'s> Draft<'s, '_> {
             self.note(item, super::REPEATED);
             return false;
         }
-        if same.is_some() {
-            item.error(item.at, "the spec has it already, with another content; use `[[override]]`");
+        if let Some(old) = same {
+            item.error(item.at, &taken(old, &new));
         } else if optional_only && !new.optional {
             item.error(item.at, "a reply that may never come can have optional fields only");
         } else if !keyed && !new.optional && fields.last().is_some_and(|last| last.optional) {
@@ -235,6 +235,14 @@ fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part)
         item.error(at, &format!("`variant` says which variant is meant: one of {}", known.join(", ")));
     }
     found.map(|variant| List { keyed, ..object(&mut variant.fields) })
+}
+
+fn taken(old: &Field, new: &Field) -> String {
+    if old.wire == new.wire {
+        "the spec has it already, with another content; use `[[override]]`".to_owned()
+    } else {
+        format!("the name `{}` is that of the key `{}`; give another as `name`", old.name, old.wire)
+    }
 }
 
 fn is_called(field: &Field, name: &str) -> bool {

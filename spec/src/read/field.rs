@@ -77,18 +77,20 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut I
     let name = snake_name(item, &Placed { at: item.at, value: base.name.clone() });
     check_name(item, &name);
     let flag = |key, before: bool| item.flag(key).map_or(before, |flag| flag.value);
+    let ty = if item.has("type") { field_type(item, index) } else { base.ty.clone() };
+    let limits = if is_number(&ty) { base.range } else { Range::default() };
     let bound = |key, before| item.bound(key).map_or(before, |bound| Some(bound.value).filter(|b| b.is_finite()));
     let mut field = Field {
         wire: base.wire.clone(),
         name: name.value,
-        ty: if item.has("type") { field_type(item, index) } else { base.ty.clone() },
+        ty,
         unit: item
             .text("unit")
             .map_or_else(|| base.unit.clone(), |unit| Some(unit.value).filter(|unit| !unit.is_empty())),
         range: Range {
-            min: bound("min", base.range.min),
-            max: bound("max", base.range.max),
-            advisory: flag("advisory", base.range.advisory),
+            min: bound("min", limits.min),
+            max: bound("max", limits.max),
+            advisory: flag("advisory", limits.advisory),
         },
         ascii: flag("ascii", base.ascii),
         optional: flag("optional", base.optional),
@@ -129,11 +131,10 @@ fn check_name(item: &Item<'_, '_>, name: &Placed<'_, String>) {
 
 fn check_field(item: &Item<'_, '_>, field: &Field) {
     let scalar = innermost(&field.ty);
-    let numeric = matches!(scalar, Type::Int | Type::Float);
     if field.range.min.zip(field.range.max).is_some_and(|(min, max)| min > max) {
         item.error(item.at, "`min` is greater than `max`");
     }
-    if (field.range != Range::default()) && !numeric {
+    if (field.range != Range::default()) && !is_number(&field.ty) {
         item.error(item.at, "`min`, `max` and `advisory` are for numbers");
     }
     if field.range.advisory && field.range.min.is_none() && field.range.max.is_none() {
@@ -154,6 +155,11 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
 fn has_words(ty: &Type) -> bool {
     let usual = |form: &str| matches!(form.to_ascii_lowercase().trim_matches('"'), "false" | "true" | "0" | "1");
     matches!(ty, Type::Bool { off, on } if !usual(off) || !usual(on))
+}
+
+/// True for a number, and for an array of numbers.
+fn is_number(ty: &Type) -> bool {
+    matches!(innermost(ty), Type::Int | Type::Float)
 }
 
 fn innermost(ty: &Type) -> &Type {
