@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
-use jaka_proto::{Command, CommandInfo, FirmwareVersion, Ticket, read_payload};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
 use serde_json::Value;
 
 use crate::link::{Link, Sent};
@@ -178,6 +178,27 @@ impl Client {
             command: command.to_owned(),
             source: DecodeError::unfit(format!("JSON ({error})"), &self.reply),
         })
+    }
+
+    /// Sends a request as it stands, byte for byte, and gives back the text of its reply.
+    ///
+    /// `request` is a JSON object with a `cmdName`. For programs that write requests by other means than this crate's, such as
+    /// a command line or the replay of a log: nothing is checked beyond that.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call); [`InvalidArgument`](Error::InvalidArgument) if `request` is no JSON object or has no `cmdName`.
+    pub fn call_text(&mut self, request: &str, timeout: Duration) -> Result<&str, Error> {
+        let envelope = Envelope::read(request);
+        let command = envelope.as_ref().ok().and_then(|envelope| envelope.command.as_deref());
+        let Some(command) = command.filter(|command| !command.is_empty()) else {
+            let excerpt: String = request.chars().take(80).collect();
+            return Err(
+                InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
+            );
+        };
+        let sent = self.link.send(command, Cow::Owned(command.to_owned()), timeout, |out| out.raw(request))?;
+        self.link.wait(&sent, &mut self.reply)?;
+        Ok(&self.reply)
     }
 
     /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec.

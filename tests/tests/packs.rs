@@ -133,3 +133,16 @@ fn a_wrong_pack_is_an_error_at_the_start() {
     let error = Controller::builder().pack("nowhere.toml").start().expect_err("there is no such file");
     assert!(error.to_string().starts_with("cannot read the pack `nowhere.toml`: "), "{error}");
 }
+
+#[test]
+fn a_field_that_this_firmware_does_not_have_is_refused_by_its_pack_s_word() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    robot.check_firmware().expect("the controller says its version");
+    let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("firmware 1.6.5 has no zones");
+    assert_eq!(
+        error.to_string(),
+        "`joint_move` was not sent: the controller's firmware 1.6.5 does not have its field `zone`; firmware 1.7.1 and \
+         later has"
+    );
+}

@@ -21,7 +21,7 @@ impl UserCrate {
         let this = Self { folder };
         // The same versions as here, so that nothing has to be fetched.
         this.write("Cargo.lock", &fs::read_to_string(workspace.join("Cargo.lock")).expect("the workspace has one"));
-        let sync = workspace.join("jaka-sync");
+        let sync = workspace.join("jaka-sync").display().to_string();
         this.write(
             "Cargo.toml",
             &format!(
