@@ -34,6 +34,7 @@ mod envelope;
 mod limits;
 mod names;
 mod problem;
+mod python;
 mod sample;
 mod scalar;
 mod text;

@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 use super::departure::{Departure, DepartureKind, Reading};
 use super::limits::{Slot, variants};
 use super::problem::{element, excerpt, member};
+use super::python;
 use super::scalar::{self, Form};
 use crate::{Choice, Field, Spec, Type, TypeKind};
 
@@ -72,7 +73,10 @@ impl<'s> Decoder<'s> {
                 Some(_) => self.lenient(slot, DepartureKind::Range, value),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Type::Python(_) => self.form(slot, value, value.is_string().then_some(Form::Plain)),
+            Type::Python(inner) => match value.as_str().and_then(python::read) {
+                Some(found) => self.value(&slot.inner(slot.place, inner), &found),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
             Type::Json => {}
             Type::List(element) => self.list(slot, element, value, None),
             Type::Array(element, len) => self.list(slot, element, value, Some(*len)),

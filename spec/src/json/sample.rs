@@ -3,6 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::envelope::{ENVELOPE, is_success};
+use super::python;
 use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
 
 /// The fields of a successful reply, without the three keys that every reply has.
@@ -26,12 +27,13 @@ fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {
 }
 
 fn member(spec: &Spec, field: &Field) -> Value {
-    let mut sample = of_type(spec, &field.ty);
-    if sample == 0 {
-        let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
-        sample = 0_f64.max(min).min(max).into();
+    let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
+    let nearest = 0_f64.max(min).min(max);
+    if nearest != 0.0 && matches!(field.ty, Type::Int | Type::Float) {
+        // In the form in which Rust prints it, a whole number has no fraction.
+        return serde_json::from_str(&nearest.to_string()).unwrap_or_default();
     }
-    sample
+    of_type(spec, &field.ty)
 }
 
 fn of_type(spec: &Spec, ty: &Type) -> Value {
@@ -42,7 +44,7 @@ fn of_type(spec: &Spec, ty: &Type) -> Value {
         Type::Json => Map::new().into(),
         Type::List(_) => Value::Array(Vec::new()),
         Type::Array(element, len) => vec![of_type(spec, element); *len].into(),
-        Type::Python(inner) => literal(&of_type(spec, inner)).into(),
+        Type::Python(inner) => python::write(&of_type(spec, inner)).into(),
         Type::Named(name) => spec.type_def(name).map(|def| of_kind(spec, &def.kind)).unwrap_or_default(),
     }
 }
@@ -73,19 +75,4 @@ fn elements(spec: &Spec, fields: &[Field]) -> impl Iterator<Item = Value> {
 
 fn first<T>(values: &[EnumValue<T>], wire: impl Fn(&EnumValue<T>) -> Value) -> Value {
     values.first().map(wire).unwrap_or_default()
-}
-
-/// The Python literal of a sample, whose strings and numbers Python writes as JSON does.
-fn literal(value: &Value) -> String {
-    match value {
-        Value::Null => "None".to_owned(),
-        Value::Bool(truth) => if *truth { "True" } else { "False" }.to_owned(),
-        Value::Array(elements) => format!("[{}]", elements.iter().map(literal).collect::<Vec<_>>().join(", ")),
-        Value::Object(members) => {
-            let members =
-                members.iter().map(|(key, value)| format!("{}: {}", Value::from(key.as_str()), literal(value)));
-            format!("{{{}}}", members.collect::<Vec<_>>().join(", "))
-        }
-        Value::Number(_) | Value::String(_) => value.to_string(),
-    }
 }
