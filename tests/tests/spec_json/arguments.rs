@@ -23,7 +23,9 @@ fn check_arguments(wire: &str, expected: &Expect) {
 
 #[test]
 fn each_field_is_an_argument() {
-    check_arguments("joint_move", &expect![[r#"
+    check_arguments(
+        "joint_move",
+        &expect![[r#"
         --mode absolute|relative [relFlag, mode] []
           Whether `joint_position` is a target or an offset.
             absolute = 0: The coordinates are the target.
@@ -34,14 +36,20 @@ fn each_field_is_an_argument() {
           Joint speed; the direction comes from `joint_position` alone. In deg/s. Allowed: at least 0.
         --acceleration NUMBER (optional) [accel, acceleration] []
           Joint acceleration. In deg/s². Allowed: at least 0.
-    "#]]);
-    check_arguments("set_tio_vout_param", &expect![[r#"
+    "#]],
+    );
+    check_arguments(
+        "set_tio_vout_param",
+        &expect![[r#"
         --output-enable INTEGER [tio_vout_ena, output_enable] []
           Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = enabled, 1 = not enabled; vendor header, SDK 2.2.2: 0 = off, 1 = on.
         --output-voltage INTEGER [tio_vout_vol, output_voltage] []
           Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = 12 V, 1 = 24 V; vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V.
-    "#]]);
-    check_arguments("moveL", &expect![[r#"
+    "#]],
+    );
+    check_arguments(
+        "moveL",
+        &expect![[r#"
         --mode absolute|relative [relFlag, mode] []
           Whether `pose` is a target or an offset.
             absolute = 0: The coordinates are the target.
@@ -54,13 +62,16 @@ fn each_field_is_an_argument() {
           Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0.
         --tolerance NUMBER (optional) [tol, tolerance] []
           Greatest error allowed, or 0 where none is needed. In mm. Allowed: at least 0.
-    "#]]);
+    "#]],
+    );
     check_arguments("power_on", &expect![[""]]);
 }
 
 #[test]
 fn a_tag_says_which_arguments_there_are() {
-    check_arguments("jog", &expect![[r#"
+    check_arguments(
+        "jog",
+        &expect![[r#"
         --jog-mode stop|continuous|increment|absolute [jog_mode, jog_mode] []
           What is asked for, and so which further arguments there are.
             stop = 0: Stops the jog of one axis.
@@ -80,8 +91,11 @@ fn a_tag_says_which_arguments_there_are() {
           Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
         --position NUMBER [poscmd, position] ["absolute"]
           Position to move to. In deg for a joint or a rotation, mm for a translation.
-    "#]]);
-    check_arguments("set_servo_move_filter", &expect![[r#"
+    "#]],
+    );
+    check_arguments(
+        "set_servo_move_filter",
+        &expect![[r#"
         --filter-type disabled|joint-low-pass|joint-nonlinear|joint-mean|cartesian-nonlinear|speed-lookahead [filter_type, filter_type] []
           What is asked for, and so which further arguments there are.
             disabled = 0: No filter.
@@ -116,7 +130,8 @@ fn a_tag_says_which_arguments_there_are() {
           Size of the mean filter's buffer. Allowed: at least 0.
         --coefficient NUMBER [mmf_kp, coefficient] ["speed-lookahead"]
           Filter coefficient.
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -275,5 +290,6 @@ fn values_are_read_by_their_types() {
         "on,slow,3" is [true,0,"3"]
         "{\"a\": [1, 2, 3]}" is {"a":[1,2,3]}
         error: `1,2,3` is not an object
-    "#]].assert_eq(&lines.concat());
+    "#]]
+    .assert_eq(&lines.concat());
 }

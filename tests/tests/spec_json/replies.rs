@@ -14,7 +14,8 @@ fn the_documents_replies_are_those_of_the_spec() {
     expect![[r#"
         4.41: lenient: `cmdName` is " wait_complete"; expected is `wait_complete`
         4.42: lenient: `cmdName` is " set_payload "; expected is `set_payload`
-    "#]].assert_eq(&lines(&found));
+    "#]]
+    .assert_eq(&lines(&found));
 }
 
 /// The departures of a reply that the document prints, each with its section.
@@ -32,10 +33,14 @@ fn check_reply(wire: &str, reply: &Value, expected: &Expect) {
 
 #[test]
 fn refusals_are_held_against_the_envelope() {
-    check_reply("get_joint_pos", &json!({"errorCode": 2, "errorMsg": "call get_joint_pos failed"}), &expect![[r#"
+    check_reply(
+        "get_joint_pos",
+        &json!({"errorCode": 2, "errorMsg": "call get_joint_pos failed"}),
+        &expect![[r#"
         lenient: `errorCode` is 2; expected is text of decimal digits
         lenient: `cmdName` is missing; expected is `get_joint_pos`
-    "#]]);
+    "#]],
+    );
     check_reply(
         "get_joint_pos",
         &json!({"errorCode": "0x2", "cmdName": "get_tcp_pos", "errorMsg": ""}),
@@ -44,64 +49,108 @@ fn refusals_are_held_against_the_envelope() {
             unreadable: `cmdName` is "get_tcp_pos"; expected is `get_joint_pos`
         "#]],
     );
-    check_reply("get_joint_pos", &json!({"errorCode": "none", "cmdName": 5, "errorMsg": []}), &expect![[r#"
+    check_reply(
+        "get_joint_pos",
+        &json!({"errorCode": "none", "cmdName": 5, "errorMsg": []}),
+        &expect![[r#"
         unreadable: `errorCode` is "none"; expected is text of decimal digits
         lenient: `errorMsg` is []; expected is text
         lenient: `cmdName` is 5; expected is `get_joint_pos`
-    "#]]);
-    check_reply("get_joint_pos", &json!({"cmdName": " get_joint_pos ", "joint_pos": 1}), &expect![[r#"
+    "#]],
+    );
+    check_reply(
+        "get_joint_pos",
+        &json!({"cmdName": " get_joint_pos ", "joint_pos": 1}),
+        &expect![[r#"
         unreadable: `errorCode` is missing; expected is text of decimal digits
         lenient: `errorMsg` is missing; expected is text
         lenient: `cmdName` is " get_joint_pos "; expected is `get_joint_pos`
-    "#]]);
-    check_reply("get_joint_pos", &json!([]), &expect![[r#"
+    "#]],
+    );
+    check_reply(
+        "get_joint_pos",
+        &json!([]),
+        &expect![[r#"
         unreadable: the message is []; expected is an object
-    "#]]);
-    check_reply("get_extio_status", &json!("(0, [], {'state': 0})"), &expect![[r#"
+    "#]],
+    );
+    check_reply(
+        "get_extio_status",
+        &json!("(0, [], {'state': 0})"),
+        &expect![[r#"
         lenient: the message is "(0, [], {'state': 0})"; expected is an object
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn keys_types_lengths_ranges_and_values_are_told_apart() {
     let check = |wire: &str, fields, expected| check_reply(wire, &success(wire, fields), &expected);
-    check("get_joint_pos", json!({"joint_pos": ["1", 2, 3, 4, 5, true, 7], "loads": [[0.5], [1]]}), expect![[r#"
+    check(
+        "get_joint_pos",
+        json!({"joint_pos": ["1", 2, 3, 4, 5, true, 7], "loads": [[0.5], [1]]}),
+        expect![[r#"
         lenient: `loads` is not in the spec; it looks like `json`: [[0.5],[1]]
         unreadable: `joint_pos` has another length; expected is an array of 6: ["1",2,3,4,5,true,7]
         lenient: `joint_pos[0]` is "1"; expected is a number (in deg)
         unreadable: `joint_pos[5]` is true; expected is a number (in deg)
-    "#]]);
-    check("get_joint_pos", json!({"joint_pos": null, "names": ["a"], "extra": [{}], "on": [true, 0]}), expect![[r#"
+    "#]],
+    );
+    check(
+        "get_joint_pos",
+        json!({"joint_pos": null, "names": ["a"], "extra": [{}], "on": [true, 0]}),
+        expect![[r#"
         lenient: `extra` is not in the spec; it looks like `json[]`: [{}]
         lenient: `names` is not in the spec; it looks like `text[]`: ["a"]
         lenient: `on` is not in the spec; it looks like `json`: [true,0]
         unreadable: `joint_pos` is missing; expected is an array of 6
-    "#]]);
-    check("get_robot_state", json!({"enable": true, "power": "1"}), expect![[r#"
+    "#]],
+    );
+    check(
+        "get_robot_state",
+        json!({"enable": true, "power": "1"}),
+        expect![[r#"
         lenient: `enable` is true; expected is "robot_disabled" or "robot_enabled"
         lenient: `power` is "1"; expected is "powered_off" or "powered_on"
-    "#]]);
-    check("get_tio_vout_param", json!({"tio_vout_ena": 2, "tio_vout_vol": 0.0}), expect![[r#"
+    "#]],
+    );
+    check(
+        "get_tio_vout_param",
+        json!({"tio_vout_ena": 2, "tio_vout_vol": 0.0}),
+        expect![[r#"
         lenient: `tio_vout_ena` is 2; expected is a whole number, 0 to 1
         lenient: `tio_vout_vol` is 0.0; expected is a whole number, 0 to 1
-    "#]]);
-    check("get_torsenosr_brand", json!({"sensor_brand": 9}), expect![[r#"
+    "#]],
+    );
+    check(
+        "get_torsenosr_brand",
+        json!({"sensor_brand": 9}),
+        expect![[r#"
         lenient: `sensor_brand` is 9; the spec lists 1 (Sony), 2 (BoschSensortec) or 3 (StMicroelectronics)
-    "#]]);
-    check("get_funcdi_status", json!({"funcdi_status": [[-1, -1, 0], [8, "2"], [0], 1]}), expect![[r#"
+    "#]],
+    );
+    check(
+        "get_funcdi_status",
+        json!({"funcdi_status": [[-1, -1, 0], [8, "2"], [0], 1]}),
+        expect![[r#"
         lenient: `funcdi_status[0]` has another length; expected is an array [kind, index]: [-1,-1,0]
         lenient: `funcdi_status[1].kind` is 8; the spec lists -1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus)
         lenient: `funcdi_status[1].index` is "2"; expected is a whole number
         unreadable: `funcdi_status[2].index` is missing; expected is a whole number
         unreadable: `funcdi_status[3]` is 1; expected is an array [kind, index]
-    "#]]);
-    check("get_admit_ctrl_config", json!({"admitConfig": [[0, 5.0, 0.0, 0.0, 0]]}), expect![[r#"
+    "#]],
+    );
+    check(
+        "get_admit_ctrl_config",
+        json!({"admitConfig": [[0, 5.0, 0.0, 0.0, 0]]}),
+        expect![[r#"
         lenient: `admitConfig[0][0]` is 0; expected is an array [enabled, user_force, rebound, constant_force, normal_track]
         lenient: `admitConfig[0][1]` is 5.0; expected is an array [enabled, user_force, rebound, constant_force, normal_track]
         lenient: `admitConfig[0][2]` is 0.0; expected is an array [enabled, user_force, rebound, constant_force, normal_track]
         lenient: `admitConfig[0][3]` is 0.0; expected is an array [enabled, user_force, rebound, constant_force, normal_track]
         lenient: `admitConfig[0][4]` is 0; expected is an array [enabled, user_force, rebound, constant_force, normal_track]
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -130,5 +179,6 @@ fn status_packets_are_held_against_their_type() {
     "#]].assert_eq(&lines(&json::status_departures(&SPEC, &packet)));
     expect![[r#"
         unreadable: the message is 1; expected is an object
-    "#]].assert_eq(&lines(&json::status_departures(&SPEC, &json!(1))));
+    "#]]
+    .assert_eq(&lines(&json::status_departures(&SPEC, &json!(1))));
 }

@@ -1,7 +1,8 @@
 //! Requests, written and checked by the model.
 
+use jaka_proto::Request;
+use jaka_proto::check::{self, NotSent};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Request, check};
 use jaka_spec::json::{self, AdvisoryRanges, Problem};
 use jaka_spec::{Field, Type, TypeKind};
 use jaka_tests::{any_request, any_request_of, printed};
@@ -44,8 +45,9 @@ fn same_as_generated(message: &Value) -> Result<(), TestCaseError> {
     ] {
         match (request.check(generated), by_model(message, ranges)) {
             (Ok(()), by_model) => prop_assert_eq!(by_model, Ok(written(&request))),
+            (Err(NotSent::NotInFirmware(missing)), _) => prop_assert!(false, "no firmware is known, but {missing}"),
             (Err(invalid), Ok(text)) => prop_assert!(false, "{invalid}, but the model wrote {text}"),
-            (Err(invalid), Err(problems)) => {
+            (Err(NotSent::InvalidArgument(invalid)), Err(problems)) => {
                 let found = problems.iter().find(|problem| problem.field == invalid.field);
                 prop_assert!(found.is_some_and(|found| found.advisory == invalid.advisory), "{invalid}: {problems:?}");
             }
