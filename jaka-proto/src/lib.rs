@@ -11,6 +11,7 @@ pub mod framing;
 pub mod geometry;
 mod ledger;
 pub mod python;
+pub mod recording;
 mod request;
 pub mod wire;
 
