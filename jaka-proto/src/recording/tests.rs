@@ -111,10 +111,7 @@ fn replies_are_paired_with_their_requests() {
 fn any_event() -> impl Strategy<Value = Event> {
     let text = || proptest::string::string_regex("(?s).{0,20}").expect("the pattern is correct");
     let message = || {
-        prop_oneof![
-            text().prop_map(Message::new),
-            proptest::collection::vec(any::<u8>(), 0..20).prop_map(Message::new)
-        ]
+        prop_oneof![text().prop_map(Message::new), proptest::collection::vec(any::<u8>(), 0..20).prop_map(Message::new)]
     };
     prop_oneof![
         text().prop_map(|address| Event::Connected { address }),

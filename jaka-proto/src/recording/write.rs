@@ -98,10 +98,12 @@ impl Event {
 }
 
 fn write_message(message: &Message, out: &mut Writer) {
-    match message.text() {
-        Some(text) => field("text", text, out),
-        None => field("hex", &hex(message.bytes()), out),
+    if let Some(text) = message.text() {
+        return field("text", text, out);
     }
+    out.raw(",\"hex\":\"");
+    message.bytes().iter().for_each(|byte| out.raw(&format!("{byte:02x}")));
+    out.raw("\"");
 }
 
 fn field(key: &str, value: &str, out: &mut Writer) {
@@ -109,10 +111,6 @@ fn field(key: &str, value: &str, out: &mut Writer) {
     out.text(key);
     out.raw(":");
     out.text(value);
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn seconds(time: Duration, out: &mut Writer) {
