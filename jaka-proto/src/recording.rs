@@ -102,7 +102,7 @@ pub struct Header {
 impl Header {
     /// The header of a recording that began then, counted from 1970-01-01 00:00 UTC.
     pub fn new(started: Duration, software: impl Into<String>) -> Self {
-        Self { started, software: software.into() }
+        Self { started: whole_microseconds(started), software: software.into() }
     }
 }
 
@@ -123,8 +123,13 @@ pub struct Entry {
 impl Entry {
     /// An event on a connection, so long after the start of the recording.
     pub fn new(time: Duration, port: Port, connection: u32, event: Event) -> Self {
-        Self { time, port, connection, event }
+        Self { time: whole_microseconds(time), port, connection, event }
     }
+}
+
+/// What a recording can hold, so that what is read is equal to what was written.
+fn whole_microseconds(time: Duration) -> Duration {
+    Duration::new(time.as_secs(), time.subsec_micros() * 1000)
 }
 
 /// A port of a controller.
