@@ -141,9 +141,29 @@ impl<'s> Decoder<'s> {
         if len.is_some_and(|len| found.len() != len) {
             self.unfit(slot, DepartureKind::Length, value);
         }
+        let first = self.departures.len();
         for (index, value) in found.iter().enumerate() {
+            let before = self.departures.len();
             let place = element(slot.place, index);
             self.value(&slot.inner(&place, ty), value);
+            for departure in self.departures.split_off(before) {
+                self.add_or_count(slot.place, first, departure);
+            }
+        }
+    }
+
+    /// Adds a departure of an element, or counts it where an element before differs in the same way.
+    fn add_or_count(&mut self, array: &str, first: usize, new: Departure) {
+        /// The path inside the element.
+        fn inner<'f>(array: &str, field: &'f str) -> &'f str {
+            field[array.len()..].split_once(']').map_or("", |(_, inner)| inner)
+        }
+        let same = |old: &&mut Departure| {
+            (old.kind, old.reading) == (new.kind, new.reading) && inner(array, &old.field) == inner(array, &new.field)
+        };
+        match self.departures[first..].iter_mut().find(same) {
+            Some(old) => old.more += new.more + 1,
+            None => self.departures.push(new),
         }
     }
 
@@ -187,7 +207,15 @@ impl<'s> Decoder<'s> {
 
     pub(super) fn add(&mut self, place: &str, kind: DepartureKind, value: &Value, expected: String, reading: Reading) {
         let found = if kind == DepartureKind::Missing { String::new() } else { excerpt(value) };
-        self.departures.push(Departure { field: place.to_owned(), kind, found, expected, reading, advisory: false });
+        self.departures.push(Departure {
+            field: place.to_owned(),
+            kind,
+            found,
+            expected,
+            reading,
+            advisory: false,
+            more: 0,
+        });
     }
 }
 

@@ -3,11 +3,11 @@
 use expect_test::{Expect, expect};
 use jaka_proto::Request;
 use jaka_proto::wire::Writer;
+use jaka_spec::Type;
 use jaka_spec::json::{self, AdvisoryRanges, Argument};
-use jaka_spec::{Spec, Type};
 use serde_json::{Map, Value};
 
-use super::{SPEC, command, object};
+use super::{SPEC, command, object, pack};
 
 fn check_arguments(wire: &str, expected: &Expect) {
     let line = |argument: &Argument| {
@@ -23,7 +23,9 @@ fn check_arguments(wire: &str, expected: &Expect) {
 
 #[test]
 fn each_field_is_an_argument() {
-    check_arguments("joint_move", &expect![[r#"
+    check_arguments(
+        "joint_move",
+        &expect![[r#"
         --mode absolute|relative [relFlag, mode] []
           Whether `joint_position` is a target or an offset.
             absolute = 0: The coordinates are the target.
@@ -34,14 +36,20 @@ fn each_field_is_an_argument() {
           Joint speed; the direction comes from `joint_position` alone. In deg/s. Allowed: at least 0.
         --acceleration NUMBER (optional) [accel, acceleration] []
           Joint acceleration. In deg/s². Allowed: at least 0.
-    "#]]);
-    check_arguments("set_tio_vout_param", &expect![[r#"
+    "#]],
+    );
+    check_arguments(
+        "set_tio_vout_param",
+        &expect![[r#"
         --output-enable INTEGER [tio_vout_ena, output_enable] []
           Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = enabled, 1 = not enabled; vendor header, SDK 2.2.2: 0 = off, 1 = on.
         --output-voltage INTEGER [tio_vout_vol, output_voltage] []
           Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = 12 V, 1 = 24 V; vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V.
-    "#]]);
-    check_arguments("moveL", &expect![[r#"
+    "#]],
+    );
+    check_arguments(
+        "moveL",
+        &expect![[r#"
         --mode absolute|relative [relFlag, mode] []
           Whether `pose` is a target or an offset.
             absolute = 0: The coordinates are the target.
@@ -54,13 +62,16 @@ fn each_field_is_an_argument() {
           Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0.
         --tolerance NUMBER (optional) [tol, tolerance] []
           Greatest error allowed, or 0 where none is needed. In mm. Allowed: at least 0.
-    "#]]);
+    "#]],
+    );
     check_arguments("power_on", &expect![[""]]);
 }
 
 #[test]
 fn a_tag_says_which_arguments_there_are() {
-    check_arguments("jog", &expect![[r#"
+    check_arguments(
+        "jog",
+        &expect![[r#"
         --jog-mode stop|continuous|increment|absolute [jog_mode, jog_mode] []
           What is asked for, and so which further arguments there are.
             stop = 0: Stops the jog of one axis.
@@ -80,8 +91,11 @@ fn a_tag_says_which_arguments_there_are() {
           Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
         --position NUMBER [poscmd, position] ["absolute"]
           Position to move to. In deg for a joint or a rotation, mm for a translation.
-    "#]]);
-    check_arguments("set_servo_move_filter", &expect![[r#"
+    "#]],
+    );
+    check_arguments(
+        "set_servo_move_filter",
+        &expect![[r#"
         --filter-type disabled|joint-low-pass|joint-nonlinear|joint-mean|cartesian-nonlinear|speed-lookahead [filter_type, filter_type] []
           What is asked for, and so which further arguments there are.
             disabled = 0: No filter.
@@ -116,7 +130,20 @@ fn a_tag_says_which_arguments_there_are() {
           Size of the mean filter's buffer. Allowed: at least 0.
         --coefficient NUMBER [mmf_kp, coefficient] ["speed-lookahead"]
           Filter coefficient.
-    "#]]);
+    "#]],
+    );
+}
+
+#[test]
+fn fields_of_variants_with_one_name_and_two_types_are_two_arguments() {
+    let pack = pack();
+    let arguments = json::arguments(&pack, pack.command("choose").expect("the pack has it"));
+    let names: Vec<_> = arguments.iter().map(|argument| (argument.name.as_str(), argument.hint.as_str())).collect();
+    assert_eq!(names, [("kind", "first|second"), ("size", "INTEGER"), ("second-size", "TEXT")]);
+    let tag = |text| arguments[0].value(&pack, text);
+    assert_eq!(tag("Second"), Ok(1.into()));
+    assert_eq!(tag("1"), Ok(1.into()));
+    assert_eq!(tag("third"), Err("`third` is not first|second".to_owned()));
 }
 
 #[test]
@@ -166,37 +193,9 @@ fn the_examples_can_be_typed() {
     }
 }
 
-/// A spec with a field of each type.
-fn types() -> Spec {
-    let text = r#"
-        title = "Types"
-        [[type]]
-        name = "Mode"
-        kind = "enum"
-        doc = "Mode."
-        value = [{ wire = 0, name = "Slow", doc = "Slow." }, { wire = 1, name = "VeryFast", doc = "Fast." }]
-        [[type]]
-        name = "Tool"
-        kind = "enum"
-        doc = "Tool."
-        value = [{ wire = "grip", name = "Gripper", doc = "A gripper." }]
-        [[type]]
-        name = "Pair"
-        kind = "array"
-        doc = "Two."
-        field = [{ name = "on", type = "bool", doc = "On." }, { name = "mode", type = "Mode", doc = "Mode." }]
-        [[type]]
-        name = "Box3"
-        kind = "object"
-        doc = "Three."
-        field = [{ wire = "a", type = "int[3]", doc = "A." }]
-    "#;
-    jaka_spec::load(&[jaka_spec::Source { path: "types.toml", text }]).expect("the spec is correct")
-}
-
 #[test]
 fn values_are_read_by_their_types() {
-    let spec = types();
+    let spec = pack();
     let named = |name: &str| Type::Named(name.to_owned());
     let flag = || Type::Bool { off: "\"out\"".to_owned(), on: "\"in\"".to_owned() };
     let list = |element: Type| Type::List(Box::new(element));
@@ -233,8 +232,8 @@ fn values_are_read_by_their_types() {
         (named("Pair"), "on,slow"),
         (named("Pair"), "{\"on\": true, \"mode\": 0}"),
         (named("Pair"), "on,slow,3"),
-        (named("Box3"), "{\"a\": [1, 2, 3]}"),
-        (named("Box3"), "1,2,3"),
+        (named("Size"), "{\"a\": [1, 2, 3]}"),
+        (named("Size"), "1,2,3"),
     ];
     let lines = read.map(|(ty, text)| match json::value(&spec, &ty, text) {
         Ok(value) => format!("{text:?} is {value}\n"),
@@ -267,7 +266,7 @@ fn values_are_read_by_their_types() {
         "0,90, -90.5" is [0.0,90.0,-90.5]
         "[0, 90]" is [0,90]
         "" is []
-        error: `0,,1` is not an array
+        error: `0,,1` is not an array, each a number
         "[on, off]" is [true,false]
         "[[1],[2]]" is [[1],[2]]
         "on,slow" is [true,0]
@@ -275,5 +274,6 @@ fn values_are_read_by_their_types() {
         "on,slow,3" is [true,0,"3"]
         "{\"a\": [1, 2, 3]}" is {"a":[1,2,3]}
         error: `1,2,3` is not an object
-    "#]].assert_eq(&lines.concat());
+    "#]]
+    .assert_eq(&lines.concat());
 }
