@@ -33,6 +33,7 @@ mod encode;
 mod envelope;
 mod limits;
 mod names;
+mod notation;
 mod problem;
 mod python;
 mod sample;

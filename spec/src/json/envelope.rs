@@ -18,7 +18,7 @@ pub(super) const ENVELOPE: &[&str] = &[COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE];
 /// The type of the packets of port 10000.
 const STATUS_TYPE: &str = "RobotStatus";
 
-/// How a reply differs from the spec, in the order of the spec.
+/// How a reply differs from the spec: in its envelope, in unknown keys, and then in the order of the spec.
 ///
 /// A refusal is held against the envelope alone, for it carries no payload. A bare Python tuple, which some firmware
 /// sends in place of a reply, is given as a JSON string.
@@ -47,7 +47,7 @@ fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
 }
 
-/// How a packet of port 10000 differs from the spec, in the order of the spec.
+/// How a packet of port 10000 differs from the spec: in unknown keys, and then in the order of the spec.
 pub fn status_departures(spec: &Spec, packet: &Value) -> Vec<Departure> {
     let mut decoder = Decoder::new(spec);
     let fields = match spec.type_def(STATUS_TYPE).map(|def| &def.kind) {
@@ -75,9 +75,17 @@ fn envelope(decoder: &mut Decoder<'_>, command: &Command, found: &Map<String, Va
         _ => Form::Lenient,
     });
     let message_form = if message.is_string() { Form::Plain } else { Form::Lenient };
-    decoder.part(ERROR_CODE, code, "text of decimal digits".to_owned(), code_form);
-    decoder.part(ERROR_MESSAGE, message, "text".to_owned(), Some(message_form));
-    decoder.part(COMMAND_NAME, name, format!("`{}`", command.wire), name_form);
+    let mut part = |key: &str, value: &Value, expected: &str, form: Option<Form>| {
+        let kind = if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
+        match form {
+            Some(Form::Plain) => {}
+            Some(Form::Lenient) => decoder.add(key, kind, value, expected.to_owned(), Reading::Lenient),
+            None => decoder.add(key, kind, value, expected.to_owned(), Reading::Unreadable),
+        }
+    };
+    part(ERROR_CODE, code, "text of decimal digits", code_form);
+    part(ERROR_MESSAGE, message, "text", Some(message_form));
+    part(COMMAND_NAME, name, &format!("`{}`", command.wire), name_form);
     is_success(found)
 }
 

@@ -139,3 +139,46 @@ fn python_number(text: &str) -> Option<Value> {
     }
     serde_json::from_str(text).ok().or_else(|| Some(text.parse::<f64>().ok()?.into()))
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::{read, write};
+
+    #[test]
+    fn literals_in_the_forms_of_controllers_are_read() {
+        let same = [
+            ("(0, [], {'state': 0})", json!([0, [], {"state": 0}])),
+            (" ( 1 , ) ", json!([1])),
+            ("(1)", json!(1)),
+            ("()", json!([])),
+            ("{'a': (True, False, None,), u'b' : -2.5e3L}", json!({"a": [true, false, null], "b": -2.5e3})),
+            (
+                "('it\\'s', \"say \\\"so\\\"\", 'quote \"', '\\x41\\n\\u00e9')",
+                json!(["it's", "say \"so\"", "quote \"", "A\né"]),
+            ),
+            ("(.5, 5., +1, 10L)", json!([0.5, 5.0, 1.0, 10])),
+        ];
+        for (literal, value) in same {
+            assert_eq!(read(literal), Some(value), "{literal}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_literal_is_none() {
+        for text in
+            ["", "(", "(1", "(1 2)", "(,)", "[1)", "true", "nan", "x", "'a", "'\\q'", "{1: 2}", "{'a' 1}", "1 2", "é"]
+        {
+            assert_eq!(read(text), None, "{text}");
+        }
+        assert_eq!(read(&"(".repeat(100_000)), None);
+    }
+
+    #[test]
+    fn what_is_written_is_read_again() {
+        let value = json!([0, 1.5, "it's \"é\"\n", [true, null], {"a key": [[]]}]);
+        assert_eq!(write(&value), r#"[0, 1.5, "it's \"é\"\n", [True, None], {"a key": [[]]}]"#);
+        assert_eq!(read(&write(&value)), Some(value));
+    }
+}

@@ -3,11 +3,11 @@
 use expect_test::{Expect, expect};
 use jaka_proto::Request;
 use jaka_proto::wire::Writer;
+use jaka_spec::Type;
 use jaka_spec::json::{self, AdvisoryRanges, Argument};
-use jaka_spec::{Spec, Type};
 use serde_json::{Map, Value};
 
-use super::{SPEC, command, object};
+use super::{SPEC, command, object, pack};
 
 fn check_arguments(wire: &str, expected: &Expect) {
     let line = |argument: &Argument| {
@@ -135,6 +135,18 @@ fn a_tag_says_which_arguments_there_are() {
 }
 
 #[test]
+fn fields_of_variants_with_one_name_and_two_types_are_two_arguments() {
+    let pack = pack();
+    let arguments = json::arguments(&pack, pack.command("choose").expect("the pack has it"));
+    let names: Vec<_> = arguments.iter().map(|argument| (argument.name.as_str(), argument.hint.as_str())).collect();
+    assert_eq!(names, [("kind", "first|second"), ("size", "INTEGER"), ("second-size", "TEXT")]);
+    let tag = |text| arguments[0].value(&pack, text);
+    assert_eq!(tag("Second"), Ok(1.into()));
+    assert_eq!(tag("1"), Ok(1.into()));
+    assert_eq!(tag("third"), Err("`third` is not first|second".to_owned()));
+}
+
+#[test]
 fn names_of_arguments_are_unique() {
     for command in SPEC.commands() {
         let mut names: Vec<_> = json::arguments(&SPEC, command).into_iter().map(|argument| argument.name).collect();
@@ -181,37 +193,9 @@ fn the_examples_can_be_typed() {
     }
 }
 
-/// A spec with a field of each type.
-fn types() -> Spec {
-    let text = r#"
-        title = "Types"
-        [[type]]
-        name = "Mode"
-        kind = "enum"
-        doc = "Mode."
-        value = [{ wire = 0, name = "Slow", doc = "Slow." }, { wire = 1, name = "VeryFast", doc = "Fast." }]
-        [[type]]
-        name = "Tool"
-        kind = "enum"
-        doc = "Tool."
-        value = [{ wire = "grip", name = "Gripper", doc = "A gripper." }]
-        [[type]]
-        name = "Pair"
-        kind = "array"
-        doc = "Two."
-        field = [{ name = "on", type = "bool", doc = "On." }, { name = "mode", type = "Mode", doc = "Mode." }]
-        [[type]]
-        name = "Box3"
-        kind = "object"
-        doc = "Three."
-        field = [{ wire = "a", type = "int[3]", doc = "A." }]
-    "#;
-    jaka_spec::load(&[jaka_spec::Source { path: "types.toml", text }]).expect("the spec is correct")
-}
-
 #[test]
 fn values_are_read_by_their_types() {
-    let spec = types();
+    let spec = pack();
     let named = |name: &str| Type::Named(name.to_owned());
     let flag = || Type::Bool { off: "\"out\"".to_owned(), on: "\"in\"".to_owned() };
     let list = |element: Type| Type::List(Box::new(element));
@@ -248,8 +232,8 @@ fn values_are_read_by_their_types() {
         (named("Pair"), "on,slow"),
         (named("Pair"), "{\"on\": true, \"mode\": 0}"),
         (named("Pair"), "on,slow,3"),
-        (named("Box3"), "{\"a\": [1, 2, 3]}"),
-        (named("Box3"), "1,2,3"),
+        (named("Size"), "{\"a\": [1, 2, 3]}"),
+        (named("Size"), "1,2,3"),
     ];
     let lines = read.map(|(ty, text)| match json::value(&spec, &ty, text) {
         Ok(value) => format!("{text:?} is {value}\n"),
@@ -282,7 +266,7 @@ fn values_are_read_by_their_types() {
         "0,90, -90.5" is [0.0,90.0,-90.5]
         "[0, 90]" is [0,90]
         "" is []
-        error: `0,,1` is not an array
+        error: `0,,1` is not an array, each a number
         "[on, off]" is [true,false]
         "[[1],[2]]" is [[1],[2]]
         "on,slow" is [true,0]

@@ -1,4 +1,5 @@
 //! Messages by the model at run time against the generated ones.
+#![allow(clippy::needless_raw_string_hashes)] // so writes expect-test
 
 mod arguments;
 mod problems;
@@ -8,7 +9,7 @@ mod requests;
 
 use std::sync::LazyLock;
 
-use jaka_spec::{Command, Spec};
+use jaka_spec::{Command, Source, Spec};
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -32,6 +33,12 @@ fn command_of(message: &Value) -> &'static Command {
 
 fn lines<T: ToString>(items: &[T]) -> String {
     items.iter().map(|item| item.to_string() + "\n").collect()
+}
+
+/// A spec with commands and types that the built-in one has none of.
+fn pack() -> Spec {
+    let source = Source { path: "pack.toml", text: include_str!("pack.toml") };
+    jaka_spec::load(&[source]).expect("the pack is correct")
 }
 
 /// A reply to an accepted command.

@@ -17,10 +17,10 @@ fn problems_come_all_at_once() {
         "joint_move",
         json!({}),
         &expect![[r#"
-        field `mode` is missing; allowed is 0 (Absolute) or 1 (Relative)
-        field `joint_position` is missing; allowed is an array of 6
-        field `speed` is missing; allowed is a number, at least 0 deg/s
-    "#]],
+            field `mode` is missing; allowed is 0 (Absolute) or 1 (Relative)
+            field `joint_position` is missing; allowed is an array of 6, each a number (in deg)
+            field `speed` is missing; allowed is a number, at least 0 deg/s
+        "#]],
     );
     check_problems(
         "joint_move",
@@ -61,7 +61,7 @@ fn structs_as_arrays_and_as_objects_are_complete() {
         "end_move",
         fields(json!({"x": 1, "y": 2, "z": 3, "rx": true, "ry": 5, "rotation": 6})),
         &expect![[r#"
-            there is no field `pose.rotation`; there are `x`, `y`, `z`, `rx`, `ry`, `rz`
+            there is no field `pose.rotation`; the fields are `x`, `y`, `z`, `rx`, `ry`, `rz`
             field `pose.rx` is true; allowed is a number (in deg)
             field `pose.rz` is missing; allowed is a number (in deg)
         "#]],
@@ -95,10 +95,10 @@ fn tags_and_their_fields_belong_together() {
         "jog",
         json!({"jog_mode": "stop", "frame": 7, "axis": 6, "velocity": 10}),
         &expect![[r#"
-        there is no field `velocity`; there are `frame`, `axis`
-        field `frame` is 7; allowed is 0 (World), 1 (Joint) or 2 (Tool)
-        field `axis` is 6; allowed is a whole number, 0 to 5
-    "#]],
+            there is no field `velocity`; the fields are `frame`, `axis`
+            field `frame` is 7; allowed is 0 (World), 1 (Joint) or 2 (Tool)
+            field `axis` is 6; allowed is a whole number, 0 to 5
+        "#]],
     );
 }
 
@@ -133,9 +133,9 @@ fn whole_numbers_are_whole() {
         "set_clsn_sensitivity",
         json!({"level": 9, "speed": 1}),
         &expect![[r#"
-        there is no field `speed`; there are `level`
-        field `level` is 9; allowed is a whole number, 0 to 5
-    "#]],
+            there is no field `speed`; the fields are `level`
+            field `level` is 9; allowed is a whole number, 0 to 5
+        "#]],
     );
 }
 

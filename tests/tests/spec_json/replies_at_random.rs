@@ -1,8 +1,9 @@
 //! Random replies, read by the model and by the generated code.
 
+use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{Envelope, ErrorCode, Request, Visit, read_payload};
-use jaka_spec::Command;
 use jaka_spec::json::{self, Reading};
+use jaka_spec::{Command, TypeKind};
 use jaka_tests::{any_object, drifted_number};
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
@@ -36,7 +37,7 @@ fn decodes(command: &Command, reply: &str) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(6000))]
 
     #[test]
     fn replies_are_unreadable_where_they_do_not_decode((command, reply) in any_reply().prop_flat_map(|(command, reply)| {
@@ -49,6 +50,24 @@ proptest! {
         if is_success {
             prop_assert_eq!(is_readable, decodes(command, &text), "{:?} {}", departures, text);
         }
+    }
+}
+
+proptest! {
+    #[test]
+    fn packets_are_unreadable_where_they_do_not_decode(packet in any_packet().prop_flat_map(damaged)) {
+        let departures = json::status_departures(&SPEC, &packet);
+        let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
+        let decoded = serde_json::from_value::<RobotStatus>(packet);
+        prop_assert_eq!(is_readable, decoded.is_ok(), "{:?} {:?}", departures, decoded);
+    }
+}
+
+/// A random status packet.
+fn any_packet() -> impl Strategy<Value = Value> {
+    match &SPEC.type_def("RobotStatus").expect("the spec has it").kind {
+        TypeKind::Object(fields) => any_object(&SPEC, fields).prop_map(Value::Object),
+        other => panic!("{other:?} is no object"),
     }
 }
 

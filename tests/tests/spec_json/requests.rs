@@ -1,5 +1,6 @@
 //! Requests, written and checked by the model.
 
+use expect_test::expect;
 use jaka_proto::Request;
 use jaka_proto::check::{self, NotSent};
 use jaka_proto::wire::Writer;
@@ -10,7 +11,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
 
-use super::{SPEC, command, command_of, damaged, object};
+use super::{SPEC, command, command_of, damaged, lines, object, pack};
 
 /// The request with these fields, which may have `cmdName` among them.
 fn by_model(message: &Value, ranges: AdvisoryRanges) -> Result<String, Vec<Problem>> {
@@ -32,7 +33,7 @@ fn requests_are_those_of_the_generated_code_and_what_it_refuses_is_refused() {
             let tame = tamed(&wild);
             prop_oneof![Just(wild), Just(tame)]
         });
-        let mut runner = TestRunner::new(ProptestConfig::with_cases(20));
+        let mut runner = TestRunner::new(ProptestConfig::with_cases(100));
         runner.run(&requests, |message| same_as_generated(&message)).unwrap_or_else(|error| panic!("{error}"));
     }
 }
@@ -125,8 +126,64 @@ fn names_serve_as_keys_values_and_tags() {
     assert_eq!(text.as_deref(), Ok(r#"{"cmdName":"set_servo_move_filter","filter_type":1,"lpf_cf":0.5}"#));
 }
 
+#[test]
+fn commands_that_were_not_compiled_in_are_written() {
+    let pack = pack();
+    let everything = pack.command("everything").expect("the pack has it");
+    let fields = json!({
+        "flag": true, "limited": 4, "tool": "gripper", "size": {"a": [1, 2, 3]}, "rest": {"b": [1.0], "a": null},
+        "pairs": [[false], [true, "slow", "\u{1}\"\u{8}é"], {"on": true}], "link": ["net", "host"], "note": "(True,)",
+    });
+    let text =
+        json::request(&pack, everything, &object(fields.clone()), AdvisoryRanges::Ignored).expect("it is allowed");
+    expect![[r#"{"cmdName":"everything","flag":"in","Limited Int":4,"tool":"grip","size":{"a":[1,2,3]},"pairs":[[false],[true,0,"\u0001\"\u0008é"],[true]],"link":[1,"host"],"note":"(True,)","rest":{"a":null,"b":[1.0]}}"#]].assert_eq(&text);
+
+    let message = object(serde_json::from_str(&text).expect("a request is JSON"));
+    assert_eq!(json::check_request(&pack, everything, &message), []);
+
+    let mut wrong = object(fields);
+    for (key, value) in [
+        ("flag", json!("inside")),
+        ("tool", json!("hammer")),
+        ("size", json!({"a": [1, 2], "b": 0})),
+        ("pairs", json!([[], [true, 5], {"on": true, "text": "a"}, [1, 2, 3, 4]])),
+        ("link", json!([0, 1, 2])),
+        ("note", json!([true])),
+    ] {
+        wrong.insert(key.to_owned(), value);
+    }
+    let problems = json::request(&pack, everything, &wrong, AdvisoryRanges::Enforced).expect_err("it is forbidden");
+    expect![[r#"
+        field `flag` is "inside"; allowed is "out" or "in"
+        field `limited` is 4; allowed is a whole number, 1 to 3; newer firmware may take it
+        field `tool` is "hammer"; allowed is `grip`
+        there is no field `size.b`; the fields are `a`
+        field `size.a` is [1,2]; allowed is an array of 3, each a whole number (in mm)
+        field `pairs[0]` is []; allowed is an array [on, mode, text]
+        field `pairs[1].mode` is 5; allowed is 0 (Slow) or 1 (VeryFast)
+        field `pairs[2].mode` is missing; allowed is 0 (Slow) or 1 (VeryFast)
+        field `pairs[3]` is [1,2,3,4]; allowed is an array [on, mode, text]
+        field `link` is [0,1,2]; allowed is an array that begins with 0 (Serial) or 1 (Net)
+        field `note` is [true]; allowed is text with a Python literal
+    "#]]
+    .assert_eq(&lines(&problems));
+    let problems = json::check_request(&pack, everything, &wrong);
+    expect![[r#"
+        field `flag` is "inside"; allowed is "out" or "in"
+        field `Limited Int` is missing; allowed is a whole number, 1 to 3
+        field `tool` is "hammer"; allowed is `grip`
+        field `size.a` is [1,2]; allowed is an array of 3, each a whole number (in mm)
+        field `pairs[0].on` is missing; allowed is false or true
+        field `pairs[1].mode` is 5; allowed is 0 (Slow) or 1 (VeryFast)
+        field `pairs[2]` is {"on":true,"text":"a"}; allowed is an array [on, mode, text]
+        field `pairs[3].text` is 3; allowed is text
+        field `note` is [true]; allowed is text with a Python literal
+    "#]]
+    .assert_eq(&lines(&problems));
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(ProptestConfig::with_cases(6000))]
 
     #[test]
     fn requests_off_the_wire_are_refused_where_the_generated_code_refuses_them(
