@@ -7,6 +7,8 @@ mod names;
 mod read;
 mod report;
 mod resolve;
+#[cfg(feature = "tools")]
+pub mod tools;
 mod type_text;
 
 pub use builtin::{BUILTIN, builtin};
