@@ -1,4 +1,4 @@
-//! What can be made from a spec beside code.
+//! What can be made from a spec beside code: a comparison with another spec, a reference to read.
 //!
 //! With the feature `tools`.
 //!
@@ -7,10 +7,13 @@
 //!
 //! let spec = jaka_spec::builtin()?;
 //! assert!(tools::diff(&spec, &spec).is_empty());
+//! assert!(tools::reference(&spec).contains("### 4.7 `joint_move`"));
 //! # Ok::<(), jaka_spec::Errors>(())
 //! ```
 
 mod diff;
+mod reference;
 mod words;
 
 pub use diff::{Change, Impact, diff, impact};
+pub use reference::reference;
