@@ -40,7 +40,7 @@ fn command_text(file: &str, wire: &str) -> &'static str {
 }
 
 fn lines(changes: &[Change]) -> String {
-    changes.iter().map(|change| format!("{change}\n")).collect()
+    changes.iter().map(|change| change.to_string() + "\n").collect()
 }
 
 /// What the edits change, and what undoing them changes.
@@ -73,16 +73,16 @@ fn commands_come_go_and_move() {
     let with_move_c = format!("{move_c}\n[[type]]");
     check(
         &[("session", quit, added), ("motion", move_c, ""), ("network", "[[type]]", &with_move_c)],
-        &expect![[r#"
+        &expect![[r"
             major: command `movc`: topic changed from `motion` to `network`
             major: command `quit`: removed
             minor: command `get_motion_state`: added
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `get_motion_state`: removed
             major: command `movc`: topic changed from `network` to `motion`
             minor: command `quit`: added
-        "#]],
+        "]],
     );
 }
 
@@ -112,7 +112,7 @@ fn what_is_said_about_a_command() {
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `get_extio_status`: bare reply removed, was `extio_status`
             major: command `movc`: name changed from `move_c` to `move_arc`
             major: command `moveL`: the session ends with it
@@ -133,8 +133,8 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `movc`: name changed from `move_arc` to `move_c`
             minor: command `end_move`: deadline added: `60000 ms`
             minor: command `get_extio_status`: bare reply added: `extio_status`
@@ -155,7 +155,7 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "#]],
+        "]],
     );
 }
 
@@ -185,7 +185,7 @@ fn fields_of_requests() {
             ("io/set_tio_vout_param/tio_vout_ena", "vendor header, SDK 2.2.2", "vendor header"),
             ("collision/clear_error", "[[command.example]]", &with_extra),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `clear_error`, request field `blend`: added
             major: command `end_move`, request field `cartPosition`: added
             major: command `end_move`, request field `endPosition`: removed
@@ -204,8 +204,8 @@ fn fields_of_requests() {
             patch: command `moveL`, request field `speed`: unit removed, was `mm/s`
             patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `clear_error`, request field `blend`: removed
             major: command `end_move`, request field `cartPosition`: removed
             major: command `end_move`, request field `endPosition`: added
@@ -224,7 +224,7 @@ fn fields_of_requests() {
             patch: command `moveL`, request field `speed`: unit added: `mm/s`
             patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "#]],
+        "]],
     );
 }
 
@@ -289,7 +289,7 @@ fn types_and_their_parts() {
             ("types/Switch/0", "wire = 0", r#"wire = "off""#),
             ("types/Switch/1", "wire = 1", r#"wire = "on""#),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `enable_admittance_ctrl`, request: is no longer `Copy`
             major: command `servo_move`, request: is no longer `Copy`
             major: command `set_admit_ctrl_config`, request: is no longer `Copy`
@@ -309,8 +309,8 @@ fn types_and_their_parts() {
             patch: type `Pose`, field `x`: doc changed
             patch: type `Pose`, field `y`: doc changed
             patch: type `RobotStatus`, field `inpos`: doc changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `set_network_exception_handle`, request field `motType`: type changed from `NetworkAction` to `NetworkExceptionAction`
             major: type `JointPosition`: type changed from `float[7]` to `float[6]`
             major: type `JointPosition`: unit changed from `rad` to `deg`
@@ -330,7 +330,7 @@ fn types_and_their_parts() {
             patch: type `Pose`, field `x`: doc changed
             patch: type `Pose`, field `y`: doc changed
             patch: type `RobotStatus`, field `inpos`: doc changed
-        "#]],
+        "]],
     );
 }
 
@@ -360,7 +360,7 @@ fn values_variants_and_error_codes() {
             ("errors/2", "The command failed;", "The call failed;"),
             ("errors/1", "Exception:function call failed", "exception"),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `jog`, variant `2`: name changed from `Increment` to `Offset`
             major: command `jog`, variant `3`: removed
             major: command `jog`, variant `4`: added
@@ -383,8 +383,8 @@ fn values_variants_and_error_codes() {
             patch: error code `1`: message changed
             patch: error code `2`: doc changed
             patch: type `DigitalOutputKind`, value `0`: doc changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `jog`, variant `1`, field `jnum`: range changed from `0 to 6` to `0 to 5`
             major: command `jog`, variant `2`: name changed from `Offset` to `Increment`
             major: command `jog`, variant `3`: added
@@ -407,7 +407,7 @@ fn values_variants_and_error_codes() {
             patch: error code `1`: message changed
             patch: error code `2`: doc changed
             patch: type `DigitalOutputKind`, value `0`: doc changed
-        "#]],
+        "]],
     );
 }
 
@@ -419,11 +419,11 @@ fn a_type_that_moves_takes_its_path_along() {
     let moved = format!("{whole}\n[[type]]\nname = \"Switch\"");
     check(
         &[("motion", &whole, ""), ("types", "[[type]]\nname = \"Switch\"", &moved)],
-        &expect![[r#"
+        &expect![[r"
             major: type `JogFrame`: topic changed from `motion` to `types`
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: type `JogFrame`: topic changed from `types` to `motion`
-        "#]],
+        "]],
     );
 }
