@@ -427,3 +427,32 @@ fn a_type_that_moves_takes_its_path_along() {
         "]],
     );
 }
+
+#[test]
+fn requests_and_types_of_another_shape() {
+    let fields = "[[command.request]]\nwire = \"rate_value\"\nname = \"rate\"\n";
+    let choice = "[command.choice]\ntag = \"kind\"\n\n[[command.choice.variant]]\nwire = 0\nname = \"Rate\"\ndoc = \"A rate.\"\n\n[[command.choice.variant.field]]\nwire = \"rate_value\"\nname = \"rate\"\n";
+    let text = "[[type.field]]\nname = \"label\"\ntype = \"text\"\ndoc = \"A label.\"\n\n[[type]]";
+    check(
+        &[
+            ("program/rapid_rate", fields, choice),
+            ("motion/wait_complete", "deprecated = \"watch the status", "deprecated = \"look at the status"),
+            ("io/get_extio_status", "python(ExtioStatus)", "ExtioStatus"),
+            ("io/FunctionInput/index", "[[type]]", text),
+        ],
+        &expect![[r#"
+            major: command `rapid_rate`: the request becomes a choice
+            major: type `FunctionInput`: is no longer `Copy`
+            major: type `FunctionInput`, field `label`: added
+            minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `python(ExtioStatus)` to `ExtioStatus`
+            patch: command `wait_complete`: note of the deprecation changed
+        "#]],
+        &expect![[r#"
+            major: command `rapid_rate`: the request is no longer a choice
+            major: type `FunctionInput`, field `label`: removed
+            minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `ExtioStatus` to `python(ExtioStatus)`
+            minor: type `FunctionInput`: becomes `Copy`
+            patch: command `wait_complete`: note of the deprecation changed
+        "#]],
+    );
+}

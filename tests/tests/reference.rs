@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use expect_test::expect_file;
+use expect_test::{expect, expect_file};
 use jaka_spec::tools::reference;
+use jaka_spec::{Source, load};
 use jaka_tests::spec;
 
 #[test]
@@ -72,4 +73,113 @@ fn headings(text: &str) -> impl Iterator<Item = &str> {
 fn anchor(heading: &str) -> String {
     let dashed = heading.to_lowercase().replace(' ', "-");
     dashed.chars().filter(|c| c.is_alphanumeric() || "-_".contains(*c)).collect()
+}
+
+#[test]
+fn what_the_built_in_spec_does_not_have() {
+    let text = r#"
+title = "Lamps <new>"
+doc = "Lamps a|b and `a<b`."
+
+[[command]]
+wire = "set lamp"
+name = "set_lamp"
+effect = "setting"
+requires = ["powered"]
+since = "1.6"
+reply_certain = false
+doc = "Sets a lamp. It glows."
+
+[[command.request]]
+wire = "label"
+type = "text"
+ascii = true
+until = "1.7"
+doc = "Label, `a|b` or <none>."
+
+[[command.request]]
+wire = "levels"
+type = "float[3][]"
+unit = "%"
+max = 100
+advisory = true
+doc = "Brightness."
+
+[[command.request]]
+wire = "colour"
+type = "Colour"
+optional = true
+doc = "Colour."
+
+[[type]]
+name = "Colour"
+kind = "enum"
+doc = "A colour."
+
+[[type.value]]
+wire = "red"
+name = "Red"
+doc = "Red."
+
+[[type.value]]
+wire = "blue"
+name = "Blue"
+doc = "Blue. Rare."
+advisory = true
+"#;
+    let spec = load(&[Source { path: "spec/lamps.toml", text }]).expect("the spec is correct");
+    let text = reference(&spec);
+    let index = text.find("## Topics").expect("there is an index");
+    expect![[r#"
+        ## Topics
+
+        **[Lamps &lt;new>](#lamps-new)**
+
+        - [`set lamp`](#command-set-lamp): Sets a lamp.
+        - Types: [`Colour`](#type-colour)
+
+        ## Sections of the document
+
+        | command | topic | effect |
+        | --- | --- | --- |
+        | [`set lamp`](#command-set-lamp) | [Lamps &lt;new>](#lamps-new) | setting |
+
+        ## Lamps &lt;new>
+
+        Lamps a|b and `a<b`.
+
+        ### Command `set lamp`
+
+        Sets a lamp. It glows.
+
+        - Effect: setting.
+        - In Rust: `Client::set_lamp`.
+        - The robot must be powered.
+        - The controller may close the connection instead of replying.
+        - Known to firmware 1.6 and later.
+
+        **Request**, beside `cmdName`:
+
+        | key | type | unit | range | optional | meaning |
+        | --- | --- | --- | --- | --- | --- |
+        | `label` | string, printable ASCII only |  |  |  | Label, `a\|b` or &lt;none>. Firmware up to 1.7. |
+        | `levels` | array of arrays of 3 numbers | % | at most 100; newer firmware takes more |  | Brightness. |
+        | `colour` | [`Colour`](#type-colour) (string) |  |  | optional | Colour. |
+
+        **Reply**: `errorCode`, `errorMsg` and `cmdName` alone.
+
+        ### Type `Colour`
+
+        A colour.
+
+        A string:
+
+        | value | name | meaning | firmware |
+        | --- | --- | --- | --- |
+        | `red` | Red | Red. |  |
+        | `blue` | Blue | Blue. | newer only |
+
+        - `blue`: Rare.
+    "#]]
+    .assert_eq(&text[index..]);
 }

@@ -76,7 +76,7 @@ impl fmt::Display for Change {
 /// | range, `ascii`, newer firmware's values: narrower, where requests are checked | major | what was sent before is refused |
 /// | the same, wider | minor | more is sent |
 /// | the same in what is only received | patch | nothing is checked there: documentation |
-/// | a struct is no longer `Copy`, as a field needs memory of its own | major | the derive is gone |
+/// | a struct is no longer `Copy`, as a field needs memory of its own | major | the derive is gone; minor where it comes |
 /// | array: `exact` set | major | longer arrays were read and are not any more |
 /// | effect, requirements, deadline | minor | `CommandInfo` says so at run time; the request is sent either way |
 /// | the session ends with the command, or a missing reply becomes an error | major | calls that succeeded fail |

@@ -80,7 +80,7 @@ fn command_link(command: &Command) -> String {
 }
 
 fn chapter(out: &mut String, spec: &Spec, topic: &Topic) {
-    let _ = writeln!(out, "## {}\n\n{}\n", topic.title, escape(&topic.doc));
+    let _ = writeln!(out, "## {}\n\n{}\n", escape(&topic.title), escape(&topic.doc));
     for command in &topic.commands {
         command::render(out, spec, command);
     }

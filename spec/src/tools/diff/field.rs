@@ -125,14 +125,16 @@ pub(super) fn field_type(d: &mut Differ<'_>, place: &str, old: &Type, new: &Type
     }
 }
 
-/// The notation, with the words for false and true.
+/// The notation, with how false and true are written.
 fn form(ty: &Type) -> String {
-    match ty {
-        Type::Bool { off, on } => format!("bool written [{off}, {on}]"),
-        Type::List(element) => format!("list of {}", form(element)),
-        Type::Array(element, len) => format!("{len} of {}", form(element)),
-        Type::Python(inner) => format!("python of {}", form(inner)),
-        other => words::notation(other),
+    let mut innermost = ty;
+    while let Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) = innermost {
+        innermost = inner;
+    }
+    let notation = words::notation(ty);
+    match innermost {
+        Type::Bool { off, on } => format!("{notation} written [{off}, {on}]"),
+        _ => notation,
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) fn code(text: &str) -> String {
 
 /// A link to the heading of this document whose text is `heading`.
 pub(super) fn link(text: &str, heading: &str) -> String {
-    format!("[{text}](#{})", anchor(heading))
+    format!("[{}](#{})", escape(text), anchor(heading))
 }
 
 /// The anchor that GitHub gives to a heading: letters in lower case, digits, `-` and `_`, and `-` for each blank.

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use serde_json::{Map, Value, json};
 
-use super::{describe, lenient};
+use super::{alternatives, describe, lenient};
 use crate::{Choice, EnumValue, Field, Spec, Type, TypeDef, TypeKind};
 
 /// How a value is written.
@@ -190,7 +190,7 @@ fn enumeration<T: Display + Clone + Into<Value>>(values: &[EnumValue<T>], form: 
         .map(|value| json!({ "const": value.wire.clone().into(), "title": value.name, "description": value.doc }))
         .collect();
     match form {
-        Form::Sent => (json!({ "oneOf": constants }), describe::newer_values(values)),
+        Form::Sent => (alternatives("oneOf", &constants), describe::newer_values(values)),
         Form::Received => (any, describe::known_values(values)),
     }
 }
