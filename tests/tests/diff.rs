@@ -440,19 +440,19 @@ fn requests_and_types_of_another_shape() {
             ("io/get_extio_status", "python(ExtioStatus)", "ExtioStatus"),
             ("io/FunctionInput/index", "[[type]]", text),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `rapid_rate`: the request becomes a choice
             major: type `FunctionInput`: is no longer `Copy`
             major: type `FunctionInput`, field `label`: added
             minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `python(ExtioStatus)` to `ExtioStatus`
             patch: command `wait_complete`: note of the deprecation changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `rapid_rate`: the request is no longer a choice
             major: type `FunctionInput`, field `label`: removed
             minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `ExtioStatus` to `python(ExtioStatus)`
             minor: type `FunctionInput`: becomes `Copy`
             patch: command `wait_complete`: note of the deprecation changed
-        "#]],
+        "]],
     );
 }
