@@ -3,7 +3,9 @@
 mod commands;
 mod exit;
 mod failure;
+mod fields;
 mod interrupt;
+mod number;
 mod output;
 mod seconds;
 mod target;

@@ -20,8 +20,14 @@ use crate::seconds::some_seconds;
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Robot")]
 pub(crate) struct RobotArgs {
-    /// Address of the robot, or its name in the config file [env: JAKA_ROBOT]
-    #[arg(long, short, value_name = "ADDRESS", conflicts_with = "sim")]
+    /// Its address, or its name in the config file.
+    #[arg(
+        long,
+        short,
+        help = "Address of the robot, or its name in the config file [env: JAKA_ROBOT]",
+        value_name = "ADDRESS",
+        conflicts_with = "sim"
+    )]
     robot: Option<String>,
     /// Port for commands [default: 10001]
     #[arg(long, value_name = "PORT", conflicts_with = "sim")]
@@ -34,22 +40,26 @@ pub(crate) struct RobotArgs {
     /// Commands for which the protocol names a longer time, such as motions, get that longer time.
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     timeout: Option<Duration>,
-    /// The config file [env: JAKA_CONFIG] [default: ~/.config/jaka/config.toml]
-    #[arg(long, value_name = "FILE")]
+    /// The config file.
+    #[arg(
+        long,
+        help = "The config file [env: JAKA_CONFIG] [default: ~/.config/jaka/config.toml]",
+        value_name = "FILE"
+    )]
     config: Option<PathBuf>,
     /// Start a simulated controller for this one command, a Zu 5 or another model
     ///
     /// It has no power unless --sim-powered is given, and switches power and enabling at once.
     #[arg(long, value_name = "MODEL", num_args = 0..=1, require_equals = true, default_missing_value = "Zu 5", value_parser = model)]
-    sim: Option<Model>,
+    sim: Option<&'static Model>,
     /// The simulated arm has power and is enabled from the start
     #[arg(long, requires = "sim")]
     sim_powered: bool,
 }
 
 /// The arm of this name.
-pub(crate) fn model(name: &str) -> Result<Model, String> {
-    Model::named(name).cloned().ok_or_else(|| {
+pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
+    Model::named(name).ok_or_else(|| {
         let names: Vec<_> = Model::published().iter().map(Model::name).collect();
         format!("there are {}", names.join(", "))
     })
@@ -58,7 +68,7 @@ pub(crate) fn model(name: &str) -> Result<Model, String> {
 impl RobotArgs {
     /// Finds the robot, or starts the simulated controller. Connects to nothing yet.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
-        if let Some(model) = &self.sim {
+        if let Some(model) = self.sim {
             return self.simulated(model);
         }
         let place = Place::find(self, &Environment::read())?;

@@ -3,14 +3,14 @@
 use std::fs;
 use std::net::IpAddr;
 use std::path::PathBuf;
-use std::sync::mpsc;
+use std::thread;
 use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Model};
 
 use crate::failure::Failure;
-use crate::interrupt::on_interrupt;
+use crate::interrupt::end_on_interrupt;
 use crate::target::model;
 use crate::{output, wire_log};
 
@@ -59,21 +59,21 @@ impl Sim {
         if self.log {
             wire_log::print_all("jaka_sim");
         }
-        let (sender, interrupts) = mpsc::channel();
-        on_interrupt(move || _ = sender.send(()))?;
+        end_on_interrupt()?;
         let started = self.builder()?.start();
         let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
         output::line(&format!("commands at {}, status at {}", controller.command_addr(), controller.status_addr()))?;
-        // Fails if nobody can interrupt any more, which never happens.
-        interrupts.recv().ok();
-        Ok(())
+        loop {
+            thread::park();
+        }
     }
 
     fn builder(self) -> Result<Builder, Failure> {
         let mut builder = Controller::builder();
         builder = builder.address(self.address).ports(self.commands, self.status).firmware(self.firmware);
         if let Some(name) = self.model {
-            builder = builder.model(model(&name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?);
+            let model = model(&name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;
+            builder = builder.model(model.clone());
         }
         if let Some(ms) = self.period {
             builder = builder.status_period(Duration::from_millis(ms));
