@@ -5,6 +5,7 @@
 //! `#[command(flatten)] robot: RobotArgs` and begins with `self.robot.target()?`.
 
 mod completions;
+mod monitor;
 mod sim;
 mod status;
 
@@ -16,6 +17,7 @@ use crate::failure::Failure;
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Status(status::Status),
+    Monitor(monitor::Monitor),
     Sim(sim::Sim),
     Completions(completions::Completions),
 }
@@ -25,6 +27,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
             Self::Status(command) => command.run(),
+            Self::Monitor(command) => command.run(),
             Self::Sim(command) => command.run(),
             Self::Completions(command) => command.run(),
         }

@@ -1,6 +1,7 @@
 //! The `jaka` command: see the crate's README.
 
 mod commands;
+mod dashboard;
 mod exit;
 mod failure;
 mod fields;

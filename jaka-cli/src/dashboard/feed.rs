@@ -1,0 +1,96 @@
+//! From a monitor to the view.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::{Duration, Instant, SystemTime};
+
+use jaka_sync::{Monitor, Snapshot, Subscription};
+
+use super::View;
+use super::alarms::{Tone, duration};
+use super::view::{Link, STALE};
+
+/// Packets of some seconds, so that no alarm is missed while a terminal is slow.
+const CAPACITY: usize = 1000;
+/// The time over which the rate is taken.
+const OF_LATE: Duration = Duration::from_secs(2);
+
+/// Brings what a monitor has read into a view.
+#[derive(Debug)]
+pub(crate) struct Feed {
+    monitor: Monitor,
+    queue: Subscription<jaka_sync::status::RobotStatus>,
+    newest: Option<Arc<Snapshot>>,
+    shown: Option<Arc<Snapshot>>,
+    /// Whether no news has been told as an alarm, and not yet that there is some again.
+    silent: bool,
+    /// Packets counted at times of late.
+    counts: VecDeque<(Instant, u64)>,
+}
+
+impl Feed {
+    pub(crate) fn new(monitor: Monitor) -> Self {
+        let queue = monitor.subscribe(CAPACITY);
+        Self { monitor, queue, newest: None, shown: None, silent: false, counts: VecDeque::new() }
+    }
+
+    /// Brings the view up to date.
+    pub(crate) fn update(&mut self, view: &mut View) {
+        while let Some(packet) = self.queue.try_next() {
+            self.take(&packet, view);
+            self.newest = Some(packet);
+        }
+        self.watch_silence(view);
+        if !view.paused || self.shown.is_none() {
+            self.shown.clone_from(&self.newest);
+            view.status = self.shown.as_ref().map(|packet| packet.status.clone());
+        }
+        view.age = self.shown.as_ref().map(|packet| packet.age());
+        view.link = self.link();
+    }
+
+    fn take(&mut self, packet: &Snapshot, view: &mut View) {
+        let time = SystemTime::now().checked_sub(packet.age()).unwrap_or_else(SystemTime::now);
+        if std::mem::take(&mut self.silent) {
+            let gap = self.newest.as_ref().map(|last| packet.received.saturating_duration_since(last.received));
+            let after = gap.map_or_else(String::new, |gap| format!(" after {}", duration(gap)));
+            view.alarms.add(time, Tone::Good, format!("status packets come again{after}"));
+        }
+        view.alarms.packet(&packet.status, time);
+    }
+
+    /// Tells once that packets have stopped coming.
+    fn watch_silence(&mut self, view: &mut View) {
+        let stopped = self.newest.as_ref().is_some_and(|packet| packet.age() > STALE);
+        if stopped && !self.silent {
+            self.silent = true;
+            view.alarms.add(SystemTime::now(), Tone::Bad, "no status packets: connection lost, or controller silent");
+        }
+    }
+
+    fn link(&mut self) -> Link {
+        let found = self.monitor.statistics();
+        let now = Instant::now();
+        self.counts.push_back((now, found.packets + found.skipped));
+        while self.counts.front().is_some_and(|(time, _)| now.saturating_duration_since(*time) > OF_LATE) {
+            self.counts.pop_front();
+        }
+        Link {
+            rate: self.rate(),
+            jitter: found.period.map(|_| found.jitter),
+            longest_gap: found.longest_gap,
+            skipped: found.skipped,
+            unfit: found.unfit + found.resyncs,
+            reconnects: found.reconnects,
+            ended: self.monitor.disconnect().map(|cause| cause.to_string()),
+        }
+    }
+
+    fn rate(&self) -> Option<f64> {
+        let ((first, before), (last, now)) = (self.counts.front()?, self.counts.back()?);
+        let time = last.saturating_duration_since(*first);
+        #[expect(clippy::cast_precision_loss, reason = "packets of two seconds are few")]
+        let packets = now.saturating_sub(*before) as f64;
+        (time >= OF_LATE / 4).then(|| packets / time.as_secs_f64())
+    }
+}
