@@ -12,6 +12,7 @@ mod seconds;
 mod target;
 mod wire_log;
 
+use std::io::{Write, stderr};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -43,8 +44,22 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    match Cli::parse().command.run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
-    }
+    let result = match Cli::try_parse() {
+        Ok(cli) => cli.command.run(),
+        Err(error) => return told(&error),
+    };
+    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}
+
+/// Prints what clap has to say: the help, the version, or what is wrong with the command line.
+fn told(error: &clap::Error) -> ExitCode {
+    let text = error.to_string();
+    let told = match text.strip_prefix("error: ") {
+        Some(text) => write!(stderr(), "jaka: {text}"),
+        // With colours.
+        None => error.print(),
+    };
+    // Nobody may be reading: the code tells enough.
+    told.ok();
+    if error.use_stderr() { ExitCode::from(exit::USAGE) } else { ExitCode::SUCCESS }
 }

@@ -31,16 +31,15 @@ const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_st
 /// Only reads, from the status port, so that it disturbs no other program.
 #[derive(Debug, Args)]
 pub(crate) struct Status {
-    #[command(flatten)]
-    robot: RobotArgs,
     /// Print again each second, or each so many seconds; 0 for every packet
     #[arg(long, short, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "1", value_parser = seconds)]
     watch: Option<Duration>,
     /// End after so many packets; without --watch one a second
     #[arg(long, short = 'n', value_name = "N")]
     count: Option<NonZeroU64>,
-    /// What to print: names as in the Rust API or on the wire, such as
-    /// `enabled,actual_position.x,joint_actual_position[0]`; `all` for everything [default: the usual]
+    /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
+    ///
+    /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
     #[arg(long, short, value_name = "NAMES", conflicts_with = "raw")]
     fields: Option<String>,
     /// How to print it
@@ -49,6 +48,8 @@ pub(crate) struct Status {
     /// Print each packet's own text
     #[arg(long)]
     raw: bool,
+    #[command(flatten)]
+    robot: RobotArgs,
 }
 
 /// How packets are printed.

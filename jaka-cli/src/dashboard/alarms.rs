@@ -159,13 +159,13 @@ mod tests {
         status.error_code = Some("0x0".to_owned());
         tell(&status);
         let texts: Vec<_> = alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect();
-        expect![[r#"
+        expect![[r"
             Good error cleared
             Plain disabled
             Good protective stop cleared
             Bad error 0x10f0005 collision
             Bad protective stop
-        "#]]
+        "]]
         .assert_eq(&texts.concat());
     }
 

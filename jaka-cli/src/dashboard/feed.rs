@@ -24,6 +24,8 @@ pub(crate) struct Feed {
     shown: Option<Arc<Snapshot>>,
     /// Whether no news has been told as an alarm, and not yet that there is some again.
     silent: bool,
+    /// How often the connection had been made anew when packets last came.
+    reconnects: u64,
     /// Packets counted at times of late.
     counts: VecDeque<(Instant, u64)>,
 }
@@ -31,7 +33,7 @@ pub(crate) struct Feed {
 impl Feed {
     pub(crate) fn new(monitor: Monitor) -> Self {
         let queue = monitor.subscribe(CAPACITY);
-        Self { monitor, queue, newest: None, shown: None, silent: false, counts: VecDeque::new() }
+        Self { monitor, queue, newest: None, shown: None, silent: false, reconnects: 0, counts: VecDeque::new() }
     }
 
     /// Brings the view up to date.
@@ -51,11 +53,14 @@ impl Feed {
 
     fn take(&mut self, packet: &Snapshot, view: &mut View) {
         let time = SystemTime::now().checked_sub(packet.age()).unwrap_or_else(SystemTime::now);
-        if std::mem::take(&mut self.silent) {
+        let reconnects = self.monitor.statistics().reconnects;
+        let again = if reconnects > self.reconnects { "connected anew" } else { "status packets come again" };
+        if self.silent || reconnects > self.reconnects {
             let gap = self.newest.as_ref().map(|last| packet.received.saturating_duration_since(last.received));
             let after = gap.map_or_else(String::new, |gap| format!(" after {}", duration(gap)));
-            view.alarms.add(time, Tone::Good, format!("status packets come again{after}"));
+            view.alarms.add(time, Tone::Good, format!("{again}{after}"));
         }
+        (self.silent, self.reconnects) = (false, reconnects);
         view.alarms.packet(&packet.status, time);
     }
 

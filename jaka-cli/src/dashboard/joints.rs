@@ -32,7 +32,7 @@ pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let columns = if width < WIDE { MEASURED.to_vec() } else { [&MEASURED[..], &MORE].concat() };
     let more: usize = columns[MEASURED.len()..].iter().map(|(_, width, ..)| width).sum();
     // An odd number of cells has one in the middle.
-    let bar_width = (width.saturating_sub(COLUMNS + more + 1) / 2 * 2).saturating_sub(1);
+    let bar_width = width.saturating_sub(COLUMNS + more).saturating_sub(1) | 1;
     let titles: Vec<_> = columns.iter().map(|(title, width, ..)| format!("{title:>width$}")).collect();
     let heading = format!("{:>13} {}{}", "position °", bar_heading(bar_width), titles.concat());
     let joints = (0..6).map(|index| joint(status, index, bar_width, &columns));
