@@ -2,7 +2,8 @@
 //!
 //! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, a variant of
 //! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
-//! `#[command(flatten)] robot: RobotArgs`, the last so that its options stand below their own heading, and begins with `self.robot.target()?`.
+//! `#[command(flatten)] robot: RobotArgs`, the last so that its options stand below their own heading, and begins with
+//! `self.robot.target()?`.
 
 mod completions;
 mod monitor;

@@ -63,14 +63,16 @@ fn screen(view: &View, width: u16, height: u16) -> Buffer {
     terminal.backend().buffer().clone()
 }
 
-fn text(buffer: &Buffer) -> String {
+fn rows(buffer: &Buffer) -> Vec<String> {
     let rows = buffer.content.chunks(usize::from(buffer.area.width));
-    let rows: Vec<String> = rows.map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect()).collect();
-    rows.iter().map(|row| row.trim_end().to_owned() + "\n").collect::<Vec<_>>().concat()
+    rows.map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect()).collect()
 }
 
 fn check(view: &View, (width, height): (u16, u16), expected: &Expect) {
-    expected.assert_eq(&text(&screen(view, width, height)));
+    // With an edge, since expect-test takes off what all lines are indented by.
+    let rows = rows(&screen(view, width, height));
+    let text: Vec<_> = rows.iter().map(|row| format!("|{}\n", row.trim_end())).collect();
+    expected.assert_eq(&text.concat());
 }
 
 #[test]
@@ -79,30 +81,30 @@ fn everything_fits_a_usual_terminal() {
         &at_work(),
         (80, 24),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ State ────────────────────────────────────────────────────────────────────────
-             Power           on        Enabled         yes       In position     yes
-             Protective stop no        Emergency stop  no        Drag mode       off
-             Program         idle      Task mode       manual    Rapid rate      100 %
-             Error           none
-            ─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
-               position ° -360     0      360 current torque  temp   x        432.041 mm
-             1   -170.250 ─────█━━━┼─────────    0.00   0.00   0.0   y        -41.433 mm
-             2     90.000 ─────────┼━█───────    0.00   0.00   0.0   z        811.670 mm
-             3     45.500 ─────────┼█────────    0.00   0.00   0.0   rx      -135.609 °
-             4     90.000 ─────────┼━█───────    0.00   0.00   0.0   ry        -3.502 °
-             5    -90.000 ───────█━┼─────────    0.00   0.00   0.0   rz       -76.679 °
-             6    355.000 ─────────┼━━━━━━━━█    0.00   0.00   0.0   speed      0.000 mm/s
-            ─ Digital I/O ──────────────────────────────────────────────────────────────────
-             in         ···●···· ········ ········ ········ ········ ········ … 2/144 on
-             out        ········ ········ ········ ········ ········ ········ … 0/144 on
-             tool in    ●·······   out ········
-            ─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-             none since the start
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ State ────────────────────────────────────────────────────────────────────────
+            | Power           on        Enabled         yes       In position     yes
+            | Protective stop no        Emergency stop  no        Drag mode       off
+            | Program         idle      Task mode       manual    Rapid rate      100 %
+            | Error           none
+            |─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
+            |   position ° -360     0      360 current torque  temp   x        432.041 mm
+            | 1   -170.250 ─────█━━━┼─────────    0.00   0.00   0.0   y        -41.433 mm
+            | 2     90.000 ─────────┼━█───────    0.00   0.00   0.0   z        811.670 mm
+            | 3     45.500 ─────────┼█────────    0.00   0.00   0.0   rx      -135.609 °
+            | 4     90.000 ─────────┼━█───────    0.00   0.00   0.0   ry        -3.502 °
+            | 5    -90.000 ───────█━┼─────────    0.00   0.00   0.0   rz       -76.679 °
+            | 6    355.000 ─────────┼━━━━━━━━█    0.00   0.00   0.0   speed      0.000 mm/s
+            |─ Digital I/O ──────────────────────────────────────────────────────────────────
+            | in         ···●···· ········ ········ ········ ········ ········ … 2/144 on
+            | out        ········ ········ ········ ········ ········ ········ … 0/144 on
+            | tool in    ●·······   out ········
+            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
+            | none since the start
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
 }
@@ -113,46 +115,46 @@ fn a_large_window_shows_more() {
         &at_work(),
         (120, 40),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                                                                     ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ State ────────────────────────────────────────────────────────────────────────────────────────────────────────────────
-             Power           on              Enabled         yes             In position     yes
-             Protective stop no              Emergency stop  no              Drag mode       off
-             Program         idle            Task mode       manual          Rapid rate      100 %
-             Error           none
-            ─ Joints ──────────────────────────────────────────────────────────────────────────────────────── TCP tool 0 user 0 ────
-               position ° -360                 0                  360 current torque  temp voltage   power   x        432.041 mm
-             1   -170.250 ───────────█━━━━━━━━━┼─────────────────────    0.00   0.00   0.0     0.0     0.0   y        -41.433 mm
-             2     90.000 ─────────────────────┼━━━━█────────────────    0.00   0.00   0.0     0.0     0.0   z        811.670 mm
-             3     45.500 ─────────────────────┼━━█──────────────────    0.00   0.00   0.0     0.0     0.0   rx      -135.609 °
-             4     90.000 ─────────────────────┼━━━━█────────────────    0.00   0.00   0.0     0.0     0.0   ry        -3.502 °
-             5    -90.000 ────────────────█━━━━┼─────────────────────    0.00   0.00   0.0     0.0     0.0   rz       -76.679 °
-             6    355.000 ─────────────────────┼━━━━━━━━━━━━━━━━━━━━█    0.00   0.00   0.0     0.0     0.0   speed      0.000 mm/s
-            ─ Inputs and outputs: cabinet ──────────────────────────────────────────────────────────────────────────────────────────
-             in         ···●···· ········ ········ ········ ········ ········ ········ ········ ········ ········ 2/144 on
-               80       ········ ········ ····●··· ········ ········ ········ ········ ········
-             out        ········ ········ ········ ········ ········ ········ ········ ········ ········ ········ 0/144 on
-               80       ········ ········ ········ ········ ········ ········ ········ ········
-             analog in  66 values, all 0
-             analog out 66 values, all 0
-             relays     –
-            ─ Inputs and outputs: tool ─────────────────────────────────────────────────────────────────────────────────────────────
-             in         ●······· 1/8 on
-             out        ········ 0/8 on
-             analog in  1 values, all 0
-            ─ Alarms (UTC) ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-             none since the start
-
-
-
-
-
-
-
-
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help                                          Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                                                                     ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ State ────────────────────────────────────────────────────────────────────────────────────────────────────────────────
+            | Power           on              Enabled         yes             In position     yes
+            | Protective stop no              Emergency stop  no              Drag mode       off
+            | Program         idle            Task mode       manual          Rapid rate      100 %
+            | Error           none
+            |─ Joints ──────────────────────────────────────────────────────────────────────────────────────── TCP tool 0 user 0 ────
+            |   position ° -360                 0                  360 current torque  temp voltage   power   x        432.041 mm
+            | 1   -170.250 ───────────█━━━━━━━━━┼─────────────────────    0.00   0.00   0.0     0.0     0.0   y        -41.433 mm
+            | 2     90.000 ─────────────────────┼━━━━█────────────────    0.00   0.00   0.0     0.0     0.0   z        811.670 mm
+            | 3     45.500 ─────────────────────┼━━█──────────────────    0.00   0.00   0.0     0.0     0.0   rx      -135.609 °
+            | 4     90.000 ─────────────────────┼━━━━█────────────────    0.00   0.00   0.0     0.0     0.0   ry        -3.502 °
+            | 5    -90.000 ────────────────█━━━━┼─────────────────────    0.00   0.00   0.0     0.0     0.0   rz       -76.679 °
+            | 6    355.000 ─────────────────────┼━━━━━━━━━━━━━━━━━━━━█    0.00   0.00   0.0     0.0     0.0   speed      0.000 mm/s
+            |─ Inputs and outputs: cabinet ──────────────────────────────────────────────────────────────────────────────────────────
+            | in         ···●···· ········ ········ ········ ········ ········ ········ ········ ········ ········ 2/144 on
+            |   80       ········ ········ ····●··· ········ ········ ········ ········ ········
+            | out        ········ ········ ········ ········ ········ ········ ········ ········ ········ ········ 0/144 on
+            |   80       ········ ········ ········ ········ ········ ········ ········ ········
+            | analog in  66 values, all 0
+            | analog out 66 values, all 0
+            | relays     –
+            |─ Inputs and outputs: tool ─────────────────────────────────────────────────────────────────────────────────────────────
+            | in         ●······· 1/8 on
+            | out        ········ 0/8 on
+            | analog in  1 values, all 0
+            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+            | none since the start
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help                                          Overview I/O Measurements Alarms
         "#]],
     );
 }
@@ -163,16 +165,16 @@ fn a_small_window_shows_what_matters_most() {
         &at_work(),
         (40, 10),
         &expect![[r#"
-             ● live  age 20 ms cell1 (10.5.5.100)
-             Power       on      Enabled     yes
-             In position yes     Prot. stop  no
-             Em. stop    no      Drag        off
-             Program     idle    Mode        manual
-             Rapid rate  100 %   Error       none
-             J1   -170.25 J2     90.00 J3     45.50
-             J4     90.00 J5    -90.00 J6    355.00
-             x    432.04 y    -41.43 z    811.67
-             rx  -135.61 ry    -3.50 rz   -76.68
+            | ● live  age 20 ms cell1 (10.5.5.100)
+            | Power       on      Enabled     yes
+            | In position yes     Prot. stop  no
+            | Em. stop    no      Drag        off
+            | Program     idle    Mode        manual
+            | Rapid rate  100 %   Error       none
+            | J1   -170.25 J2     90.00 J3     45.50
+            | J4     90.00 J5    -90.00 J6    355.00
+            | x    432.04 y    -41.43 z    811.67
+            | rx  -135.61 ry    -3.50 rz   -76.68
         "#]],
     );
 }
@@ -183,30 +185,30 @@ fn stops_and_errors_stand_out() {
         &after_collision(),
         (80, 24),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ State ────────────────────────────────────────────────────────────────────────
-             Power           on        Enabled         yes       In position     yes
-             Protective stop yes       Emergency stop  no        Drag mode       off
-             Program         idle      Task mode       manual    Rapid rate      100 %
-             Error            0x10f0005 collision
-            ─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
-               position ° -360     0      360 current torque  temp   x       -482.000 mm
-             1      0.000 ─────────█─────────    0.00   0.00   0.0   y        114.000 mm
-             2     90.000 ─────────┼━█───────    0.00   0.00   0.0   z        443.150 mm
-             3     90.000 ─────────┼━█───────    0.00   0.00   0.0   rx      -180.000 °
-             4     90.000 ─────────┼━█───────    0.00   0.00   0.0   ry         0.000 °
-             5    -90.000 ───────█━┼─────────    0.00   0.00   0.0   rz        90.000 °
-             6      0.000 ─────────█─────────    0.00   0.00   0.0   speed      0.000 mm/s
-            ─ Digital I/O ──────────────────────────────────────────────────────────────────
-             in         ········ ········ ········ ········ ········ ········ … 0/144 on
-             out        ········ ········ ········ ········ ········ ········ … 0/144 on
-             tool in    ········   out ········
-            ─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-             11:55:07 error 0x10f0005 collision
-             11:55:07 protective stop
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ State ────────────────────────────────────────────────────────────────────────
+            | Power           on        Enabled         yes       In position     yes
+            | Protective stop yes       Emergency stop  no        Drag mode       off
+            | Program         idle      Task mode       manual    Rapid rate      100 %
+            | Error            0x10f0005 collision
+            |─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
+            |   position ° -360     0      360 current torque  temp   x       -482.000 mm
+            | 1      0.000 ─────────█─────────    0.00   0.00   0.0   y        114.000 mm
+            | 2     90.000 ─────────┼━█───────    0.00   0.00   0.0   z        443.150 mm
+            | 3     90.000 ─────────┼━█───────    0.00   0.00   0.0   rx      -180.000 °
+            | 4     90.000 ─────────┼━█───────    0.00   0.00   0.0   ry         0.000 °
+            | 5    -90.000 ───────█━┼─────────    0.00   0.00   0.0   rz        90.000 °
+            | 6      0.000 ─────────█─────────    0.00   0.00   0.0   speed      0.000 mm/s
+            |─ Digital I/O ──────────────────────────────────────────────────────────────────
+            | in         ········ ········ ········ ········ ········ ········ … 0/144 on
+            | out        ········ ········ ········ ········ ········ ········ … 0/144 on
+            | tool in    ········   out ········
+            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
+            | 11:55:07 error 0x10f0005 collision
+            | 11:55:07 protective stop
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
 }
@@ -220,30 +222,30 @@ fn what_no_packet_says_is_no_zero() {
         &view,
         (80, 24),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                                 NO PACKET YET
-             rate – jitter – longest gap 0 ms skipped 0 unfit 0 reconnects 0
-            ─ State ────────────────────────────────────────────────────────────────────────
-             Power           –         Enabled         –         In position     –
-             Protective stop –         Emergency stop  –         Drag mode       –
-             Program         –         Task mode       –         Rapid rate      –
-             Error           –
-            ─ Joints ──────────────────────────────────────────────── TCP tool – user – ────
-               position ° -360     0      360 current torque  temp   x              – mm
-             1          – ···················       –      –     –   y              – mm
-             2          – ···················       –      –     –   z              – mm
-             3          – ···················       –      –     –   rx             – °
-             4          – ···················       –      –     –   ry             – °
-             5          – ···················       –      –     –   rz             – °
-             6          – ···················       –      –     –   speed          – mm/s
-            ─ Digital I/O ──────────────────────────────────────────────────────────────────
-             in         –
-             out        –
-             tool in    –  out –
-            ─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-             none since the start
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                                 NO PACKET YET
+            | rate – jitter – longest gap 0 ms skipped 0 unfit 0 reconnects 0
+            |─ State ────────────────────────────────────────────────────────────────────────
+            | Power           –         Enabled         –         In position     –
+            | Protective stop –         Emergency stop  –         Drag mode       –
+            | Program         –         Task mode       –         Rapid rate      –
+            | Error           –
+            |─ Joints ──────────────────────────────────────────────── TCP tool – user – ────
+            |   position ° -360     0      360 current torque  temp   x              – mm
+            | 1          – ···················       –      –     –   y              – mm
+            | 2          – ···················       –      –     –   z              – mm
+            | 3          – ···················       –      –     –   rx             – °
+            | 4          – ···················       –      –     –   ry             – °
+            | 5          – ···················       –      –     –   rz             – °
+            | 6          – ···················       –      –     –   speed          – mm/s
+            |─ Digital I/O ──────────────────────────────────────────────────────────────────
+            | in         –
+            | out        –
+            | tool in    –  out –
+            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
+            | none since the start
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
 }
@@ -256,30 +258,30 @@ fn the_other_pages_show_all_there_is() {
         &view,
         (80, 24),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ Inputs and outputs: cabinet ──────────────────────────────────────────────────
-             in         ···●···· ········ ········ ········ ········ ········ 2/144 on
-               48       ········ ········ ········ ········ ········ ········
-               96       ····●··· ········ ········ ········ ········ ········
-             out        ········ ········ ········ ········ ········ ········ 0/144 on
-               48       ········ ········ ········ ········ ········ ········
-               96       ········ ········ ········ ········ ········ ········
-             analog in  66 values, all 0
-             analog out 66 values, all 0
-             relays     –
-            ─ Inputs and outputs: tool ─────────────────────────────────────────────────────
-             in         ●······· 1/8 on
-             out        ········ 0/8 on
-             analog in  1 values, all 0
-
-
-
-
-
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ Inputs and outputs: cabinet ──────────────────────────────────────────────────
+            | in         ···●···· ········ ········ ········ ········ ········ 2/144 on
+            |   48       ········ ········ ········ ········ ········ ········
+            |   96       ····●··· ········ ········ ········ ········ ········
+            | out        ········ ········ ········ ········ ········ ········ 0/144 on
+            |   48       ········ ········ ········ ········ ········ ········
+            |   96       ········ ········ ········ ········ ········ ········
+            | analog in  66 values, all 0
+            | analog out 66 values, all 0
+            | relays     –
+            |─ Inputs and outputs: tool ─────────────────────────────────────────────────────
+            | in         ●······· 1/8 on
+            | out        ········ 0/8 on
+            | analog in  1 values, all 0
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
     view.page = Page::Measurements;
@@ -287,36 +289,36 @@ fn the_other_pages_show_all_there_is() {
         &view,
         (80, 30),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ Joints (no units stated by the protocol) ─────────────────────────────────────
-                                         1        2        3        4        5        6
-             position °            -170.25    90.00    45.50    90.00   -90.00   355.00
-             commanded °                 –        –        –        –        –        –
-             current                  0.00     0.00     0.00     0.00     0.00     0.00
-             voltage                  0.00     0.00     0.00     0.00     0.00     0.00
-             temperature              0.00     0.00     0.00     0.00     0.00     0.00
-             average power            0.00     0.00     0.00     0.00     0.00     0.00
-             current fluctuation      0.00     0.00     0.00     0.00     0.00     0.00
-             torque                   0.00     0.00     0.00     0.00     0.00     0.00
-             revolutions              0.00     0.00     0.00     0.00     0.00     0.00
-             running time             0.00     0.00     0.00     0.00     0.00     0.00
-             cycles since start       0.00     0.00     0.00     0.00     0.00     0.00
-             time since start         0.00     0.00     0.00     0.00     0.00     0.00
-            ─ TCP ──────────────────────────────────────────────────────────────────────────
-                                      x mm     y mm     z mm     rx °     ry °     rz °
-             pose                   432.04   -41.43   811.67  -135.61    -3.50   -76.68
-             commanded                   –        –        –        –        –        –
-            ─ Cabinet ──────────────────────────────────────────────────────────────────────
-             temperature              0.00
-             bus power                0.00
-             bus current              0.00
-             SCB version               0.0
-            ─ Torque sensor ────────────────────────────────────────────────────────────────
-             works                      no
-             contact force            0.00     0.00     0.00     0.00     0.00     0.00
-             raw reading              0.00     0.00     0.00     0.00     0.00     0.00
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ Joints (no units stated by the protocol) ─────────────────────────────────────
+            |                             1        2        3        4        5        6
+            | position °            -170.25    90.00    45.50    90.00   -90.00   355.00
+            | commanded °                 –        –        –        –        –        –
+            | current                  0.00     0.00     0.00     0.00     0.00     0.00
+            | voltage                  0.00     0.00     0.00     0.00     0.00     0.00
+            | temperature              0.00     0.00     0.00     0.00     0.00     0.00
+            | average power            0.00     0.00     0.00     0.00     0.00     0.00
+            | current fluctuation      0.00     0.00     0.00     0.00     0.00     0.00
+            | torque                   0.00     0.00     0.00     0.00     0.00     0.00
+            | revolutions              0.00     0.00     0.00     0.00     0.00     0.00
+            | running time             0.00     0.00     0.00     0.00     0.00     0.00
+            | cycles since start       0.00     0.00     0.00     0.00     0.00     0.00
+            | time since start         0.00     0.00     0.00     0.00     0.00     0.00
+            |─ TCP ──────────────────────────────────────────────────────────────────────────
+            |                          x mm     y mm     z mm     rx °     ry °     rz °
+            | pose                   432.04   -41.43   811.67  -135.61    -3.50   -76.68
+            | commanded                   –        –        –        –        –        –
+            |─ Cabinet ──────────────────────────────────────────────────────────────────────
+            | temperature              0.00
+            | bus power                0.00
+            | bus current              0.00
+            | SCB version               0.0
+            |─ Torque sensor ────────────────────────────────────────────────────────────────
+            | works                      no
+            | contact force            0.00     0.00     0.00     0.00     0.00     0.00
+            | raw reading              0.00     0.00     0.00     0.00     0.00     0.00
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
     let mut view = after_collision();
@@ -325,18 +327,18 @@ fn the_other_pages_show_all_there_is() {
         &view,
         (80, 12),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ Alarms (UTC), the newest first ───────────────────────────────────────────────
-             11:55:07 error 0x10f0005 collision
-             11:55:07 protective stop
-
-
-
-
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ Alarms (UTC), the newest first ───────────────────────────────────────────────
+            | 11:55:07 error 0x10f0005 collision
+            | 11:55:07 protective stop
+            |
+            |
+            |
+            |
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
 }
@@ -349,46 +351,46 @@ fn newer_firmware_has_fieldbuses() {
         &view,
         (100, 40),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                                                 ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ Inputs and outputs: cabinet ──────────────────────────────────────────────────────────────────────
-             in         ········ ········ ········ ········ ········ ········ ········ ········ 0/200 on
-               64       ········ ········ ········ ········ ········ ········ ········ ········
-              128       ········ ········ ········ ········ ········ ········ ········ ········
-              192       ········
-             out        ········ ········ ········ ········ ········ ········ ········ ········ 0/200 on
-               64       ········ ········ ········ ········ ········ ········ ········ ········
-              128       ········ ········ ········ ········ ········ ········ ········ ········
-              192       ········
-             analog in  128 values, but for these all 0
-                        [5] 2.500
-             analog out 128 values, all 0
-             relays     ·· 0/2 on
-            ─ Inputs and outputs: tool ─────────────────────────────────────────────────────────────────────────
-             in         ········ 0/8 on
-             out        ········ 0/8 on
-             analog in  2 values, all 0
-            ─ Modbus slave ─────────────────────────────────────────────────────────────────────────────────────
-             in         ········ ········ ········ ········ ········ ········ ········ ········ 0/128 on
-               64       ········ ········ ········ ········ ········ ········ ········ ········
-             out        ········ ········ ········ ········ ········ ········ ········ ········ 0/128 on
-               64       ········ ········ ········ ········ ········ ········ ········ ········
-             analog in  64 values, all 0
-             analog out 64 values, all 0
-            ─ Profinet ─────────────────────────────────────────────────────────────────────────────────────────
-             in         ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
-             out        ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
-             analog in  64 values, all 0
-             analog out 64 values, all 0
-            ─ EtherNet/IP ──────────────────────────────────────────────────────────────────────────────────────
-             in         ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
-             out        ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
-             analog in  48 values, all 0
-             analog out 48 values, all 0
-
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help                      Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                                                 ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ Inputs and outputs: cabinet ──────────────────────────────────────────────────────────────────────
+            | in         ········ ········ ········ ········ ········ ········ ········ ········ 0/200 on
+            |   64       ········ ········ ········ ········ ········ ········ ········ ········
+            |  128       ········ ········ ········ ········ ········ ········ ········ ········
+            |  192       ········
+            | out        ········ ········ ········ ········ ········ ········ ········ ········ 0/200 on
+            |   64       ········ ········ ········ ········ ········ ········ ········ ········
+            |  128       ········ ········ ········ ········ ········ ········ ········ ········
+            |  192       ········
+            | analog in  128 values, but for these all 0
+            |            [5] 2.500
+            | analog out 128 values, all 0
+            | relays     ·· 0/2 on
+            |─ Inputs and outputs: tool ─────────────────────────────────────────────────────────────────────────
+            | in         ········ 0/8 on
+            | out        ········ 0/8 on
+            | analog in  2 values, all 0
+            |─ Modbus slave ─────────────────────────────────────────────────────────────────────────────────────
+            | in         ········ ········ ········ ········ ········ ········ ········ ········ 0/128 on
+            |   64       ········ ········ ········ ········ ········ ········ ········ ········
+            | out        ········ ········ ········ ········ ········ ········ ········ ········ 0/128 on
+            |   64       ········ ········ ········ ········ ········ ········ ········ ········
+            | analog in  64 values, all 0
+            | analog out 64 values, all 0
+            |─ Profinet ─────────────────────────────────────────────────────────────────────────────────────────
+            | in         ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
+            | out        ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
+            | analog in  64 values, all 0
+            | analog out 64 values, all 0
+            |─ EtherNet/IP ──────────────────────────────────────────────────────────────────────────────────────
+            | in         ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
+            | out        ········ ········ ········ ········ ········ ········ ········ ········ 0/64 on
+            | analog in  48 values, all 0
+            | analog out 48 values, all 0
+            |
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help                      Overview I/O Measurements Alarms
         "#]],
     );
 }
@@ -401,38 +403,38 @@ fn the_help_lies_over_the_page() {
         &view,
         (80, 24),
         &expect![[r#"
-             jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-             rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            ─ State ────────────────────────────────────────────────────────────────────────
-             Power           on        Enabled         yes       In position     yes
-             Protective stop no        Emergency stop  no        Drag mode       off
-             Program         idle      Task mode       manual    Rapid rate      100 %
-             Error       ┌─────────────────────── Keys ───────────────────────┐
-            ─ Joints ────│ q, Esc, Ctrl-C           quit                      │0 user 0 ────
-               position °│ p                        pause, or go on           │32.041 mm
-             1   -170.250│ Tab, → and Shift-Tab, ←  next page, last page      │41.433 mm
-             2     90.000│ 1 to 4                   a page                    │11.670 mm
-             3     45.500│ ↑ ↓ PgUp PgDn Home       scroll                    │35.609 °
-             4     90.000│ ?                        this help                 │-3.502 °
-             5    -90.000│                                                    │76.679 °
-             6    355.000│ Nothing is ever sent to the robot. Values that a   │ 0.000 mm/s
-            ─ Digital I/O│ packet does not have are –. Whether servo mode is  │─────────────
-             in         ·│ on, status packets do not say.                     │ 2/144 on
-             out        ·└────────────────────────────────────────────────────┘ 0/144 on
-             tool in    ●·······   out ········
-            ─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-             none since the start
-
-
-             q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
+            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
+            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
+            |─ State ────────────────────────────────────────────────────────────────────────
+            | Power           on        Enabled         yes       In position     yes
+            | Protective stop no        Emergency stop  no        Drag mode       off
+            | Program         idle      Task mode       manual    Rapid rate      100 %
+            | Error       ┌─────────────────────── Keys ───────────────────────┐
+            |─ Joints ────│ q, Esc, Ctrl-C           quit                      │0 user 0 ────
+            |   position °│ p                        pause, or go on           │32.041 mm
+            | 1   -170.250│ Tab, → and Shift-Tab, ←  next page, last page      │41.433 mm
+            | 2     90.000│ 1 to 4                   a page                    │11.670 mm
+            | 3     45.500│ ↑ ↓ PgUp PgDn Home       scroll                    │35.609 °
+            | 4     90.000│ ?                        this help                 │-3.502 °
+            | 5    -90.000│                                                    │76.679 °
+            | 6    355.000│ Nothing is ever sent to the robot. Values that a   │ 0.000 mm/s
+            |─ Digital I/O│ packet does not have are –. Whether servo mode is  │─────────────
+            | in         ·│ on, status packets do not say.                     │ 2/144 on
+            | out        ·└────────────────────────────────────────────────────┘ 0/144 on
+            | tool in    ●·······   out ········
+            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
+            | none since the start
+            |
+            |
+            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
 }
 
 /// The colour of the first cell of a text on the screen.
 fn colour(buffer: &Buffer, wanted: &str) -> Color {
-    let text = text(buffer);
-    let (row, line) = text.lines().enumerate().find(|(_, line)| line.contains(wanted)).expect(wanted);
+    let rows = rows(buffer);
+    let (row, line) = rows.iter().enumerate().find(|(_, line)| line.contains(wanted)).expect(wanted);
     let column = line[..line.find(wanted).unwrap()].chars().count();
     buffer.content[row * usize::from(buffer.area.width) + column].fg
 }
@@ -446,13 +448,13 @@ fn old_values_never_look_new() {
         view.age = Some(Duration::from_millis(501));
         let stale = screen(&view, size.0, size.1);
         assert_eq!((colour(&stale, "age"), colour(&stale, "yes")), (Color::Red, Color::DarkGray));
-        assert!(text(&stale).contains("NO PACKETS"));
+        assert!(rows(&stale)[0].contains("NO PACKETS"));
     }
     view.age = Some(Duration::from_millis(20));
     view.paused = true;
     let paused = screen(&view, 80, 24);
     assert_eq!(colour(&paused, "yes"), Color::DarkGray);
-    assert!(text(&paused).contains("PAUSED"));
+    assert!(rows(&paused)[0].contains("PAUSED"));
 }
 
 #[test]
