@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Controller, Delays, Model};
-use jaka_sync::{Client, Config, Monitor, Reconnect};
+use jaka_sync::{Client, Config, Monitor, Reconnect, StatusStream};
 
 use self::environment::Environment;
 use self::place::Place;
@@ -124,10 +124,12 @@ impl Target {
     }
 
     /// Connects to the status port, which serves any number of readers.
-    pub(crate) fn monitor<S>(&self, reconnect: Reconnect) -> Result<Monitor<S>, Failure>
-    where
-        S: jaka_sync::proto::wire::Decode + Send + Sync + 'static,
-    {
+    pub(crate) fn status_stream(&self) -> Result<StatusStream, Failure> {
+        Ok(self.config.connect_status(&self.status)?)
+    }
+
+    /// The same, with a thread that reads and connects anew.
+    pub(crate) fn monitor(&self, reconnect: Reconnect) -> Result<Monitor, Failure> {
         Ok(self.config.clone().reconnect(reconnect).monitor(&self.status)?)
     }
 }

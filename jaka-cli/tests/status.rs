@@ -6,6 +6,7 @@ mod common;
 
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
+use std::time::Duration;
 
 use expect_test::expect;
 use jaka_sim::Controller;
@@ -165,5 +166,34 @@ fn a_lost_connection_is_told() {
     while out.read_line(&mut rest).unwrap() > 0 {}
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     expect!["jaka: the status connection is broken: the controller closed the connection; it may have shut down, or another client may have taken the command port"].assert_eq(&errors.join("\n"));
+    assert_eq!(end(child).code(), Some(5));
+}
+
+/// A controller that sends no packets on its own but the first, and the arguments to reach it.
+fn quiet_controller() -> (Controller, [String; 6]) {
+    let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+    let port = controller.status_addr().port().to_string();
+    (controller, ["status", "-r", "127.0.0.1", "--watch=0", "--status-port", &port].map(str::to_owned))
+}
+
+#[test]
+fn raw_is_what_came_also_where_it_does_not_fit() {
+    let (controller, args) = quiet_controller();
+    let (child, mut out, _) = started(jaka(&[]).args(args).args(["--raw", "--count", "2"]));
+    controller.send_status(br#"{"enabled": [ ]}"#);
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    assert_eq!(line, "{\"enabled\": [ ]}\n");
+    assert_eq!(end(child).code(), Some(0));
+}
+
+#[test]
+fn a_packet_that_does_not_fit_is_told() {
+    let (controller, args) = quiet_controller();
+    let (mut child, _out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled"]));
+    controller.send_status(br#"{"enabled": [ ]}"#);
+    let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
+    expect!["jaka: a status packet does not fit the spec: field `enabled`: expected a truth value, found `[ ]`"]
+        .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
 }

@@ -53,7 +53,9 @@ impl Monitor {
 fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended: &AtomicBool) -> io::Result<()> {
     while !ended.load(Ordering::Relaxed) {
         feed.update(view);
-        terminal.draw(|frame| draw(frame, view))?;
+        let mut most = 0;
+        terminal.draw(|frame| most = draw(frame, view))?;
+        view.scroll_at_most(most);
         if !event::poll(TICK)? {
             continue;
         }

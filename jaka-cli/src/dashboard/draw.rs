@@ -16,23 +16,24 @@ use crate::number::fixed;
 /// Below this height there is no footer, and the header is one line.
 const LOW: u16 = 12;
 
-/// Draws all of it.
-pub(crate) fn draw(frame: &mut Frame<'_>, view: &View) {
+/// Draws all of it, and says how far the page can be scrolled.
+pub(crate) fn draw(frame: &mut Frame<'_>, view: &View) -> u16 {
     let (header, footer) = if frame.area().height < LOW { (1, 0) } else { (2, 1) };
     let heights = [Constraint::Length(header), Constraint::Min(0), Constraint::Length(footer)];
     let [top, page, bottom] = Layout::vertical(heights).areas(frame.area());
     frame.render_widget(Text::from(vec![title_line(view, top.width), link_line(&view.link)]), top);
-    draw_page(frame, page, view);
+    let most = draw_page(frame, page, view);
     frame.render_widget(footer_line(view, bottom.width), bottom);
     if view.help {
         draw_help(frame);
     }
+    most
 }
 
-fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) {
+fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     let unknown = jaka_sync::status::RobotStatus::default();
     let status = view.status.as_ref().unwrap_or(&unknown);
-    match view.page {
+    let most = match view.page {
         Page::Overview => return overview::draw(frame, area, view),
         Page::Io => scrolled(frame, area, io::lines(status, area.width), view.scroll),
         Page::Measurements => scrolled(frame, area, measurements::lines(status, area.width), view.scroll),
@@ -41,17 +42,19 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) {
             let lines = std::iter::once(title).chain(alarm_lines(view)).collect();
             return scrolled(frame, area, lines, view.scroll);
         }
-    }
+    };
     if !view.is_fresh() {
         frame.buffer_mut().set_style(area, style::old());
     }
+    most
 }
 
-/// Draws lines from the one to which is scrolled; the last one stays in sight.
-pub(super) fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll: u16) {
+/// Draws lines from the one to which is scrolled, and says how far can be: the last one stays in sight.
+pub(super) fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll: u16) -> u16 {
     let most = lines.len().saturating_sub(usize::from(area.height));
-    let scroll = scroll.min(u16::try_from(most).unwrap_or(u16::MAX));
-    frame.render_widget(Paragraph::new(lines).scroll((scroll, 0)), area);
+    let most = u16::try_from(most).unwrap_or(u16::MAX);
+    frame.render_widget(Paragraph::new(lines).scroll((scroll.min(most), 0)), area);
+    most
 }
 
 /// Whose state this is, and whether it is of now.
@@ -94,11 +97,12 @@ fn link_line(link: &Link) -> Line<'static> {
         return Line::styled(format!(" {cause}"), style::of_tone(alarms::Tone::Bad));
     }
     let ms = |time: Duration, decimals| format!("{} ms", fixed(time.as_secs_f64() * 1000.0, decimals));
-    let rate = link.rate.map_or_else(|| style::ABSENT.to_owned(), |rate| format!("{}/s", fixed(rate, 1)));
-    let jitter = link.jitter.map_or_else(|| style::ABSENT.to_owned(), |jitter| ms(jitter, 1));
-    let gap = ms(link.longest_gap, 0);
+    let rate = link.rate.map(|rate| format!("{}/s", fixed(rate, 1)));
+    let jitter = link.jitter.map(|jitter| ms(jitter, 1));
+    let gap = link.longest_gap.map(|gap| ms(gap, 0));
     let mut spans = Vec::new();
     for (name, value) in [("rate", rate), ("jitter", jitter), ("longest gap", gap)] {
+        let value = value.unwrap_or_else(|| style::ABSENT.to_owned());
         spans.extend([Span::styled(format!(" {name} "), style::faint()), Span::raw(value)]);
     }
     for (name, count) in [("skipped", link.skipped), ("unfit", link.unfit), ("reconnects", link.reconnects)] {

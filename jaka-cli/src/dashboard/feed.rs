@@ -83,7 +83,7 @@ impl Feed {
         Link {
             rate: self.rate(),
             jitter: found.period.map(|_| found.jitter),
-            longest_gap: found.longest_gap,
+            longest_gap: found.period.map(|_| found.longest_gap),
             skipped: found.skipped,
             unfit: found.unfit + found.resyncs,
             reconnects: found.reconnects,

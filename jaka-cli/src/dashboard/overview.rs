@@ -18,8 +18,8 @@ const JOINTS: u16 = 8;
 /// The least number of lines for what happened, with their rule.
 const ALARMS: u16 = 4;
 
-/// Draws the page.
-pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) {
+/// Draws the page, and says how far it can be scrolled.
+pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     let unknown = RobotStatus::default();
     let status = view.status.as_ref().unwrap_or(&unknown);
     if area.width < FULL.0 || area.height < FULL.1 {
@@ -38,6 +38,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) {
     frame.render_widget(Text::from(pins), io_area);
     part(frame, alarms, "Alarms (UTC)", alarm_lines(view));
     dim_if_old(frame, view, [state, arm, io_area]);
+    0
 }
 
 /// All inputs and outputs, or as much of them as has room.

@@ -29,7 +29,7 @@ fn view(status: RobotStatus) -> View {
     let link = Link {
         rate: Some(20.0),
         jitter: Some(Duration::from_micros(340)),
-        longest_gap: Duration::from_millis(61),
+        longest_gap: Some(Duration::from_millis(61)),
         ..Link::default()
     };
     let age = Some(Duration::from_millis(20));
@@ -59,7 +59,7 @@ fn after_collision() -> View {
 
 fn screen(view: &View, width: u16, height: u16) -> Buffer {
     let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
-    terminal.draw(|frame| draw(frame, view)).unwrap();
+    terminal.draw(|frame| _ = draw(frame, view)).unwrap();
     terminal.backend().buffer().clone()
 }
 
@@ -223,7 +223,7 @@ fn what_no_packet_says_is_no_zero() {
         (80, 24),
         &expect![[r#"
             | jaka monitor  cell1 (10.5.5.100)                                 NO PACKET YET
-            | rate – jitter – longest gap 0 ms skipped 0 unfit 0 reconnects 0
+            | rate – jitter – longest gap – skipped 0 unfit 0 reconnects 0
             |─ State ────────────────────────────────────────────────────────────────────────
             | Power           –         Enabled         –         In position     –
             | Protective stop –         Emergency stop  –         Drag mode       –
@@ -455,6 +455,18 @@ fn old_values_never_look_new() {
     let paused = screen(&view, 80, 24);
     assert_eq!(colour(&paused, "yes"), Color::DarkGray);
     assert!(rows(&paused)[0].contains("PAUSED"));
+}
+
+#[test]
+fn the_last_line_of_a_page_stays_in_sight() {
+    let mut view = at_work();
+    (view.page, view.scroll) = (Page::Measurements, u16::MAX);
+    let mut terminal = Terminal::new(TestBackend::new(80, 20)).unwrap();
+    let mut most = 0;
+    terminal.draw(|frame| most = draw(frame, &view)).unwrap();
+    assert!(rows(terminal.backend().buffer())[18].contains("raw reading"));
+    view.scroll_at_most(most);
+    assert_eq!(view.scroll, most);
 }
 
 #[test]

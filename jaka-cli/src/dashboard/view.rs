@@ -33,6 +33,11 @@ pub(crate) struct View {
 }
 
 impl View {
+    /// Keeps what is scrolled away within what there is to scroll.
+    pub(crate) fn scroll_at_most(&mut self, most: u16) {
+        self.scroll = self.scroll.min(most);
+    }
+
     /// A view of a robot of which nothing is known yet.
     pub(crate) fn new(title: &str) -> Self {
         Self { title: title.to_owned(), ..Self::default() }
@@ -52,7 +57,7 @@ pub(super) struct Link {
     /// Mean deviation of the time between packets from the one before.
     pub(super) jitter: Option<Duration>,
     /// The longest time between two packets.
-    pub(super) longest_gap: Duration,
+    pub(super) longest_gap: Option<Duration>,
     /// Packets that were passed over since a newer one had come.
     pub(super) skipped: u64,
     /// Packets that came and did not fit the spec, and times when none could be made out.
