@@ -12,6 +12,7 @@ use super::keys::KEYS;
 use super::view::{Link, Page, STALE};
 use super::{View, alarms, io, measurements, overview, style};
 use crate::number::fixed;
+use crate::output::ABSENT;
 
 /// Below this height there is no footer, and the header is one line.
 const LOW: u16 = 12;
@@ -102,7 +103,7 @@ fn link_line(link: &Link) -> Line<'static> {
     let gap = link.longest_gap.map(|gap| ms(gap, 0));
     let mut spans = Vec::new();
     for (name, value) in [("rate", rate), ("jitter", jitter), ("longest gap", gap)] {
-        let value = value.unwrap_or_else(|| style::ABSENT.to_owned());
+        let value = value.unwrap_or_else(|| ABSENT.to_owned());
         spans.extend([Span::styled(format!(" {name} "), style::faint()), Span::raw(value)]);
     }
     for (name, count) in [("skipped", link.skipped), ("unfit", link.unfit), ("reconnects", link.reconnects)] {

@@ -99,3 +99,71 @@ impl Feed {
         (time >= OF_LATE / 4).then(|| packets / time.as_secs_f64())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use jaka_sim::Controller;
+    use jaka_sync::{Config, Reconnect};
+
+    use super::*;
+
+    /// Longer than anything takes.
+    const LONG: Duration = Duration::from_secs(30);
+
+    /// A controller that sends a packet on connecting and when it is told to, and a feed that has had the first.
+    fn started() -> (Controller, Feed, View) {
+        let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+        let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
+        let monitor = Config::new().reconnect(policy).monitor(controller.status_addr()).unwrap();
+        let (mut feed, mut view) = (Feed::new(monitor), View::default());
+        // The first may have come before there was a queue for it.
+        controller.publish();
+        update_until(&mut feed, &mut view, |view| view.status.is_some());
+        (controller, feed, view)
+    }
+
+    fn update_until(feed: &mut Feed, view: &mut View, wanted: impl Fn(&View) -> bool) {
+        let since = Instant::now();
+        while !wanted(view) {
+            assert!(since.elapsed() < LONG, "{view:?}");
+            // A packet, or the time without one, is what may change the view.
+            let _ = feed.monitor.wait_until(|_| false, Duration::from_millis(10));
+            feed.update(view);
+        }
+    }
+
+    fn newest_alarm(view: &View) -> &str {
+        view.alarms.entries().next().map_or("", |alarm| &alarm.text)
+    }
+
+    #[test]
+    fn silence_and_its_end_are_told() {
+        let (controller, mut feed, mut view) = started();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("no status packets"));
+        assert!(!view.is_fresh());
+        controller.publish();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("status packets come again after"));
+        assert!(view.status.is_some());
+    }
+
+    #[test]
+    fn a_connection_that_was_made_anew_is_told() {
+        let (controller, mut feed, mut view) = started();
+        controller.disconnect();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("connected anew after"));
+        assert_eq!(view.link.reconnects, 1);
+    }
+
+    #[test]
+    fn a_pause_keeps_what_is_shown_and_misses_no_alarm() {
+        let (controller, mut feed, mut view) = started();
+        view.paused = true;
+        controller.press_emergency_stop();
+        controller.publish();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view) == "emergency stop");
+        assert_eq!(view.status.as_ref().and_then(|status| status.emergency_stop), Some(false));
+        view.paused = false;
+        feed.update(&mut view);
+        assert_eq!(view.status.as_ref().and_then(|status| status.emergency_stop), Some(true));
+    }
+}

@@ -4,8 +4,9 @@ use jaka_sync::proto::wire::Typed;
 use jaka_sync::status::RobotStatus;
 use ratatui::text::{Line, Span};
 
-use super::style::{self, ABSENT};
+use super::style;
 use crate::number::fixed;
+use crate::output::ABSENT;
 
 /// Pins that stand together.
 const GROUP: usize = 8;

@@ -5,7 +5,8 @@ use jaka_sync::status::{JointMonitor, RobotStatus};
 use ratatui::text::{Line, Span};
 
 use super::joints::measured;
-use super::style::{self, ABSENT, number};
+use super::style::{self, number};
+use crate::output::ABSENT;
 
 /// The names of rows, and the columns behind them.
 const NAME: usize = 20;

@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span, Text};
 
 use super::draw::alarm_lines;
 use super::{View, io, joints, robot_state, style};
+use crate::output::ABSENT;
 
 /// From this size on, everything has its place. The header and the footer are not counted.
 const FULL: (u16, u16) = (80, 21);
@@ -71,7 +72,7 @@ fn part(frame: &mut Frame<'_>, area: Rect, title: &str, lines: Vec<Line<'static>
 }
 
 fn tcp_title(status: &RobotStatus) -> String {
-    let id = |id: Option<i64>| id.map_or_else(|| style::ABSENT.to_owned(), |id| id.to_string());
+    let id = |id: Option<i64>| id.map_or_else(|| ABSENT.to_owned(), |id| id.to_string());
     format!("TCP tool {} user {}", id(status.current_tool_id), id(status.current_user_frame_id))
 }
 

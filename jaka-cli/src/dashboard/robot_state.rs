@@ -5,7 +5,8 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use super::alarms::is_error;
-use super::style::{self, ABSENT};
+use super::style;
+use crate::output::ABSENT;
 
 /// A value with its names, a long and a short one, and its look.
 #[derive(Clone)]
@@ -63,7 +64,6 @@ fn line(cells: &[Cell], grid: &Grid) -> Line<'static> {
 
 fn cells(status: &RobotStatus) -> [Cell; 9] {
     let yes_no = ["no", "yes"];
-    let plain = [Style::new(), Style::new()];
     let alarm = [Style::new(), style::bad()];
     let wanted = [style::notable(), style::good()];
     [
@@ -72,7 +72,7 @@ fn cells(status: &RobotStatus) -> [Cell; 9] {
         flag(["In position", "In position"], status.in_position, yes_no, [style::notable(), Style::new()]),
         flag(["Protective stop", "Prot. stop"], status.protective_stop, yes_no, alarm),
         flag(["Emergency stop", "Em. stop"], status.emergency_stop, yes_no, alarm),
-        flag(["Drag mode", "Drag"], status.drag_status, ["off", "on"], [plain[0], style::notable()]),
+        flag(["Drag mode", "Drag"], status.drag_status, ["off", "on"], [Style::new(), style::notable()]),
         Cell { names: ["Program", "Program"], value: status.interpreter_state.map(program) },
         Cell { names: ["Task mode", "Mode"], value: status.task_mode.map(|mode| (mode_name(mode), Style::new())) },
         Cell { names: ["Rapid rate", "Rapid rate"], value: status.rapid_rate.map(rate) },

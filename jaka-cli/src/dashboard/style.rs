@@ -5,9 +5,7 @@ use ratatui::text::{Line, Span};
 
 use super::alarms::Tone;
 use crate::number::fixed;
-
-/// What stands for a value that the packet does not have.
-pub(super) const ABSENT: &str = "–";
+use crate::output::ABSENT;
 
 /// Names of values, rules and what else is there to be overlooked.
 pub(super) fn faint() -> Style {

@@ -6,9 +6,8 @@ use serde_json::Value;
 
 use crate::fields::{Field, Shape};
 use crate::number::fixed;
+use crate::output::ABSENT;
 
-/// What stands for a value that the packet does not have.
-const ABSENT: &str = "–";
 /// Lists with more values than this are told in short.
 const SHORT: usize = 8;
 
