@@ -1,0 +1,106 @@
+//! `jaka status`: what the status packets of port 10000 say.
+
+mod csv;
+mod json;
+mod packets;
+mod table;
+
+use std::num::NonZeroU64;
+use std::time::Duration;
+
+use clap::{Args, ValueEnum};
+
+use self::csv::Columns;
+use self::packets::Packets;
+use self::table::Table;
+use crate::failure::Failure;
+use crate::fields::Field;
+use crate::interrupt::end_on_interrupt;
+use crate::output;
+use crate::seconds::seconds;
+use crate::target::RobotArgs;
+
+/// The fields that are shown where none are asked for.
+const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_stop,drag_status,task_mode,\
+                     interpreter_state,rapid_rate,error_code,error_message,joint_actual_position,actual_position,\
+                     tcp_speed,current_tool_id,current_user_frame_id";
+
+/// Print the robot's state, once or again and again.
+///
+/// Only reads, from the status port, so that it disturbs no other program.
+#[derive(Debug, Args)]
+pub(crate) struct Status {
+    /// Print again each second, or each so many seconds; 0 for every packet
+    #[arg(long, short, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "1", value_parser = seconds)]
+    watch: Option<Duration>,
+    /// End after so many packets; without --watch one a second
+    #[arg(long, short = 'n', value_name = "N")]
+    count: Option<NonZeroU64>,
+    /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
+    ///
+    /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
+    #[arg(long, short, value_name = "NAMES", conflicts_with = "raw")]
+    fields: Option<String>,
+    /// How to print it
+    #[arg(long, value_enum, default_value_t, conflicts_with = "raw")]
+    format: Format,
+    /// Print each packet's own text
+    #[arg(long)]
+    raw: bool,
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+/// How packets are printed.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum Format {
+    /// For people
+    #[default]
+    Table,
+    /// A JSON object a line, with the Unix time at which the packet was read, in seconds
+    Json,
+    /// A header, then a line a packet; arrays take a column for each element
+    Csv,
+}
+
+impl Status {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let fields = self.fields()?;
+        let target = self.robot.target()?;
+        end_on_interrupt()?;
+        let period = self.watch.unwrap_or(Duration::from_secs(1));
+        let mut packets = Packets::new(target.status_stream()?, period);
+        if self.raw {
+            return self.print(|| Ok(packets.next_text()? + "\n"));
+        }
+        match self.format {
+            Format::Table => {
+                let table = Table::new(fields, self.repeats());
+                self.print(|| Ok(table.text(&packets.next()?.json)))
+            }
+            Format::Json => self.print(|| Ok(json::line(&fields, &packets.next()?))),
+            Format::Csv => {
+                let mut columns = Columns::new(fields);
+                self.print(|| Ok(columns.lines(&packets.next()?)))
+            }
+        }
+    }
+
+    fn fields(&self) -> Result<Vec<Field>, Failure> {
+        let names = self.fields.as_deref().unwrap_or(USUAL);
+        if names == "all" {
+            return Ok(Field::all());
+        }
+        names.split(',').map(|name| Field::find(name).map_err(Failure::Usage)).collect()
+    }
+
+    fn repeats(&self) -> bool {
+        self.watch.is_some() || self.count.is_some()
+    }
+
+    /// Prints packets, each as `text` has it, until there have been enough.
+    fn print(&self, mut text: impl FnMut() -> Result<String, Failure>) -> Result<(), Failure> {
+        let most = if self.repeats() { self.count.map_or(u64::MAX, NonZeroU64::get) } else { 1 };
+        (0..most).try_for_each(|_| output::write(text()?.as_bytes()))
+    }
+}

@@ -1,0 +1,67 @@
+//! Packets at the pace that is asked for.
+
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use jaka_sync::{Error, StatusStream};
+use serde_json::Value;
+
+use crate::failure::Failure;
+
+/// A packet, ready to be printed.
+#[derive(Debug)]
+pub(super) struct Packet {
+    /// The Unix time at which it was read, in seconds.
+    pub(super) time: f64,
+    /// Its JSON as the codec writes it, whatever form the controller used.
+    pub(super) json: Value,
+}
+
+/// Packets from a stream, one each period, or all of them if that is zero.
+#[derive(Debug)]
+pub(super) struct Packets {
+    stream: StatusStream,
+    period: Duration,
+    due: Option<Instant>,
+}
+
+impl Packets {
+    pub(super) fn new(stream: StatusStream, period: Duration) -> Self {
+        Self { stream, period, due: None }
+    }
+
+    /// The next packet that is due.
+    pub(super) fn next(&mut self) -> Result<Packet, Failure> {
+        let status = self.next_due(StatusStream::next_packet)?;
+        let json = serde_json::to_value(status);
+        Ok(Packet { time: unix_time(), json: json.map_err(|error| Failure::local("no JSON", error.into()))? })
+    }
+
+    /// The text of the next packet that is due, also of one that does not fit the spec.
+    pub(super) fn next_text(&mut self) -> Result<String, Failure> {
+        self.next_due(|stream| match stream.next_packet() {
+            Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(()),
+            Err(error) => Err(error),
+        })?;
+        Ok(self.stream.last_packet().unwrap_or_default().to_owned())
+    }
+
+    /// Reads until a packet is due. Those before are read too, so that none is old and the controller need not wait.
+    fn next_due<T>(&mut self, read: impl Fn(&mut StatusStream) -> Result<T, Error>) -> Result<T, Error> {
+        loop {
+            let found = read(&mut self.stream)?;
+            let now = Instant::now();
+            if self.due.is_none_or(|due| now >= due) {
+                // The beat is kept, unless it is lost. A period that is too long to count never ends.
+                let next = self.due.unwrap_or(now).checked_add(self.period);
+                self.due = next.map(|next| next.max(now));
+                return Ok(found);
+            }
+        }
+    }
+}
+
+/// Now, to the millisecond.
+fn unix_time() -> f64 {
+    let time = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    (time.as_secs_f64() * 1000.0).round() / 1000.0
+}
