@@ -225,6 +225,25 @@ fn garbage_between_status_packets_is_recorded_by_monitors() {
 }
 
 #[test]
+fn resets_are_replayed_as_resets() {
+    let robot = jaka_tests::controller();
+    robot.inject(Fault::Reset);
+    let program = |config: &Config, address| {
+        let mut client = config.connect(address).expect("the controller listens");
+        format!(
+            "{:?}",
+            client.get_version().map_err(|error| std::error::Error::source(&error).map(ToString::to_string))
+        )
+    };
+    let (seen, recording) = recorded(|config| program(config, robot.command_addr()));
+    assert!(seen.contains("receiving failed"), "{seen}");
+    for mode in [Replay::Strict, Replay::Matching] {
+        let again = replay(&recording, mode);
+        assert_eq!((program(&Config::new(), again.command_addr()), again.deviations()), (seen.clone(), vec![]));
+    }
+}
+
+#[test]
 fn replies_that_nobody_asked_for_are_replayed() {
     let reply = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "version": "1"}"#;
     let robot = jaka_tests::controller();
