@@ -6,7 +6,7 @@
 /// does not say whether that is the same state.
 pub mod collision {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Reads whether the robot is in a protective stop.
     ///
     /// A protective stop usually follows a collision.
@@ -22,24 +22,24 @@ pub mod collision {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(ProtectiveStopStatus);
+    proto::__object_impls!(ProtectiveStopStatus);
     impl check::Validate for ProtectiveStopStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ProtectiveStopStatus {
+    impl proto::Command for ProtectiveStopStatus {
         type Reply = ProtectiveStopStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "protective_stop_status",
             "{\"cmdName\":\"protective_stop_status\"",
             "4.40",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`ProtectiveStopStatus`].
@@ -75,7 +75,7 @@ pub mod collision {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ProtectiveStopStatusReply);
+    proto::__object_impls!(ProtectiveStopStatusReply);
     /// Sets the collision level, which says how hard a contact must be for the arm to stop.
     ///
     /// Level 0 switches collision detection off.
@@ -121,14 +121,14 @@ pub mod collision {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetClsnSensitivity);
+    proto::__object_impls!(SetClsnSensitivity);
     impl check::Validate for SetClsnSensitivity {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "level",
@@ -142,13 +142,13 @@ pub mod collision {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetClsnSensitivity {
+    impl proto::Command for SetClsnSensitivity {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_clsn_sensitivity",
             "{\"cmdName\":\"set_clsn_sensitivity\"",
             "4.44",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the collision level.
@@ -168,24 +168,24 @@ pub mod collision {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetClsnSensitivity);
+    proto::__object_impls!(GetClsnSensitivity);
     impl check::Validate for GetClsnSensitivity {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetClsnSensitivity {
+    impl proto::Command for GetClsnSensitivity {
         type Reply = GetClsnSensitivityReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_clsn_sensitivity",
             "{\"cmdName\":\"get_clsn_sensitivity\"",
             "4.45",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetClsnSensitivity`].
@@ -224,7 +224,7 @@ pub mod collision {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetClsnSensitivityReply);
+    proto::__object_impls!(GetClsnSensitivityReply);
     /// Leaves the collision protection that the robot enters after a collision.
     ///
     /// Make sure first that nobody and nothing is in contact with the arm.
@@ -240,24 +240,24 @@ pub mod collision {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(ClearError);
+    proto::__object_impls!(ClearError);
     impl check::Validate for ClearError {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ClearError {
+    impl proto::Command for ClearError {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "clear_error",
                 "{\"cmdName\":\"clear_error\"",
                 "4.48",
-                ::jaka_proto::Effect::Power,
+                proto::Effect::Power,
             )
             .deadline_ms(15000u64);
     }

@@ -6,7 +6,7 @@
 /// torques here.
 pub mod force {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Switches drag mode on or off.
     ///
     /// In drag mode the arm gives way to the hand and can be led. `drag_status` reads the mode back.
@@ -42,29 +42,27 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(TorqueControlEnable);
+    proto::__object_impls!(TorqueControlEnable);
     impl check::Validate for TorqueControlEnable {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enable_flag", &self.enable_flag, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for TorqueControlEnable {
+    impl proto::Command for TorqueControlEnable {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "torque_control_enable",
                 "{\"cmdName\":\"torque_control_enable\"",
                 "4.36",
-                ::jaka_proto::Effect::Setting,
+                proto::Effect::Setting,
             )
-            .requires(
-                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
-            );
+            .requires(&[proto::Requirement::Powered, proto::Requirement::Enabled]);
     }
     /// Reads whether the robot is in drag mode.
     ///
@@ -79,24 +77,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(DragStatus);
+    proto::__object_impls!(DragStatus);
     impl check::Validate for DragStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for DragStatus {
+    impl proto::Command for DragStatus {
         type Reply = DragStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "drag_status",
             "{\"cmdName\":\"drag_status\"",
             "4.37",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`DragStatus`].
@@ -130,7 +128,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(DragStatusReply);
+    proto::__object_impls!(DragStatusReply);
     /// Sets the brand of the torque sensor.
     ///
     /// Sends `set_torsenosr_brand` (4.61).
@@ -170,25 +168,25 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetTorqueSensorBrand);
+    proto::__object_impls!(SetTorqueSensorBrand);
     impl check::Validate for SetTorqueSensorBrand {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("brand", &self.brand, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetTorqueSensorBrand {
+    impl proto::Command for SetTorqueSensorBrand {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_torsenosr_brand",
             "{\"cmdName\":\"set_torsenosr_brand\"",
             "4.61",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the brand of the torque sensor.
@@ -210,24 +208,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqueSensorBrand);
+    proto::__object_impls!(GetTorqueSensorBrand);
     impl check::Validate for GetTorqueSensorBrand {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTorqueSensorBrand {
+    impl proto::Command for GetTorqueSensorBrand {
         type Reply = GetTorqueSensorBrandReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_torsenosr_brand",
             "{\"cmdName\":\"get_torsenosr_brand\"",
             "4.62",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTorqueSensorBrand`].
@@ -261,7 +259,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqueSensorBrandReply);
+    proto::__object_impls!(GetTorqueSensorBrandReply);
     /// Sets the parameters of admittance control for one axis.
     ///
     /// For moving the arm by hand, the document wants the constant force and the normal tracking of all axes to be zero.
@@ -363,14 +361,14 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetAdmitCtrlConfig);
+    proto::__object_impls!(SetAdmitCtrlConfig);
     impl check::Validate for SetAdmitCtrlConfig {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("axis", &self.axis, &check::Limits::NONE)?;
             place.check("enabled", &self.enabled, &check::Limits::NONE)?;
             place.check("user_force", &self.user_force, &check::Limits::NONE)?;
@@ -380,13 +378,13 @@ pub mod force {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetAdmitCtrlConfig {
+    impl proto::Command for SetAdmitCtrlConfig {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_admit_ctrl_config",
             "{\"cmdName\":\"set_admit_ctrl_config\"",
             "4.63",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the parameters of admittance control for all axes.
@@ -406,24 +404,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetAdmitCtrlConfig);
+    proto::__object_impls!(GetAdmitCtrlConfig);
     impl check::Validate for GetAdmitCtrlConfig {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetAdmitCtrlConfig {
+    impl proto::Command for GetAdmitCtrlConfig {
         type Reply = GetAdmitCtrlConfigReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_admit_ctrl_config",
             "{\"cmdName\":\"get_admit_ctrl_config\"",
             "4.64",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetAdmitCtrlConfig`].
@@ -467,7 +465,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetAdmitCtrlConfigReply);
+    proto::__object_impls!(GetAdmitCtrlConfigReply);
     /// Switches the torque sensor on or off.
     ///
     /// Sources contradict each other on which value is on, so the value is sent as given. Try it with the arm clear of people.
@@ -508,14 +506,14 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetTorqueSensorMode);
+    proto::__object_impls!(SetTorqueSensorMode);
     impl check::Validate for SetTorqueSensorMode {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mode",
@@ -529,13 +527,13 @@ pub mod force {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetTorqueSensorMode {
+    impl proto::Command for SetTorqueSensorMode {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_torque_sensor_mode",
             "{\"cmdName\":\"set_torque_sensor_mode\"",
             "4.65",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Moves the arm to a joint position to identify the payload at the end of the tool.
@@ -585,31 +583,31 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(StartTorqSensorPayloadIdentify);
+    proto::__object_impls!(StartTorqSensorPayloadIdentify);
     impl check::Validate for StartTorqSensorPayloadIdentify {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for StartTorqSensorPayloadIdentify {
+    impl proto::Command for StartTorqSensorPayloadIdentify {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "start_torq_sensor_payload_identify",
                 "{\"cmdName\":\"start_torq_sensor_payload_identify\"",
                 "4.66",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::NotServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::NotServoMode,
                 ],
             )
             .deadline_ms(60000u64);
@@ -632,24 +630,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqSensorIdentifyStatus);
+    proto::__object_impls!(GetTorqSensorIdentifyStatus);
     impl check::Validate for GetTorqSensorIdentifyStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTorqSensorIdentifyStatus {
+    impl proto::Command for GetTorqSensorIdentifyStatus {
         type Reply = GetTorqSensorIdentifyStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_torq_sensor_identify_staus",
             "{\"cmdName\":\"get_torq_sensor_identify_staus\"",
             "4.67",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTorqSensorIdentifyStatus`].
@@ -686,7 +684,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqSensorIdentifyStatusReply);
+    proto::__object_impls!(GetTorqSensorIdentifyStatusReply);
     /// Reads the payload that the identification found.
     ///
     /// Of use only once `get_torq_sensor_identify_status` says that the identification is done.
@@ -702,24 +700,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqSensorPayloadIdentifyResult);
+    proto::__object_impls!(GetTorqSensorPayloadIdentifyResult);
     impl check::Validate for GetTorqSensorPayloadIdentifyResult {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTorqSensorPayloadIdentifyResult {
+    impl proto::Command for GetTorqSensorPayloadIdentifyResult {
         type Reply = GetTorqSensorPayloadIdentifyResultReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_torq_sensor_payload_identify_result",
             "{\"cmdName\":\"get_torq_sensor_payload_identify_result\"",
             "4.68",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTorqSensorPayloadIdentifyResult`].
@@ -757,7 +755,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqSensorPayloadIdentifyResultReply);
+    proto::__object_impls!(GetTorqSensorPayloadIdentifyResultReply);
     /// Sets the mass and the centroid of the payload at the torque sensor.
     ///
     /// This is not the payload of the arm: that is `set_payload`.
@@ -801,14 +799,14 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetToolPayload);
+    proto::__object_impls!(SetToolPayload);
     impl check::Validate for SetToolPayload {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mass",
@@ -823,13 +821,13 @@ pub mod force {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetToolPayload {
+    impl proto::Command for SetToolPayload {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_tool_payload",
             "{\"cmdName\":\"set_tool_payload\"",
             "4.69",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the mass and the centroid of the payload at the torque sensor.
@@ -847,24 +845,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetToolPayload);
+    proto::__object_impls!(GetToolPayload);
     impl check::Validate for GetToolPayload {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetToolPayload {
+    impl proto::Command for GetToolPayload {
         type Reply = GetToolPayloadReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_tool_payload",
             "{\"cmdName\":\"get_tool_payload\"",
             "4.70",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetToolPayload`].
@@ -902,7 +900,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetToolPayloadReply);
+    proto::__object_impls!(GetToolPayloadReply);
     /// Sets the forces and torques that are the condition for compliant control.
     ///
     /// The document does not say what happens when they are reached.
@@ -949,25 +947,25 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetComplianceCondition);
+    proto::__object_impls!(SetComplianceCondition);
     impl check::Validate for SetComplianceCondition {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("condition", &self.condition, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetComplianceCondition {
+    impl proto::Command for SetComplianceCondition {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_compliance_condition",
             "{\"cmdName\":\"set_compliance_condition\"",
             "4.71",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Switches admittance control on or off.
@@ -1005,25 +1003,25 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(EnableAdmittanceCtrl);
+    proto::__object_impls!(EnableAdmittanceCtrl);
     impl check::Validate for EnableAdmittanceCtrl {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("enable_flag", &self.enable_flag, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for EnableAdmittanceCtrl {
+    impl proto::Command for EnableAdmittanceCtrl {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "enable_admittance_ctrl",
             "{\"cmdName\":\"enable_admittance_ctrl\"",
             "4.72",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the type of force control, and whether the sensor is compensated.
@@ -1039,24 +1037,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetCompliantType);
+    proto::__object_impls!(GetCompliantType);
     impl check::Validate for GetCompliantType {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetCompliantType {
+    impl proto::Command for GetCompliantType {
         type Reply = GetCompliantTypeReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_compliant_type",
             "{\"cmdName\":\"get_compliant_type\"",
             "4.73",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetCompliantType`].
@@ -1105,7 +1103,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetCompliantTypeReply);
+    proto::__object_impls!(GetCompliantTypeReply);
     /// Sets the type of force control, and whether the sensor is compensated.
     ///
     /// Sends `set_compliant_type` (4.74).
@@ -1154,14 +1152,14 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetCompliantType);
+    proto::__object_impls!(SetCompliantType);
     impl check::Validate for SetCompliantType {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "sensor_compensation",
@@ -1172,13 +1170,13 @@ pub mod force {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetCompliantType {
+    impl proto::Command for SetCompliantType {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_compliant_type",
             "{\"cmdName\":\"set_compliant_type\"",
             "4.74",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Sets how the controller reaches the torque sensor.
@@ -1238,14 +1236,14 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetTorqueSensorComm);
+    proto::__object_impls!(SetTorqueSensorComm);
     impl check::Validate for SetTorqueSensorComm {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("communication", &self.communication, &check::Limits::NONE)?;
             place.check("address", &self.address, &check::Limits::NONE)?;
             place
@@ -1261,13 +1259,13 @@ pub mod force {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetTorqueSensorComm {
+    impl proto::Command for SetTorqueSensorComm {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_torque_sensor_comm",
             "{\"cmdName\":\"set_torque_sensor_comm\"",
             "4.76",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads how the controller reaches the torque sensor.
@@ -1287,24 +1285,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqueSensorComm);
+    proto::__object_impls!(GetTorqueSensorComm);
     impl check::Validate for GetTorqueSensorComm {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTorqueSensorComm {
+    impl proto::Command for GetTorqueSensorComm {
         type Reply = GetTorqueSensorCommReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_torque_sensor_comm",
             "{\"cmdName\":\"get_torque_sensor_comm\"",
             "4.77",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTorqueSensorComm`].
@@ -1356,7 +1354,7 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTorqueSensorCommReply);
+    proto::__object_impls!(GetTorqueSensorCommReply);
     /// Switches force control off.
     ///
     /// The document's heading calls it torque control. It does not say whether drag mode ends too.
@@ -1372,24 +1370,24 @@ pub mod force {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(DisableForceControl);
+    proto::__object_impls!(DisableForceControl);
     impl check::Validate for DisableForceControl {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for DisableForceControl {
+    impl proto::Command for DisableForceControl {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "disable_force_control",
             "{\"cmdName\":\"disable_force_control\"",
             "4.78",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Sets the parameters of compliance in velocity.
@@ -1428,25 +1426,25 @@ pub mod force {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetVelCompliantCtrl);
+    proto::__object_impls!(SetVelCompliantCtrl);
     impl check::Validate for SetVelCompliantCtrl {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("compliance", &self.compliance, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetVelCompliantCtrl {
+    impl proto::Command for SetVelCompliantCtrl {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_vel_compliant_ctrl",
             "{\"cmdName\":\"set_vel_compliant_ctrl\"",
             "4.79",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Brand of a torque sensor.
@@ -1482,14 +1480,14 @@ pub mod force {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(TorqueSensorBrand);
+    proto::__int_enum_impls!(TorqueSensorBrand);
     impl check::Validate for TorqueSensorBrand {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Sony | Self::BoschSensortec | Self::StMicroelectronics => {
                     check::Standing::Listed
@@ -1549,14 +1547,14 @@ pub mod force {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(CartesianAxis);
+    proto::__int_enum_impls!(CartesianAxis);
     impl check::Validate for CartesianAxis {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::X | Self::Y | Self::Z | Self::Rx | Self::Ry | Self::Rz => {
                     check::Standing::Listed
@@ -1615,7 +1613,22 @@ pub mod force {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(AdmittanceAxis);
+    proto::__serde_impls!(AdmittanceAxis);
+    impl check::Validate for AdmittanceAxis {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("enabled", &self.enabled, &check::Limits::NONE)?;
+            place.check("user_force", &self.user_force, &check::Limits::NONE)?;
+            place.check("rebound", &self.rebound, &check::Limits::NONE)?;
+            place.check("constant_force", &self.constant_force, &check::Limits::NONE)?;
+            place.check("normal_track", &self.normal_track, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// How far the identification of a payload is.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -1649,7 +1662,26 @@ pub mod force {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(IdentifyStatus);
+    proto::__int_enum_impls!(IdentifyStatus);
+    impl check::Validate for IdentifyStatus {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::Done | Self::NotDone | Self::Failed => check::Standing::Listed,
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place
+                .listed(
+                    &i64::from(*self),
+                    standing,
+                    "0 (Done), 1 (NotDone) or 2 (Failed)",
+                )
+        }
+    }
     /// Type of force control.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -1683,14 +1715,14 @@ pub mod force {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(ComplianceType);
+    proto::__int_enum_impls!(ComplianceType);
     impl check::Validate for ComplianceType {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Off | Self::ConstantForce | Self::Velocity => {
                     check::Standing::Listed
@@ -1734,14 +1766,14 @@ pub mod force {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(TorqueSensorCommunication);
+    proto::__int_enum_impls!(TorqueSensorCommunication);
     impl check::Validate for TorqueSensorCommunication {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::TcpIp | Self::Rs485 => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -1795,14 +1827,14 @@ pub mod force {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(VelocityCompliance);
+    proto::__serde_impls!(VelocityCompliance);
     impl check::Validate for VelocityCompliance {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("level", &self.level, &check::Limits::NONE)?;
             place.check("rate1", &self.rate1, &check::Limits::NONE)?;
             place.check("rate2", &self.rate2, &check::Limits::NONE)?;

@@ -7,7 +7,7 @@
 /// motion goes.
 pub mod frames {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Sets the offset and the name of one tool frame.
     ///
     /// Which frame the robot moves in is selected by `set_tool_id`.
@@ -61,14 +61,14 @@ pub mod frames {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetToolOffsets);
+    proto::__object_impls!(SetToolOffsets);
     impl check::Validate for SetToolOffsets {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("offset", &self.offset, &check::Limits::NONE)?;
             place
                 .check(
@@ -84,13 +84,13 @@ pub mod frames {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetToolOffsets {
+    impl proto::Command for SetToolOffsets {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_tool_offsets",
             "{\"cmdName\":\"set_tool_offsets\"",
             "4.28",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Selects the tool frame in which the robot moves.
@@ -125,14 +125,14 @@ pub mod frames {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetToolId);
+    proto::__object_impls!(SetToolId);
     impl check::Validate for SetToolId {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "tool_id",
@@ -146,13 +146,13 @@ pub mod frames {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetToolId {
+    impl proto::Command for SetToolId {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_tool_id",
             "{\"cmdName\":\"set_tool_id\"",
             "4.29",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the offsets of all tool frames.
@@ -172,24 +172,24 @@ pub mod frames {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetToolOffsets);
+    proto::__object_impls!(GetToolOffsets);
     impl check::Validate for GetToolOffsets {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetToolOffsets {
+    impl proto::Command for GetToolOffsets {
         type Reply = GetToolOffsetsReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_tool_offsets",
             "{\"cmdName\":\"get_tool_offsets\"",
             "4.30",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetToolOffsets`].
@@ -226,7 +226,7 @@ pub mod frames {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetToolOffsetsReply);
+    proto::__object_impls!(GetToolOffsetsReply);
     /// Sets the offset and the name of one user frame.
     ///
     /// Which frame the robot moves in is selected by `set_user_id`.
@@ -280,14 +280,14 @@ pub mod frames {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetUserOffsets);
+    proto::__object_impls!(SetUserOffsets);
     impl check::Validate for SetUserOffsets {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("offset", &self.offset, &check::Limits::NONE)?;
             place
                 .check(
@@ -303,13 +303,13 @@ pub mod frames {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetUserOffsets {
+    impl proto::Command for SetUserOffsets {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_user_offsets",
             "{\"cmdName\":\"set_user_offsets\"",
             "4.31",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Selects the user frame in which the robot moves.
@@ -351,14 +351,14 @@ pub mod frames {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetUserId);
+    proto::__object_impls!(SetUserId);
     impl check::Validate for SetUserId {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "user_frame_id",
@@ -372,13 +372,13 @@ pub mod frames {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetUserId {
+    impl proto::Command for SetUserId {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_user_id",
             "{\"cmdName\":\"set_user_id\"",
             "4.32",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the offsets of all user frames.
@@ -399,24 +399,24 @@ pub mod frames {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetUserOffsets);
+    proto::__object_impls!(GetUserOffsets);
     impl check::Validate for GetUserOffsets {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetUserOffsets {
+    impl proto::Command for GetUserOffsets {
         type Reply = GetUserOffsetsReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_user_offsets",
             "{\"cmdName\":\"get_user_offsets\"",
             "4.33",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetUserOffsets`].
@@ -453,5 +453,5 @@ pub mod frames {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetUserOffsetsReply);
+    proto::__object_impls!(GetUserOffsetsReply);
 }

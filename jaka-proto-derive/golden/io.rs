@@ -3,7 +3,7 @@
 /// Digital and analog inputs and outputs of the cabinet, the tool and extension modules.
 pub mod io {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Sets one digital output.
     ///
     /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. Check
@@ -56,14 +56,14 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetDigitalOutput);
+    proto::__object_impls!(SetDigitalOutput);
     impl check::Validate for SetDigitalOutput {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place
                 .check(
@@ -78,13 +78,13 @@ pub mod io {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetDigitalOutput {
+    impl proto::Command for SetDigitalOutput {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_digital_output",
             "{\"cmdName\":\"set_digital_output\"",
             "4.25",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the states of all digital inputs.
@@ -109,24 +109,24 @@ pub mod io {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetDigitalInputStatus);
+    proto::__object_impls!(GetDigitalInputStatus);
     impl check::Validate for GetDigitalInputStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetDigitalInputStatus {
+    impl proto::Command for GetDigitalInputStatus {
         type Reply = GetDigitalInputStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_digital_input_status",
             "{\"cmdName\":\"get_digital_input_status\"",
             "4.26",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetDigitalInputStatus`].
@@ -168,7 +168,7 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetDigitalInputStatusReply);
+    proto::__object_impls!(GetDigitalInputStatusReply);
     /// Sets one analog output.
     ///
     /// The document names no unit for the value and no range.
@@ -223,14 +223,14 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetAnalogOutput);
+    proto::__object_impls!(SetAnalogOutput);
     impl check::Validate for SetAnalogOutput {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("kind", &self.kind, &check::Limits::NONE)?;
             place
                 .check(
@@ -245,13 +245,13 @@ pub mod io {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetAnalogOutput {
+    impl proto::Command for SetAnalogOutput {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_analog_output",
             "{\"cmdName\":\"set_analog_output\"",
             "4.27",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the configuration and state of the extension I/O modules.
@@ -276,24 +276,24 @@ pub mod io {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetExtioStatus);
+    proto::__object_impls!(GetExtioStatus);
     impl check::Validate for GetExtioStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetExtioStatus {
+    impl proto::Command for GetExtioStatus {
         type Reply = GetExtioStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "get_extio_status",
                 "{\"cmdName\":\"get_extio_status\"",
                 "4.34",
-                ::jaka_proto::Effect::Query,
+                proto::Effect::Query,
             )
             .bare_reply("extio_status");
     }
@@ -332,7 +332,7 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetExtioStatusReply);
+    proto::__object_impls!(GetExtioStatusReply);
     /// Reads which inputs serve as function inputs.
     ///
     /// The entries stand for these functions, in this order:
@@ -369,24 +369,24 @@ pub mod io {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetFuncdiStatus);
+    proto::__object_impls!(GetFuncdiStatus);
     impl check::Validate for GetFuncdiStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetFuncdiStatus {
+    impl proto::Command for GetFuncdiStatus {
         type Reply = GetFuncdiStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_funcdi_status",
             "{\"cmdName\":\"get_funcdi_status\"",
             "4.35",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetFuncdiStatus`].
@@ -425,7 +425,7 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetFuncdiStatusReply);
+    proto::__object_impls!(GetFuncdiStatusReply);
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
     /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
@@ -491,14 +491,14 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetTioVoutParam);
+    proto::__object_impls!(SetTioVoutParam);
     impl check::Validate for SetTioVoutParam {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "output_enable",
@@ -522,13 +522,13 @@ pub mod io {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetTioVoutParam {
+    impl proto::Command for SetTioVoutParam {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_tio_vout_param",
             "{\"cmdName\":\"set_tio_vout_param\"",
             "4.80",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the settings of the voltage output of a version 3 tool I/O board.
@@ -546,24 +546,24 @@ pub mod io {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTioVoutParam);
+    proto::__object_impls!(GetTioVoutParam);
     impl check::Validate for GetTioVoutParam {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTioVoutParam {
+    impl proto::Command for GetTioVoutParam {
         type Reply = GetTioVoutParamReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_tio_vout_param",
             "{\"cmdName\":\"get_tio_vout_param\"",
             "4.81",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTioVoutParam`].
@@ -626,7 +626,7 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTioVoutParamReply);
+    proto::__object_impls!(GetTioVoutParamReply);
     /// Where a digital output is.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -676,14 +676,14 @@ pub mod io {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(DigitalOutputKind);
+    proto::__int_enum_impls!(DigitalOutputKind);
     impl check::Validate for DigitalOutputKind {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Cabinet | Self::Tool | Self::Extension => check::Standing::Listed,
                 Self::Relay | Self::ModbusSlave | Self::Profinet | Self::EthernetIp => {
@@ -728,14 +728,14 @@ pub mod io {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(AnalogOutputKind);
+    proto::__int_enum_impls!(AnalogOutputKind);
     impl check::Validate for AnalogOutputKind {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Cabinet | Self::Extension => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -777,7 +777,20 @@ pub mod io {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioStatus);
+    proto::__serde_impls!(ExtioStatus);
+    impl check::Validate for ExtioStatus {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("count", &self.count, &check::Limits::NONE)?;
+            place.check("modules", &self.modules, &check::Limits::NONE)?;
+            place.check("state", &self.state, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// One extension I/O module.
     #[derive(Debug, Clone, PartialEq)]
     pub struct ExtioModule {
@@ -817,7 +830,19 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ExtioModule);
+    proto::__object_impls!(ExtioModule);
+    impl check::Validate for ExtioModule {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("setup", &self.setup, &check::Limits::NONE)?;
+            place.check("pin_map", &self.pin_map, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// How an extension I/O module is connected, and its pins.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
@@ -909,7 +934,30 @@ pub mod io {
             }
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioSetup);
+    proto::__serde_impls!(ExtioSetup);
+    impl check::Validate for ExtioSetup {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            match self {
+                Self::Rtu { name, connection, pins } => {
+                    place.check("name", name, &check::Limits::NONE)?;
+                    place.check("connection", connection, &check::Limits::NONE)?;
+                    place.check("pins", pins, &check::Limits::NONE)?;
+                }
+                Self::Tcp { name, connection, pins } => {
+                    place.check("name", name, &check::Limits::NONE)?;
+                    place.check("connection", connection, &check::Limits::NONE)?;
+                    place.check("pins", pins, &check::Limits::NONE)?;
+                }
+                Self::Other(_) => {}
+            }
+            Ok(())
+        }
+    }
     /// Serial settings of an extension I/O module.
     ///
     /// The elements and their order are those of chapter 2. The document prints no sample.
@@ -961,7 +1009,23 @@ pub mod io {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioRtu);
+    proto::__serde_impls!(ExtioRtu);
+    impl check::Validate for ExtioRtu {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("baud_rate", &self.baud_rate, &check::Limits::NONE)?;
+            place.check("data_bit_length", &self.data_bit_length, &check::Limits::NONE)?;
+            place.check("slave_id", &self.slave_id, &check::Limits::NONE)?;
+            place.check("data_bits", &self.data_bits, &check::Limits::NONE)?;
+            place.check("parity", &self.parity, &check::Limits::NONE)?;
+            place.check("stop_bit_length", &self.stop_bit_length, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Network address of an extension I/O module.
     #[derive(Debug, Clone, PartialEq)]
     pub struct ExtioTcp {
@@ -998,7 +1062,20 @@ pub mod io {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioTcp);
+    proto::__serde_impls!(ExtioTcp);
+    impl check::Validate for ExtioTcp {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("address", &self.address, &check::Limits::NONE)?;
+            place.check("port", &self.port, &check::Limits::NONE)?;
+            place.check("slave_id", &self.slave_id, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// The pins of an extension I/O module, by kind.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ExtioPins {
@@ -1063,7 +1140,21 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ExtioPins);
+    proto::__object_impls!(ExtioPins);
+    impl check::Validate for ExtioPins {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Where the registers of some pins start, and how many pins there are.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ExtioPinRange {
@@ -1093,7 +1184,19 @@ pub mod io {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioPinRange);
+    proto::__serde_impls!(ExtioPinRange);
+    impl check::Validate for ExtioPinRange {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("start", &self.start, &check::Limits::NONE)?;
+            place.check("count", &self.count, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Index at which the pins of an extension I/O module start, by kind.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct ExtioPinMap {
@@ -1158,7 +1261,21 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ExtioPinMap);
+    proto::__object_impls!(ExtioPinMap);
+    impl check::Validate for ExtioPinMap {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Whether the extension I/O modules run, and the state of their pins.
     #[derive(Debug, Clone, PartialEq)]
     pub struct ExtioState {
@@ -1248,7 +1365,22 @@ pub mod io {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ExtioState);
+    proto::__object_impls!(ExtioState);
+    impl check::Validate for ExtioState {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("running", &self.running, &check::Limits::NONE)?;
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// The input that triggers a function of the controller, or -1 and -1 where there is none.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct FunctionInput {
@@ -1278,7 +1410,19 @@ pub mod io {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(FunctionInput);
+    proto::__serde_impls!(FunctionInput);
+    impl check::Validate for FunctionInput {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("kind", &self.kind, &check::Limits::NONE)?;
+            place.check("index", &self.index, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Where a function input is.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -1316,5 +1460,26 @@ pub mod io {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(FunctionInputKind);
+    proto::__int_enum_impls!(FunctionInputKind);
+    impl check::Validate for FunctionInputKind {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::Unassigned | Self::Cabinet | Self::Tool | Self::Modbus => {
+                    check::Standing::Listed
+                }
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place
+                .listed(
+                    &i64::from(*self),
+                    standing,
+                    "-1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus)",
+                )
+        }
+    }
 }

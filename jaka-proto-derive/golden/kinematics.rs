@@ -5,7 +5,7 @@
 /// None of these commands moves the arm.
 pub mod kinematics {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Computes the pose of the robot's end at a joint position (forward kinematics).
     ///
     /// The document does not say which tool frame and which user frame the pose refers to.
@@ -46,25 +46,25 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(KineForward);
+    proto::__object_impls!(KineForward);
     impl check::Validate for KineForward {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for KineForward {
+    impl proto::Command for KineForward {
         type Reply = KineForwardReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "kine_forward",
             "{\"cmdName\":\"kine_forward\"",
             "4.46",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`KineForward`].
@@ -98,7 +98,7 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(KineForwardReply);
+    proto::__object_impls!(KineForwardReply);
     /// Computes a joint position at which the robot's end has a pose (inverse kinematics).
     ///
     /// Where there is no solution, the controller answers with error code 2. The document does not say which tool frame and
@@ -162,14 +162,14 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(KineInverse);
+    proto::__object_impls!(KineInverse);
     impl check::Validate for KineInverse {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "reference_joint_position",
@@ -180,13 +180,13 @@ pub mod kinematics {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for KineInverse {
+    impl proto::Command for KineInverse {
         type Reply = KineInverseReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "kine_inverse",
             "{\"cmdName\":\"kine_inverse\"",
             "4.47",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`KineInverse`].
@@ -225,7 +225,7 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(KineInverseReply);
+    proto::__object_impls!(KineInverseReply);
     /// Reads the positions of the six joints.
     ///
     /// Sends `get_joint_pos` (4.49). Changes nothing on the robot.
@@ -239,24 +239,24 @@ pub mod kinematics {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetJointPos);
+    proto::__object_impls!(GetJointPos);
     impl check::Validate for GetJointPos {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetJointPos {
+    impl proto::Command for GetJointPos {
         type Reply = GetJointPosReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_joint_pos",
             "{\"cmdName\":\"get_joint_pos\"",
             "4.49",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetJointPos`].
@@ -293,7 +293,7 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetJointPosReply);
+    proto::__object_impls!(GetJointPosReply);
     /// Reads the pose of the robot's end, which the selected tool frame defines.
     ///
     /// By default that is the centre of the flange. The document does not say which user frame the pose refers to.
@@ -314,24 +314,24 @@ pub mod kinematics {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTcpPos);
+    proto::__object_impls!(GetTcpPos);
     impl check::Validate for GetTcpPos {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTcpPos {
+    impl proto::Command for GetTcpPos {
         type Reply = GetTcpPosReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_tcp_pos",
             "{\"cmdName\":\"get_tcp_pos\"",
             "4.50",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTcpPos`].
@@ -364,7 +364,7 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTcpPosReply);
+    proto::__object_impls!(GetTcpPosReply);
     /// Reads the Denavit-Hartenberg (DH) parameters of the robot.
     ///
     /// The document prints the four keys and zeros, and explains nothing. It gives no unit, and does not say which of the
@@ -381,24 +381,24 @@ pub mod kinematics {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetDhParam);
+    proto::__object_impls!(GetDhParam);
     impl check::Validate for GetDhParam {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetDhParam {
+    impl proto::Command for GetDhParam {
         type Reply = GetDhParamReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_dh_param",
             "{\"cmdName\":\"get_dh_param\"",
             "4.82",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetDhParam`].
@@ -459,5 +459,5 @@ pub mod kinematics {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetDhParamReply);
+    proto::__object_impls!(GetDhParamReply);
 }

@@ -7,7 +7,7 @@
 /// running.
 pub mod motion {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Moves one joint, or one Cartesian coordinate of the tool centre point, continuously, by an increment or to a position.
     ///
     /// Send `Stop` for an axis before the next jog of the same axis. The frame decides what `axis` counts: joints 1 to 6, or
@@ -283,14 +283,14 @@ pub mod motion {
             }
         }
     }
-    ::jaka_proto::__object_impls!(Jog);
+    proto::__object_impls!(Jog);
     impl check::Validate for Jog {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Stop { frame, axis } => {
                     place.check("frame", frame, &check::Limits::NONE)?;
@@ -393,19 +393,19 @@ pub mod motion {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for Jog {
+    impl proto::Command for Jog {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "jog",
                 "{\"cmdName\":\"jog\"",
                 "4.6",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::NotServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::NotServoMode,
                 ],
             )
             .deadline_ms(60000u64);
@@ -482,14 +482,14 @@ pub mod motion {
             })
         }
     }
-    ::jaka_proto::__object_impls!(JointMove);
+    proto::__object_impls!(JointMove);
     impl check::Validate for JointMove {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             place
@@ -515,19 +515,19 @@ pub mod motion {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for JointMove {
+    impl proto::Command for JointMove {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "joint_move",
                 "{\"cmdName\":\"joint_move\"",
                 "4.7",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::NotServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::NotServoMode,
                 ],
             )
             .deadline_ms(60000u64);
@@ -592,14 +592,14 @@ pub mod motion {
             })
         }
     }
-    ::jaka_proto::__object_impls!(EndMove);
+    proto::__object_impls!(EndMove);
     impl check::Validate for EndMove {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("pose", &self.pose, &check::Limits::NONE)?;
             place
                 .check(
@@ -624,19 +624,19 @@ pub mod motion {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for EndMove {
+    impl proto::Command for EndMove {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "end_move",
                 "{\"cmdName\":\"end_move\"",
                 "4.8",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::NotServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::NotServoMode,
                 ],
             )
             .deadline_ms(60000u64);
@@ -727,14 +727,14 @@ pub mod motion {
             })
         }
     }
-    ::jaka_proto::__object_impls!(MoveL);
+    proto::__object_impls!(MoveL);
     impl check::Validate for MoveL {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("pose", &self.pose, &check::Limits::NONE)?;
             place
@@ -770,19 +770,19 @@ pub mod motion {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for MoveL {
+    impl proto::Command for MoveL {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "moveL",
                 "{\"cmdName\":\"moveL\"",
                 "4.9",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::NotServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::NotServoMode,
                 ],
             )
             .deadline_ms(60000u64);
@@ -884,14 +884,14 @@ pub mod motion {
             })
         }
     }
-    ::jaka_proto::__object_impls!(MoveC);
+    proto::__object_impls!(MoveC);
     impl check::Validate for MoveC {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("mid_pose", &self.mid_pose, &check::Limits::NONE)?;
             place.check("end_pose", &self.end_pose, &check::Limits::NONE)?;
@@ -928,19 +928,19 @@ pub mod motion {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for MoveC {
+    impl proto::Command for MoveC {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "movc",
                 "{\"cmdName\":\"movc\"",
                 "4.10",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::NotServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::NotServoMode,
                 ],
             )
             .deadline_ms(60000u64);
@@ -967,24 +967,24 @@ pub mod motion {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(WaitComplete);
+    proto::__object_impls!(WaitComplete);
     impl check::Validate for WaitComplete {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for WaitComplete {
+    impl proto::Command for WaitComplete {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "wait_complete",
                 "{\"cmdName\":\"wait_complete\"",
                 "4.41",
-                ::jaka_proto::Effect::Session,
+                proto::Effect::Session,
             )
             .deadline_ms(60000u64);
     }
@@ -1021,14 +1021,14 @@ pub mod motion {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(JogFrame);
+    proto::__int_enum_impls!(JogFrame);
     impl check::Validate for JogFrame {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::World | Self::Joint | Self::Tool => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,

@@ -3,7 +3,7 @@
 /// What the arm does when the network fails while a program on another machine commands it.
 pub mod network {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Sets what the arm does when the network fails, and how long after the failure.
     ///
     /// The document does not say what counts as a failure, or whether the setting outlives the connection.
@@ -55,14 +55,14 @@ pub mod network {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetNetworkExceptionHandle);
+    proto::__object_impls!(SetNetworkExceptionHandle);
     impl check::Validate for SetNetworkExceptionHandle {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "delay",
@@ -77,13 +77,13 @@ pub mod network {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetNetworkExceptionHandle {
+    impl proto::Command for SetNetworkExceptionHandle {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_network_exception_handle",
             "{\"cmdName\":\"set_network_exception_handle\"",
             "4.75",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// What the arm does when the network fails.
@@ -121,14 +121,14 @@ pub mod network {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(NetworkExceptionAction);
+    proto::__int_enum_impls!(NetworkExceptionAction);
     impl check::Validate for NetworkExceptionAction {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Keep | Self::Pause | Self::Terminate => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,

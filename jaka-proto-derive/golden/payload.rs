@@ -5,7 +5,7 @@
 /// The payload at the torque sensor is a setting of its own: see `set_tool_payload`.
 pub mod payload {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Sets the mass and the centroid of the payload.
     ///
     /// Sends `set_payload` (4.42).
@@ -47,14 +47,14 @@ pub mod payload {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetPayload);
+    proto::__object_impls!(SetPayload);
     impl check::Validate for SetPayload {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "mass",
@@ -69,13 +69,13 @@ pub mod payload {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetPayload {
+    impl proto::Command for SetPayload {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_payload",
             "{\"cmdName\":\"set_payload\"",
             "4.42",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the mass and the centroid of the payload.
@@ -91,24 +91,24 @@ pub mod payload {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetPayload);
+    proto::__object_impls!(GetPayload);
     impl check::Validate for GetPayload {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetPayload {
+    impl proto::Command for GetPayload {
         type Reply = GetPayloadReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_payload",
             "{\"cmdName\":\"get_payload\"",
             "4.43",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetPayload`].
@@ -146,7 +146,7 @@ pub mod payload {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetPayloadReply);
+    proto::__object_impls!(GetPayloadReply);
     /// Centroid of a payload.
     ///
     /// The document does not say in which frame it is given.
@@ -183,7 +183,7 @@ pub mod payload {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(Centroid);
+    proto::__serde_impls!(Centroid);
     impl From<[f64; 3]> for Centroid {
         fn from([x, y, z]: [f64; 3]) -> Self {
             Self { x, y, z }
@@ -200,7 +200,7 @@ pub mod payload {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "x",

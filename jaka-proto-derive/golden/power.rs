@@ -6,7 +6,7 @@
 /// the status of port 10000 until the state is there.
 pub mod power {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Switches the arm's power on.
     ///
     /// This takes about 8 s. An errorCode of 0 is no proof that the arm has power: poll the state.
@@ -26,24 +26,24 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(PowerOn);
+    proto::__object_impls!(PowerOn);
     impl check::Validate for PowerOn {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for PowerOn {
+    impl proto::Command for PowerOn {
         type Reply = PowerOnReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "power_on",
                 "{\"cmdName\":\"power_on\"",
                 "4.1",
-                ::jaka_proto::Effect::Power,
+                proto::Effect::Power,
             )
             .deadline_ms(30000u64);
     }
@@ -78,7 +78,7 @@ pub mod power {
             Ok(Self { powered_on })
         }
     }
-    ::jaka_proto::__object_impls!(PowerOnReply);
+    proto::__object_impls!(PowerOnReply);
     /// Switches the arm's power off.
     ///
     /// Sends `power_off` (4.2).
@@ -92,24 +92,24 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(PowerOff);
+    proto::__object_impls!(PowerOff);
     impl check::Validate for PowerOff {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for PowerOff {
+    impl proto::Command for PowerOff {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "power_off",
                 "{\"cmdName\":\"power_off\"",
                 "4.2",
-                ::jaka_proto::Effect::Power,
+                proto::Effect::Power,
             )
             .deadline_ms(15000u64);
     }
@@ -132,26 +132,26 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(EnableRobot);
+    proto::__object_impls!(EnableRobot);
     impl check::Validate for EnableRobot {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for EnableRobot {
+    impl proto::Command for EnableRobot {
         type Reply = EnableRobotReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "enable_robot",
                 "{\"cmdName\":\"enable_robot\"",
                 "4.3",
-                ::jaka_proto::Effect::Power,
+                proto::Effect::Power,
             )
-            .requires(&[::jaka_proto::Requirement::Powered])
+            .requires(&[proto::Requirement::Powered])
             .deadline_ms(30000u64);
     }
     /// What the controller answers to [`EnableRobot`].
@@ -185,7 +185,7 @@ pub mod power {
             Ok(Self { enabled })
         }
     }
-    ::jaka_proto::__object_impls!(EnableRobotReply);
+    proto::__object_impls!(EnableRobotReply);
     /// Disables the arm.
     ///
     /// Sends `disable_robot` (4.4).
@@ -199,24 +199,24 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(DisableRobot);
+    proto::__object_impls!(DisableRobot);
     impl check::Validate for DisableRobot {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for DisableRobot {
+    impl proto::Command for DisableRobot {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "disable_robot",
                 "{\"cmdName\":\"disable_robot\"",
                 "4.4",
-                ::jaka_proto::Effect::Power,
+                proto::Effect::Power,
             )
             .deadline_ms(15000u64);
     }
@@ -235,24 +235,24 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(Shutdown);
+    proto::__object_impls!(Shutdown);
     impl check::Validate for Shutdown {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for Shutdown {
+    impl proto::Command for Shutdown {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "shutdown",
                 "{\"cmdName\":\"shutdown\"",
                 "4.5",
-                ::jaka_proto::Effect::Power,
+                proto::Effect::Power,
             )
             .deadline_ms(5000u64)
             .reply_uncertain()
@@ -274,24 +274,24 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetRobotState);
+    proto::__object_impls!(GetRobotState);
     impl check::Validate for GetRobotState {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetRobotState {
+    impl proto::Command for GetRobotState {
         type Reply = GetRobotStateReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_robot_state",
             "{\"cmdName\":\"get_robot_state\"",
             "4.12",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetRobotState`].
@@ -384,7 +384,7 @@ pub mod power {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetRobotStateReply);
+    proto::__object_impls!(GetRobotStateReply);
     /// Reads the version of the controller's software.
     ///
     /// Sends `get_version` (4.51). Changes nothing on the robot.
@@ -398,24 +398,24 @@ pub mod power {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetVersion);
+    proto::__object_impls!(GetVersion);
     impl check::Validate for GetVersion {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetVersion {
+    impl proto::Command for GetVersion {
         type Reply = GetVersionReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_version",
             "{\"cmdName\":\"get_version\"",
             "4.51",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetVersion`].
@@ -446,5 +446,5 @@ pub mod power {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetVersionReply);
+    proto::__object_impls!(GetVersionReply);
 }

@@ -5,7 +5,7 @@
 /// `stop_program` also ends a motion when no program is loaded.
 pub mod program {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Sets the rate by which the controller scales the speed of motion.
     ///
     /// The document speaks of the rate at which programs run; whether a motion that is running follows the new rate at once
@@ -42,14 +42,14 @@ pub mod program {
             })
         }
     }
-    ::jaka_proto::__object_impls!(RapidRate);
+    proto::__object_impls!(RapidRate);
     impl check::Validate for RapidRate {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "rate",
@@ -63,13 +63,13 @@ pub mod program {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for RapidRate {
+    impl proto::Command for RapidRate {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "rapid_rate",
             "{\"cmdName\":\"rapid_rate\"",
             "4.17",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Loads a program that is stored on the controller.
@@ -117,14 +117,14 @@ pub mod program {
             })
         }
     }
-    ::jaka_proto::__object_impls!(LoadProgram);
+    proto::__object_impls!(LoadProgram);
     impl check::Validate for LoadProgram {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "program_name",
@@ -137,13 +137,13 @@ pub mod program {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for LoadProgram {
+    impl proto::Command for LoadProgram {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "load_program",
             "{\"cmdName\":\"load_program\"",
             "4.18",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads the name of the loaded program.
@@ -159,24 +159,24 @@ pub mod program {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetLoadedProgram);
+    proto::__object_impls!(GetLoadedProgram);
     impl check::Validate for GetLoadedProgram {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetLoadedProgram {
+    impl proto::Command for GetLoadedProgram {
         type Reply = GetLoadedProgramReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_loaded_program",
             "{\"cmdName\":\"get_loaded_program\"",
             "4.19",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetLoadedProgram`].
@@ -214,7 +214,7 @@ pub mod program {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetLoadedProgramReply);
+    proto::__object_impls!(GetLoadedProgramReply);
     /// Starts the loaded program.
     ///
     /// Sends `play_program` (4.20). The robot must be powered and enabled.
@@ -230,28 +230,26 @@ pub mod program {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(PlayProgram);
+    proto::__object_impls!(PlayProgram);
     impl check::Validate for PlayProgram {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for PlayProgram {
+    impl proto::Command for PlayProgram {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "play_program",
                 "{\"cmdName\":\"play_program\"",
                 "4.20",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
-            .requires(
-                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
-            );
+            .requires(&[proto::Requirement::Powered, proto::Requirement::Enabled]);
     }
     /// Pauses the program that is running.
     ///
@@ -268,24 +266,24 @@ pub mod program {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(PauseProgram);
+    proto::__object_impls!(PauseProgram);
     impl check::Validate for PauseProgram {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for PauseProgram {
+    impl proto::Command for PauseProgram {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "pause_program",
             "{\"cmdName\":\"pause_program\"",
             "4.21",
-            ::jaka_proto::Effect::Motion,
+            proto::Effect::Motion,
         );
     }
     /// Resumes the program that is paused.
@@ -303,28 +301,26 @@ pub mod program {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(ResumeProgram);
+    proto::__object_impls!(ResumeProgram);
     impl check::Validate for ResumeProgram {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ResumeProgram {
+    impl proto::Command for ResumeProgram {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "resume_program",
                 "{\"cmdName\":\"resume_program\"",
                 "4.22",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
-            .requires(
-                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
-            );
+            .requires(&[proto::Requirement::Powered, proto::Requirement::Enabled]);
     }
     /// Stops the program, or the motion, that is running.
     ///
@@ -345,24 +341,24 @@ pub mod program {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(StopProgram);
+    proto::__object_impls!(StopProgram);
     impl check::Validate for StopProgram {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for StopProgram {
+    impl proto::Command for StopProgram {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "stop_program",
             "{\"cmdName\":\"stop_program\"",
             "4.23",
-            ::jaka_proto::Effect::Motion,
+            proto::Effect::Motion,
         );
     }
     /// Reads the state of the program.
@@ -380,24 +376,24 @@ pub mod program {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetProgramState);
+    proto::__object_impls!(GetProgramState);
     impl check::Validate for GetProgramState {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetProgramState {
+    impl proto::Command for GetProgramState {
         type Reply = GetProgramStateReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_program_state",
             "{\"cmdName\":\"get_program_state\"",
             "4.24",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetProgramState`].
@@ -434,7 +430,7 @@ pub mod program {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetProgramStateReply);
+    proto::__object_impls!(GetProgramStateReply);
     /// State of a program, as `get_program_state` answers. There may be others than these.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -468,5 +464,19 @@ pub mod program {
             }
         }
     }
-    ::jaka_proto::__text_enum_impls!(ProgramState);
+    proto::__text_enum_impls!(ProgramState);
+    impl check::Validate for ProgramState {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::Idle | Self::Running | Self::Paused => check::Standing::Listed,
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place.listed(&self.as_ref(), standing, "`idle`, `running` or `paused`")
+        }
+    }
 }

@@ -7,7 +7,7 @@
 /// `joint_move` and `move_l`.
 pub mod servo {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Reads whether the robot is in servo mode.
     ///
     /// Sends `is_in_servomove` (4.13). Changes nothing on the robot.
@@ -25,24 +25,24 @@ pub mod servo {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(IsInServomove);
+    proto::__object_impls!(IsInServomove);
     impl check::Validate for IsInServomove {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for IsInServomove {
+    impl proto::Command for IsInServomove {
         type Reply = IsInServomoveReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "is_in_servomove",
             "{\"cmdName\":\"is_in_servomove\"",
             "4.13",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`IsInServomove`].
@@ -79,7 +79,7 @@ pub mod servo {
             })
         }
     }
-    ::jaka_proto::__object_impls!(IsInServomoveReply);
+    proto::__object_impls!(IsInServomoveReply);
     /// Enters or leaves servo mode.
     ///
     /// The reply comes at once, before the mode has changed. `servo_j` is refused until `is_in_servomove` says that servo mode
@@ -120,29 +120,27 @@ pub mod servo {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ServoMove);
+    proto::__object_impls!(ServoMove);
     impl check::Validate for ServoMove {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("servo_mode", &self.servo_mode, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ServoMove {
+    impl proto::Command for ServoMove {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "servo_move",
                 "{\"cmdName\":\"servo_move\"",
                 "4.14",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
-            .requires(
-                &[::jaka_proto::Requirement::Powered, ::jaka_proto::Requirement::Enabled],
-            );
+            .requires(&[proto::Requirement::Powered, proto::Requirement::Enabled]);
     }
     /// Moves all joints to a set-point, or by an offset, within one servo period.
     ///
@@ -218,14 +216,14 @@ pub mod servo {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ServoJ);
+    proto::__object_impls!(ServoJ);
     impl check::Validate for ServoJ {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("joint_position", &self.joint_position, &check::Limits::NONE)?;
             place
@@ -240,19 +238,19 @@ pub mod servo {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ServoJ {
+    impl proto::Command for ServoJ {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "servo_j",
                 "{\"cmdName\":\"servo_j\"",
                 "4.15",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::ServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::ServoMode,
                 ],
             );
     }
@@ -325,14 +323,14 @@ pub mod servo {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ServoP);
+    proto::__object_impls!(ServoP);
     impl check::Validate for ServoP {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("pose", &self.pose, &check::Limits::NONE)?;
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place
@@ -347,19 +345,19 @@ pub mod servo {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ServoP {
+    impl proto::Command for ServoP {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "servo_p",
                 "{\"cmdName\":\"servo_p\"",
                 "4.16",
-                ::jaka_proto::Effect::Motion,
+                proto::Effect::Motion,
             )
             .requires(
                 &[
-                    ::jaka_proto::Requirement::Powered,
-                    ::jaka_proto::Requirement::Enabled,
-                    ::jaka_proto::Requirement::ServoMode,
+                    proto::Requirement::Powered,
+                    proto::Requirement::Enabled,
+                    proto::Requirement::ServoMode,
                 ],
             );
     }
@@ -793,14 +791,14 @@ pub mod servo {
             }
         }
     }
-    ::jaka_proto::__object_impls!(SetServoMoveFilter);
+    proto::__object_impls!(SetServoMoveFilter);
     impl check::Validate for SetServoMoveFilter {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             match self {
                 Self::Disabled {} => {}
                 Self::JointLowPass { cutoff_frequency } => {
@@ -970,14 +968,14 @@ pub mod servo {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetServoMoveFilter {
+    impl proto::Command for SetServoMoveFilter {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "set_servo_move_filter",
                 "{\"cmdName\":\"set_servo_move_filter\"",
                 "4.60",
-                ::jaka_proto::Effect::Setting,
+                proto::Effect::Setting,
             )
-            .requires(&[::jaka_proto::Requirement::NotServoMode]);
+            .requires(&[proto::Requirement::NotServoMode]);
     }
 }

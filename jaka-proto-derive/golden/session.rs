@@ -6,7 +6,7 @@
 /// Closing the connection leaves power and enabling as they are.
 pub mod session {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Ends the connection.
     ///
     /// The controller answers as usual, and the client closes the connection then. Closing it without this command leaves power
@@ -23,24 +23,24 @@ pub mod session {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(Quit);
+    proto::__object_impls!(Quit);
     impl check::Validate for Quit {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for Quit {
+    impl proto::Command for Quit {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
                 "quit",
                 "{\"cmdName\":\"quit\"",
                 "4.11",
-                ::jaka_proto::Effect::Session,
+                proto::Effect::Session,
             )
             .ends_session();
     }

@@ -8,7 +8,7 @@
 /// The document explains the keys up to `current_user_id`, and prints only a value or a length of those behind it.
 pub mod status {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// State of the robot, as one packet of port 10000 gives it.
     ///
     /// Any key may be absent. A refused command on port 10001 does not show here.
@@ -996,7 +996,194 @@ pub mod status {
             })
         }
     }
-    ::jaka_proto::__object_impls!(RobotStatus);
+    proto::__object_impls!(RobotStatus);
+    impl check::Validate for RobotStatus {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place
+                .check(
+                    "length",
+                    &self.length,
+                    &check::Limits {
+                        unit: "bytes",
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place.check("drag_status", &self.drag_status, &check::Limits::NONE)?;
+            place.check("extio", &self.extio, &check::Limits::NONE)?;
+            place.check("error_code", &self.error_code, &check::Limits::NONE)?;
+            place.check("error_message", &self.error_message, &check::Limits::NONE)?;
+            place.check("monitor_data", &self.monitor_data, &check::Limits::NONE)?;
+            place.check("torque_sensor", &self.torque_sensor, &check::Limits::NONE)?;
+            place
+                .check(
+                    "joint_actual_position",
+                    &self.joint_actual_position,
+                    &check::Limits::NONE,
+                )?;
+            place.check("actual_position", &self.actual_position, &check::Limits::NONE)?;
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            place
+                .check(
+                    "tool_digital_inputs",
+                    &self.tool_digital_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "tool_digital_outputs",
+                    &self.tool_digital_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "tool_analog_inputs",
+                    &self.tool_analog_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place.check("task_state", &self.task_state, &check::Limits::NONE)?;
+            place.check("homed", &self.homed, &check::Limits::NONE)?;
+            place.check("task_mode", &self.task_mode, &check::Limits::NONE)?;
+            place
+                .check(
+                    "interpreter_state",
+                    &self.interpreter_state,
+                    &check::Limits::NONE,
+                )?;
+            place.check("enabled", &self.enabled, &check::Limits::NONE)?;
+            place.check("paused", &self.paused, &check::Limits::NONE)?;
+            place.check("rapid_rate", &self.rapid_rate, &check::Limits::NONE)?;
+            place.check("current_tool_id", &self.current_tool_id, &check::Limits::NONE)?;
+            place
+                .check(
+                    "current_user_frame_id",
+                    &self.current_user_frame_id,
+                    &check::Limits::NONE,
+                )?;
+            place.check("on_soft_limit", &self.on_soft_limit, &check::Limits::NONE)?;
+            place.check("emergency_stop", &self.emergency_stop, &check::Limits::NONE)?;
+            place.check("drag_near_limit", &self.drag_near_limit, &check::Limits::NONE)?;
+            place.check("function_inputs", &self.function_inputs, &check::Limits::NONE)?;
+            place.check("powered_on", &self.powered_on, &check::Limits::NONE)?;
+            place.check("in_position", &self.in_position, &check::Limits::NONE)?;
+            place.check("motion_mode", &self.motion_mode, &check::Limits::NONE)?;
+            place
+                .check(
+                    "tcp_speed",
+                    &self.tcp_speed,
+                    &check::Limits {
+                        unit: "mm/s",
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place.check("protective_stop", &self.protective_stop, &check::Limits::NONE)?;
+            place.check("point_key", &self.point_key, &check::Limits::NONE)?;
+            place.check("network_state", &self.network_state, &check::Limits::NONE)?;
+            place
+                .check(
+                    "joint_commanded_position",
+                    &self.joint_commanded_position,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "commanded_position",
+                    &self.commanded_position,
+                    &check::Limits::NONE,
+                )?;
+            place.check("tool_keys", &self.tool_keys, &check::Limits::NONE)?;
+            place
+                .check(
+                    "instantaneous_velocities",
+                    &self.instantaneous_velocities,
+                    &check::Limits::NONE,
+                )?;
+            place.check("relay_outputs", &self.relay_outputs, &check::Limits::NONE)?;
+            place
+                .check(
+                    "modbus_slave_digital_inputs",
+                    &self.modbus_slave_digital_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "modbus_slave_digital_outputs",
+                    &self.modbus_slave_digital_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "modbus_slave_analog_inputs",
+                    &self.modbus_slave_analog_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "modbus_slave_analog_outputs",
+                    &self.modbus_slave_analog_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "profinet_device_digital_inputs",
+                    &self.profinet_device_digital_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "profinet_device_digital_outputs",
+                    &self.profinet_device_digital_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "profinet_device_analog_inputs",
+                    &self.profinet_device_analog_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "profinet_device_analog_outputs",
+                    &self.profinet_device_analog_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "ethernet_ip_adapter_digital_inputs",
+                    &self.ethernet_ip_adapter_digital_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "ethernet_ip_adapter_digital_outputs",
+                    &self.ethernet_ip_adapter_digital_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "ethernet_ip_adapter_analog_inputs",
+                    &self.ethernet_ip_adapter_analog_inputs,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "ethernet_ip_adapter_analog_outputs",
+                    &self.ethernet_ip_adapter_analog_outputs,
+                    &check::Limits::NONE,
+                )?;
+            place.check("tool_rs_signals", &self.tool_rs_signals, &check::Limits::NONE)?;
+            place.check("motion_line", &self.motion_line, &check::Limits::NONE)?;
+            place.check("error_add_line", &self.error_add_line, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Whether the robot has power and is enabled.
     ///
     /// The document gives 3 and 4 the same meaning.
@@ -1040,7 +1227,28 @@ pub mod status {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(TaskState);
+    proto::__int_enum_impls!(TaskState);
+    impl check::Validate for TaskState {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::PoweredOff | Self::PoweredOn | Self::Enabled3 | Self::Enabled4 => {
+                    check::Standing::Listed
+                }
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place
+                .listed(
+                    &i64::from(*self),
+                    standing,
+                    "1 (PoweredOff), 2 (PoweredOn), 3 (Enabled3) or 4 (Enabled4)",
+                )
+        }
+    }
     /// Task mode of the robot.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -1078,7 +1286,28 @@ pub mod status {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(TaskMode);
+    proto::__int_enum_impls!(TaskMode);
+    impl check::Validate for TaskMode {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::Manual | Self::Automatic | Self::Reserved | Self::Drag => {
+                    check::Standing::Listed
+                }
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place
+                .listed(
+                    &i64::from(*self),
+                    standing,
+                    "1 (Manual), 2 (Automatic), 3 (Reserved) or 4 (Drag)",
+                )
+        }
+    }
     /// State of the program.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -1116,7 +1345,28 @@ pub mod status {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(InterpreterState);
+    proto::__int_enum_impls!(InterpreterState);
+    impl check::Validate for InterpreterState {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::Idle | Self::Loading | Self::Paused | Self::Running => {
+                    check::Standing::Listed
+                }
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place
+                .listed(
+                    &i64::from(*self),
+                    standing,
+                    "0 (Idle), 1 (Loading), 2 (Paused) or 3 (Running)",
+                )
+        }
+    }
     /// Configuration and state of the extension I/O modules, as port 10000 gives them.
     ///
     /// The document describes the parts and prints no sample. `get_extio_status` answers the same in another shape.
@@ -1188,7 +1438,22 @@ pub mod status {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ExtioReport);
+    proto::__object_impls!(ExtioReport);
+    impl check::Validate for ExtioReport {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("pin_states", &self.pin_states, &check::Limits::NONE)?;
+            place.check("setup", &self.setup, &check::Limits::NONE)?;
+            place.check("count", &self.count, &check::Limits::NONE)?;
+            place.check("pin_maps", &self.pin_maps, &check::Limits::NONE)?;
+            place.check("mode", &self.mode, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// State of all pins of the extension I/O modules, by kind.
     #[derive(Debug, Clone, PartialEq)]
     pub struct ExtioPinStates {
@@ -1238,7 +1503,21 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioPinStates);
+    proto::__serde_impls!(ExtioPinStates);
+    impl check::Validate for ExtioPinStates {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// How an extension I/O module is connected, and its pins, as port 10000 gives them.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
@@ -1330,7 +1609,30 @@ pub mod status {
             }
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioReportSetup);
+    proto::__serde_impls!(ExtioReportSetup);
+    impl check::Validate for ExtioReportSetup {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            match self {
+                Self::Rtu { name, connection, pins } => {
+                    place.check("name", name, &check::Limits::NONE)?;
+                    place.check("connection", connection, &check::Limits::NONE)?;
+                    place.check("pins", pins, &check::Limits::NONE)?;
+                }
+                Self::Tcp { name, connection, pins } => {
+                    place.check("name", name, &check::Limits::NONE)?;
+                    place.check("connection", connection, &check::Limits::NONE)?;
+                    place.check("pins", pins, &check::Limits::NONE)?;
+                }
+                Self::Other(_) => {}
+            }
+            Ok(())
+        }
+    }
     /// The pins of an extension I/O module, as port 10000 gives them.
     ///
     /// The order is not that of `get_extio_status`, which names the kinds.
@@ -1372,7 +1674,21 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioReportPins);
+    proto::__serde_impls!(ExtioReportPins);
+    impl check::Validate for ExtioReportPins {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Where the pins of an extension I/O module start, as port 10000 gives it.
     ///
     /// The document calls each value an offset of registers here, and an index of pins in 4.34. It prints `pinmap[N][2]` for
@@ -1415,7 +1731,21 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(ExtioReportPinMap);
+    proto::__serde_impls!(ExtioReportPinMap);
+    impl check::Validate for ExtioReportPinMap {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("digital_inputs", &self.digital_inputs, &check::Limits::NONE)?;
+            place.check("digital_outputs", &self.digital_outputs, &check::Limits::NONE)?;
+            place.check("analog_inputs", &self.analog_inputs, &check::Limits::NONE)?;
+            place.check("analog_outputs", &self.analog_outputs, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Whether the extension I/O modules run, in the sense of `extio` on port 10000.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -1445,7 +1775,21 @@ pub mod status {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(ExtioMode);
+    proto::__int_enum_impls!(ExtioMode);
+    impl check::Validate for ExtioMode {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            let standing = match self {
+                Self::On | Self::Off => check::Standing::Listed,
+                Self::Other(_) => check::Standing::Unknown,
+            };
+            place.listed(&i64::from(*self), standing, "0 (On) or 1 (Off)")
+        }
+    }
     /// Measurements in the cabinet and the joints, for diagnosis.
     ///
     /// The document states no units.
@@ -1497,7 +1841,48 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(MonitorData);
+    proto::__serde_impls!(MonitorData);
+    impl check::Validate for MonitorData {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place
+                .check(
+                    "scb_major_version",
+                    &self.scb_major_version,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "scb_minor_version",
+                    &self.scb_minor_version,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "cabinet_temperature",
+                    &self.cabinet_temperature,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "bus_average_power",
+                    &self.bus_average_power,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "bus_average_current",
+                    &self.bus_average_current,
+                    &check::Limits::NONE,
+                )?;
+            place.check("joints", &self.joints, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Measurements of one joint.
     ///
     /// The document states no units. It writes `monitor_data[5][0]` for the current and leaves out the joint; that each joint
@@ -1579,7 +1964,53 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(JointMonitor);
+    proto::__serde_impls!(JointMonitor);
+    impl check::Validate for JointMonitor {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("current", &self.current, &check::Limits::NONE)?;
+            place.check("voltage", &self.voltage, &check::Limits::NONE)?;
+            place.check("temperature", &self.temperature, &check::Limits::NONE)?;
+            place.check("average_power", &self.average_power, &check::Limits::NONE)?;
+            place
+                .check(
+                    "current_fluctuation",
+                    &self.current_fluctuation,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "total_revolutions",
+                    &self.total_revolutions,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "total_running_time",
+                    &self.total_running_time,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "cycles_since_start",
+                    &self.cycles_since_start,
+                    &check::Limits::NONE,
+                )?;
+            place
+                .check(
+                    "running_time_since_start",
+                    &self.running_time_since_start,
+                    &check::Limits::NONE,
+                )?;
+            place.check("torque", &self.torque, &check::Limits::NONE)?;
+            place.check("eleventh", &self.eleventh, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Settings and state of the torque sensor.
     #[derive(Debug, Clone, PartialEq)]
     pub struct TorqueSensorReport {
@@ -1609,7 +2040,19 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(TorqueSensorReport);
+    proto::__serde_impls!(TorqueSensorReport);
+    impl check::Validate for TorqueSensorReport {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("settings", &self.settings, &check::Limits::NONE)?;
+            place.check("state", &self.state, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// How the torque sensor is connected, and its payload.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
@@ -1709,7 +2152,28 @@ pub mod status {
             }
         }
     }
-    ::jaka_proto::__serde_impls!(TorqueSensorSettings);
+    proto::__serde_impls!(TorqueSensorSettings);
+    impl check::Validate for TorqueSensorSettings {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            match self {
+                Self::Tcp { connection, payload } => {
+                    place.check("connection", connection, &check::Limits::NONE)?;
+                    place.check("payload", payload, &check::Limits::NONE)?;
+                }
+                Self::Serial { connection, payload } => {
+                    place.check("connection", connection, &check::Limits::NONE)?;
+                    place.check("payload", payload, &check::Limits::NONE)?;
+                }
+                Self::Other(_) => {}
+            }
+            Ok(())
+        }
+    }
     /// Network address of a torque sensor.
     #[derive(Debug, Clone, PartialEq)]
     pub struct TorqueSensorTcp {
@@ -1739,7 +2203,19 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(TorqueSensorTcp);
+    proto::__serde_impls!(TorqueSensorTcp);
+    impl check::Validate for TorqueSensorTcp {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("address", &self.address, &check::Limits::NONE)?;
+            place.check("port", &self.port, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Serial settings of a torque sensor.
     #[derive(Debug, Clone, PartialEq)]
     pub struct TorqueSensorSerial {
@@ -1779,7 +2255,21 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(TorqueSensorSerial);
+    proto::__serde_impls!(TorqueSensorSerial);
+    impl check::Validate for TorqueSensorSerial {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("baud_rate", &self.baud_rate, &check::Limits::NONE)?;
+            place.check("data_bits", &self.data_bits, &check::Limits::NONE)?;
+            place.check("stop_bits", &self.stop_bits, &check::Limits::NONE)?;
+            place.check("parity", &self.parity, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Payload at the torque sensor.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TorqueSensorPayload {
@@ -1809,7 +2299,27 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(TorqueSensorPayload);
+    proto::__serde_impls!(TorqueSensorPayload);
+    impl check::Validate for TorqueSensorPayload {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place
+                .check(
+                    "mass",
+                    &self.mass,
+                    &check::Limits {
+                        unit: "kg",
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place.check("centroid", &self.centroid, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
     /// Whether the torque sensor works, and what it reads.
     ///
     /// The document states no units for what it reads, and not the order of the six values.
@@ -1858,5 +2368,19 @@ pub mod status {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(TorqueSensorState);
+    proto::__serde_impls!(TorqueSensorState);
+    impl check::Validate for TorqueSensorState {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("working", &self.working, &check::Limits::NONE)?;
+            place.check("error_code", &self.error_code, &check::Limits::NONE)?;
+            place.check("contact_force", &self.contact_force, &check::Limits::NONE)?;
+            place.check("raw_reading", &self.raw_reading, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
 }

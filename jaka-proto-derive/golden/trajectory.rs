@@ -6,7 +6,7 @@
 /// recording, `generate_traj_exe_file` writes the program.
 pub mod trajectory {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Sets how finely a trajectory is recorded, and how fast it is run later.
     ///
     /// Sends `set_traj_config` (4.52).
@@ -82,14 +82,14 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetTrajConfig);
+    proto::__object_impls!(SetTrajConfig);
     impl check::Validate for SetTrajConfig {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "acceleration",
@@ -131,13 +131,13 @@ pub mod trajectory {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetTrajConfig {
+    impl proto::Command for SetTrajConfig {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_traj_config",
             "{\"cmdName\":\"set_traj_config\"",
             "4.52",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads how finely a trajectory is recorded, and how fast it is run later.
@@ -153,24 +153,24 @@ pub mod trajectory {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTrajConfig);
+    proto::__object_impls!(GetTrajConfig);
     impl check::Validate for GetTrajConfig {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTrajConfig {
+    impl proto::Command for GetTrajConfig {
         type Reply = GetTrajConfigReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_traj_config",
             "{\"cmdName\":\"get_traj_config\"",
             "4.53",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTrajConfig`].
@@ -246,7 +246,7 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTrajConfigReply);
+    proto::__object_impls!(GetTrajConfigReply);
     /// Starts or stops the recording of a trajectory to a file.
     ///
     /// Sends `set_traj_sample_mode` (4.54).
@@ -291,26 +291,26 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(SetTrajSampleMode);
+    proto::__object_impls!(SetTrajSampleMode);
     impl check::Validate for SetTrajSampleMode {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
             place.check("file_name", &self.file_name, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for SetTrajSampleMode {
+    impl proto::Command for SetTrajSampleMode {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "set_traj_sample_mode",
             "{\"cmdName\":\"set_traj_sample_mode\"",
             "4.54",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Reads whether a trajectory is being recorded.
@@ -326,24 +326,24 @@ pub mod trajectory {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetTrajSampleStatus);
+    proto::__object_impls!(GetTrajSampleStatus);
     impl check::Validate for GetTrajSampleStatus {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetTrajSampleStatus {
+    impl proto::Command for GetTrajSampleStatus {
         type Reply = GetTrajSampleStatusReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_traj_sample_status",
             "{\"cmdName\":\"get_traj_sample_status\"",
             "4.55",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetTrajSampleStatus`].
@@ -380,7 +380,7 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetTrajSampleStatusReply);
+    proto::__object_impls!(GetTrajSampleStatusReply);
     /// Reads the names of the trajectory files on the controller.
     ///
     /// Sends `get_exist_traj_file_name` (4.56). Changes nothing on the robot.
@@ -394,24 +394,24 @@ pub mod trajectory {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(GetExistTrajFileName);
+    proto::__object_impls!(GetExistTrajFileName);
     impl check::Validate for GetExistTrajFileName {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GetExistTrajFileName {
+    impl proto::Command for GetExistTrajFileName {
         type Reply = GetExistTrajFileNameReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "get_exist_traj_file_name",
             "{\"cmdName\":\"get_exist_traj_file_name\"",
             "4.56",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`GetExistTrajFileName`].
@@ -448,7 +448,7 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GetExistTrajFileNameReply);
+    proto::__object_impls!(GetExistTrajFileNameReply);
     /// Renames a trajectory file.
     ///
     /// Sends `rename_traj_file_name` (4.57).
@@ -493,26 +493,26 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(RenameTrajFileName);
+    proto::__object_impls!(RenameTrajFileName);
     impl check::Validate for RenameTrajFileName {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("source", &self.source, &check::Limits::NONE)?;
             place.check("destination", &self.destination, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for RenameTrajFileName {
+    impl proto::Command for RenameTrajFileName {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "rename_traj_file_name",
             "{\"cmdName\":\"rename_traj_file_name\"",
             "4.57",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Deletes a trajectory file.
@@ -552,25 +552,25 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(RemoveTrajFile);
+    proto::__object_impls!(RemoveTrajFile);
     impl check::Validate for RemoveTrajFile {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("file_name", &self.file_name, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for RemoveTrajFile {
+    impl proto::Command for RemoveTrajFile {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "remove_traj_file",
             "{\"cmdName\":\"remove_traj_file\"",
             "4.58",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// Writes a program for the controller from a trajectory file.
@@ -612,25 +612,25 @@ pub mod trajectory {
             })
         }
     }
-    ::jaka_proto::__object_impls!(GenerateTrajExeFile);
+    proto::__object_impls!(GenerateTrajExeFile);
     impl check::Validate for GenerateTrajExeFile {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("file_name", &self.file_name, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for GenerateTrajExeFile {
+    impl proto::Command for GenerateTrajExeFile {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "generate_traj_exe_file",
             "{\"cmdName\":\"generate_traj_exe_file\"",
             "4.59",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
 }

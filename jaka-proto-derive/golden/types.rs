@@ -3,7 +3,7 @@
 /// Angles are degrees and lengths millimetres, as on the wire.
 pub mod types {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Positions, or offsets, of joints 1 to 6. In deg.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct JointPosition(pub [f64; 6]);
@@ -27,14 +27,14 @@ pub mod types {
             wire::Decode::decode(reader).map(Self)
         }
     }
-    ::jaka_proto::__serde_impls!(JointPosition);
+    proto::__serde_impls!(JointPosition);
     impl check::Validate for JointPosition {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let limits = check::Limits {
                 unit: "deg",
                 ..*limits
@@ -96,7 +96,7 @@ pub mod types {
             Ok(this)
         }
     }
-    ::jaka_proto::__serde_impls!(Pose);
+    proto::__serde_impls!(Pose);
     impl From<[f64; 6]> for Pose {
         fn from([x, y, z, rx, ry, rz]: [f64; 6]) -> Self {
             Self { x, y, z, rx, ry, rz }
@@ -113,7 +113,7 @@ pub mod types {
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "x",
@@ -203,14 +203,14 @@ pub mod types {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(MoveMode);
+    proto::__int_enum_impls!(MoveMode);
     impl check::Validate for MoveMode {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Absolute | Self::Relative => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,
@@ -247,14 +247,14 @@ pub mod types {
             }
         }
     }
-    ::jaka_proto::__int_enum_impls!(Switch);
+    proto::__int_enum_impls!(Switch);
     impl check::Validate for Switch {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Off | Self::On => check::Standing::Listed,
                 Self::Other(_) => check::Standing::Unknown,

@@ -3,7 +3,7 @@
 /// System variables that the user has defined on the controller, each with an id, a name and a number as its value.
 pub mod variables {
     #[allow(unused_imports)]
-    use ::jaka_proto::{check, wire};
+    use ::jaka_proto::{self as proto, check, wire};
     /// Reads all user-defined system variables.
     ///
     /// Sends `query_user_defined_variable` (4.38). Changes nothing on the robot.
@@ -21,24 +21,24 @@ pub mod variables {
             reader.skip().map(|()| Self)
         }
     }
-    ::jaka_proto::__object_impls!(QueryUserDefinedVariable);
+    proto::__object_impls!(QueryUserDefinedVariable);
     impl check::Validate for QueryUserDefinedVariable {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for QueryUserDefinedVariable {
+    impl proto::Command for QueryUserDefinedVariable {
         type Reply = QueryUserDefinedVariableReply;
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "query_user_defined_variable",
             "{\"cmdName\":\"query_user_defined_variable\"",
             "4.38",
-            ::jaka_proto::Effect::Query,
+            proto::Effect::Query,
         );
     }
     /// What the controller answers to [`QueryUserDefinedVariable`].
@@ -72,7 +72,7 @@ pub mod variables {
             })
         }
     }
-    ::jaka_proto::__object_impls!(QueryUserDefinedVariableReply);
+    proto::__object_impls!(QueryUserDefinedVariableReply);
     /// Sets the name and the value of a user-defined system variable.
     ///
     /// The request carries both: to change the value alone, send the present name along.
@@ -133,27 +133,27 @@ pub mod variables {
             })
         }
     }
-    ::jaka_proto::__object_impls!(ModifyUserDefinedVariable);
+    proto::__object_impls!(ModifyUserDefinedVariable);
     impl check::Validate for ModifyUserDefinedVariable {
         #[allow(unused_variables)]
         fn validate(
             &self,
             place: &check::Place<'_>,
             limits: &check::Limits,
-        ) -> Result<(), check::InvalidArgument> {
+        ) -> Result<(), check::NotSent> {
             place.check("id", &self.id, &check::Limits::NONE)?;
             place.check("alias", &self.alias, &check::Limits::NONE)?;
             place.check("value", &self.value, &check::Limits::NONE)?;
             Ok(())
         }
     }
-    impl ::jaka_proto::Command for ModifyUserDefinedVariable {
+    impl proto::Command for ModifyUserDefinedVariable {
         type Reply = ();
-        const INFO: &'static ::jaka_proto::CommandInfo = &::jaka_proto::CommandInfo::new(
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "modify_user_defined_variable",
             "{\"cmdName\":\"modify_user_defined_variable\"",
             "4.39",
-            ::jaka_proto::Effect::Setting,
+            proto::Effect::Setting,
         );
     }
     /// A user-defined system variable.
@@ -198,5 +198,18 @@ pub mod variables {
             })
         }
     }
-    ::jaka_proto::__object_impls!(UserVariable);
+    proto::__object_impls!(UserVariable);
+    impl check::Validate for UserVariable {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place.check("alias", &self.alias, &check::Limits::NONE)?;
+            place.check("id", &self.id, &check::Limits::NONE)?;
+            place.check("value", &self.value, &check::Limits::NONE)?;
+            Ok(())
+        }
+    }
 }

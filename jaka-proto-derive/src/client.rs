@@ -1,17 +1,30 @@
-//! The methods of the client.
+//! A method for each command.
 
-use jaka_spec::{Command, Field, Request, Spec, Topic, Type};
+use jaka_spec::{Command, Field, Request, Spec, Type};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::ident;
+use crate::codec::{Scope, ident};
 use crate::{docs, typedef};
 
 /// An `impl Client` with a method for each command.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
+    let messages = quote!(::jaka_proto::messages);
+    let scope = Scope { spec, topic: None, elsewhere: &messages };
     let methods = spec.topics.iter().flat_map(|topic| {
-        let render = move |command| method(spec, topic, command);
-        topic.commands.iter().map(render)
+        let module = scope.module(topic);
+        topic.commands.iter().map(move |command| {
+            let Method { head, parameter, argument, reply } = Method::new(scope, &module, command);
+            let docs = docs::attributes(&docs::method(command, "[`call`](Self::call)"));
+            let name = ident(&command.name);
+            quote! {
+                #docs
+                #head
+                pub fn #name(&mut self #parameter) -> Result<#reply, Error> {
+                    self.call(#argument)
+                }
+            }
+        })
     });
     quote! {
         impl Client {
@@ -20,47 +33,47 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
     }
 }
 
-fn method(spec: &Spec, topic: &Topic, command: &Command) -> TokenStream {
-    let name = ident(&command.name);
-    let module = ident(&topic.name);
-    let request = ident(&command.request_type());
-    let request = quote!(::jaka_proto::messages::#module::#request);
-    let reply = command.reply_type().map_or_else(
-        || quote!(()),
-        |reply| {
-            let reply = ident(&reply);
-            quote!(::jaka_proto::messages::#module::#reply)
-        },
-    );
-    let (parameter, argument) = match &command.request {
-        Request::Fields(fields) if fields.is_empty() => (TokenStream::new(), quote!(&#request)),
-        Request::Fields(fields) if fields.len() == 1 => single(spec, &fields[0], &request),
-        _ => (quote!(, request: &#request), quote!(request)),
-    };
-    let deprecated = command.deprecated.as_ref().map(|note| quote!(#[deprecated(note = #note)]));
-    let alias = docs::alias(&command.wire, &command.name);
-    let text = docs::request(command);
-    let docs = docs::attributes(&format!("{text}\n\n# Errors\nAs [`call`](Self::call).{}", refusal(command)));
-    quote! {
-        #docs
-        #alias
-        #deprecated
-        pub fn #name(&mut self #parameter) -> Result<#reply, Error> {
-            self.call(#argument)
-        }
+/// The parts of a command's method.
+pub(crate) struct Method {
+    /// The attributes beside the docs.
+    pub(crate) head: TokenStream,
+    /// What follows `self`, from the comma on.
+    pub(crate) parameter: TokenStream,
+    /// A reference to the request.
+    pub(crate) argument: TokenStream,
+    /// The type of the reply.
+    pub(crate) reply: TokenStream,
+}
+
+impl Method {
+    /// The method of a command whose messages stand in `module`, a path that ends in `::` or is empty.
+    pub(crate) fn new(scope: Scope<'_>, module: &TokenStream, command: &Command) -> Self {
+        let request = ident(&command.request_type());
+        let request = quote!(#module #request);
+        let reply = command.reply_type().map(|reply| ident(&reply));
+        let reply = reply.map_or_else(|| quote!(()), |reply| quote!(#module #reply));
+        let (parameter, argument) = match &command.request {
+            Request::Fields(fields) if fields.is_empty() => (TokenStream::new(), quote!(&#request)),
+            Request::Fields(fields) if fields.len() == 1 => single(scope, &fields[0], &request),
+            _ => (quote!(, request: &#request), quote!(request)),
+        };
+        let alias = docs::alias(&command.wire, &command.name);
+        let deprecated = command.deprecated.as_ref().map(|note| quote!(#[deprecated(note = #note)]));
+        Self { head: quote!(#alias #deprecated), parameter, argument, reply }
     }
 }
 
 /// The parameter that stands for a request with one field, and the request made from it.
-fn single(spec: &Spec, field: &Field, request: &TokenStream) -> (TokenStream, TokenStream) {
+fn single(scope: Scope<'_>, field: &Field, request: &TokenStream) -> (TokenStream, TokenStream) {
     let name = ident(&field.name);
     let (ty, value) = match &field.ty {
+        _ if field.optional || field.or_raw => return (quote!(, request: &#request), quote!(request)),
         Type::Text => (quote!(impl Into<String>), quote!(#name: #name.into())),
         Type::Float => (quote!(f64), quote!(#name)),
         Type::Int => (quote!(i64), quote!(#name)),
         Type::Named(ty) => {
-            let path = named(spec, ty);
-            if spec.type_def(ty).is_some_and(typedef::converts) {
+            let path = scope.path(ty);
+            if scope.spec.type_def(ty).is_some_and(typedef::converts) {
                 (quote!(impl Into<#path>), quote!(#name: #name.into()))
             } else {
                 (path, quote!(#name))
@@ -69,22 +82,4 @@ fn single(spec: &Spec, field: &Field, request: &TokenStream) -> (TokenStream, To
         _ => return (quote!(, request: &#request), quote!(request)),
     };
     (quote!(, #name: #ty), quote!(&#request { #value }))
-}
-
-fn named(spec: &Spec, name: &str) -> TokenStream {
-    let module = ident(spec.topic_of_type(name).map_or("", |topic| topic.name.as_str()));
-    let name = ident(name);
-    quote!(::jaka_proto::messages::#module::#name)
-}
-
-/// What the controller does where a requirement is not met.
-fn refusal(command: &Command) -> String {
-    match &command.refusal {
-        _ if command.requires.is_empty() => String::new(),
-        None => " In another state than the one it needs, expect a refusal.".to_owned(),
-        Some(refusal) => format!(
-            " In another state than the one it needs, the controller refuses with code {}, `{}`.",
-            refusal.code, refusal.message
-        ),
-    }
 }

@@ -6,15 +6,18 @@ use quote::{format_ident, quote};
 
 use crate::docs;
 
-/// Where generated code stands, and so how it names types: the topics are modules beside one another.
+/// Where generated code stands, and so how it names types: those of its own topic plainly, others by their topic's module.
 #[derive(Clone, Copy)]
 pub(crate) struct Scope<'s> {
     pub(crate) spec: &'s Spec,
-    pub(crate) topic: &'s Topic,
+    /// The topic whose module it is; none outside of all of them.
+    pub(crate) topic: Option<&'s Topic>,
+    /// The path of the module that has the other topics' modules.
+    pub(crate) elsewhere: &'s TokenStream,
 }
 
 impl Scope<'_> {
-    /// The Rust type, as named from inside a topic's module.
+    /// The Rust type, as named from inside the topic's module.
     pub(crate) fn rust_type(self, ty: &Type) -> TokenStream {
         match ty {
             Type::Bool { .. } => quote!(bool),
@@ -35,12 +38,19 @@ impl Scope<'_> {
         }
     }
 
-    /// The path of a named type, from inside the topic's module.
-    fn path(self, name: &str) -> TokenStream {
-        let elsewhere = self.spec.topic_of_type(name).filter(|topic| topic.name != self.topic.name);
-        let module = elsewhere.map(|topic| ident(&topic.name)).map(|module| quote!(super::#module::));
+    /// The path of a named type.
+    pub(crate) fn path(self, name: &str) -> TokenStream {
+        let is_own = self.topic.is_some_and(|topic| topic.types.iter().any(|def| def.name == name));
+        let topic = self.spec.topic_of_type(name).filter(|_| !is_own);
+        let module = topic.map(|topic| self.module(topic));
         let name = ident(name);
         quote!(#module #name)
+    }
+
+    /// The path of another topic's module.
+    pub(crate) fn module(self, topic: &Topic) -> TokenStream {
+        let (elsewhere, module) = (self.elsewhere, ident(&topic.name));
+        quote!(#elsewhere::#module::)
     }
 
     /// The type of a struct's field.

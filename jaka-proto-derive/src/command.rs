@@ -32,9 +32,9 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
         #request
         #checks
 
-        impl ::jaka_proto::Command for #name {
+        impl proto::Command for #name {
             type Reply = #reply_type;
-            const INFO: &'static ::jaka_proto::CommandInfo = &#info;
+            const INFO: &'static proto::CommandInfo = &#info;
         }
 
         #reply
@@ -55,7 +55,7 @@ fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
             }
         }
 
-        ::jaka_proto::__object_impls!(#name);
+        proto::__object_impls!(#name);
     }
 }
 
@@ -79,7 +79,7 @@ fn info(command: &Command) -> TokenStream {
     });
     let requires = (!command.requires.is_empty()).then(|| {
         let requires = command.requires.iter().map(|requirement| ident(requirement_name(*requirement)));
-        quote!(.requires(&[#(::jaka_proto::Requirement::#requires),*]))
+        quote!(.requires(&[#(proto::Requirement::#requires),*]))
     });
     let deadline = command.deadline.map(|deadline| {
         let ms = u64::try_from(deadline.as_millis()).unwrap_or(u64::MAX);
@@ -88,9 +88,10 @@ fn info(command: &Command) -> TokenStream {
     let uncertain = (!command.reply_certain).then(|| quote!(.reply_uncertain()));
     let ends = command.ends_session.then(|| quote!(.ends_session()));
     let bare = bare_reply_key(command).map(|key| quote!(.bare_reply(#key)));
+    let firmware = validate::firmware(&command.versions);
     quote! {
-        ::jaka_proto::CommandInfo::new(#name, #head, #section, ::jaka_proto::Effect::#effect)
-            #requires #deadline #uncertain #ends #bare
+        proto::CommandInfo::new(#name, #head, #section, proto::Effect::#effect)
+            #requires #deadline #uncertain #ends #bare #firmware
     }
 }
 

@@ -1,6 +1,6 @@
 //! The documentation of the generated items.
 
-use jaka_spec::{Command, Effect, Field, Range, Requirement};
+use jaka_spec::{Command, Effect, Field, Range, Requirement, Topic};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -8,6 +8,11 @@ use quote::quote;
 pub(crate) fn attributes(text: &str) -> TokenStream {
     let lines = text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
     quote!(#(#[doc = #lines])*)
+}
+
+/// What a topic is about.
+pub(crate) fn topic(topic: &Topic) -> TokenStream {
+    attributes(&format!("{}.\n\n{}", topic.title, topic.doc))
 }
 
 /// An alias under which rustdoc's search finds the item by its spelling on the wire.
@@ -110,6 +115,23 @@ pub(crate) fn request(command: &Command) -> String {
         }
     }
     text
+}
+
+/// The text of a method: that of its request, and how it fails beside as `call` does.
+pub(crate) fn method(command: &Command, call: &str) -> String {
+    format!("{}\n\n# Errors\nAs {call}.{}", request(command), refusal(command))
+}
+
+/// What the controller does where a requirement is not met.
+fn refusal(command: &Command) -> String {
+    match &command.refusal {
+        _ if command.requires.is_empty() => String::new(),
+        None => " In another state than the one it needs, expect a refusal.".to_owned(),
+        Some(refusal) => format!(
+            " In another state than the one it needs, the controller refuses with code {}, `{}`.",
+            refusal.code, refusal.message
+        ),
+    }
 }
 
 fn requirements(requires: &[Requirement]) -> Option<String> {

@@ -1,6 +1,6 @@
 //! The error codes that sources name.
 
-use jaka_spec::Spec;
+use jaka_spec::{ErrorCode, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -30,6 +30,31 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
             }
         }
     }
+}
+
+/// Constants for the codes that a pack adds, and a function that knows them beside all others.
+pub(crate) fn in_pack(codes: &[ErrorCode]) -> Option<TokenStream> {
+    let consts = codes.iter().map(|code| {
+        let docs = docs::attributes(&code.doc);
+        let name = ident(&screaming(&code.name));
+        let wire = code.wire;
+        quote!(#docs pub const #name: proto::ErrorCode = proto::ErrorCode(#wire);)
+    });
+    let wires = codes.iter().map(|code| code.wire);
+    let meanings = codes.iter().map(|code| docs::first_sentence(&code.doc).0);
+    (!codes.is_empty()).then(|| {
+        quote! {
+            #(#consts)*
+
+            /// What sources say about a code, in a sentence; `None` for a code that neither they nor this module name.
+            pub fn meaning(code: proto::ErrorCode) -> Option<&'static str> {
+                match code.0 {
+                    #(#wires => Some(#meanings),)*
+                    _ => code.meaning(),
+                }
+            }
+        }
+    })
 }
 
 /// `PermissionDenied` becomes `PERMISSION_DENIED`.

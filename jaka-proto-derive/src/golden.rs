@@ -1,11 +1,12 @@
 //! The expansion, as committed for review.
 
 use expect_test::{expect, expect_file};
-use jaka_spec::Source;
+use jaka_spec::{Module, Source};
 use proc_macro2::TokenStream;
+use quote::quote;
 
 use crate::codec::Scope;
-use crate::{client, compile_errors, error_codes, request, topic};
+use crate::{client, compile_errors, error_codes, pack, request, topic};
 
 fn pretty(tokens: TokenStream) -> String {
     let file = syn::parse2(tokens).expect("the expansion is valid Rust");
@@ -16,7 +17,7 @@ fn pretty(tokens: TokenStream) -> String {
 fn messages() {
     let spec = jaka_spec::builtin().expect("the built-in spec is correct");
     for topic in &spec.topics {
-        if let Some(module) = topic::module(Scope { spec: &spec, topic }) {
+        if let Some(module) = topic::module(&spec, topic) {
             expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&pretty(module));
         }
     }
@@ -31,6 +32,111 @@ fn client_methods() {
 }
 
 #[test]
+fn what_not_all_firmware_has_says_so() {
+    let text = r#"
+title = "Fan"
+
+[[command]]
+wire = "set_fan"
+effect = "setting"
+since = "1.6.5"
+until = "1.7"
+doc = "Sets the cabinet's fan."
+
+[[command.request]]
+wire = "curve"
+type = "FanCurve"
+doc = "The speeds."
+
+[[command.request]]
+wire = "delay"
+type = "float"
+unit = "s"
+min = 0
+optional = true
+until = "1.6"
+doc = "How long it runs on."
+
+[[type]]
+name = "FanCurve"
+kind = "object"
+doc = "Speeds of the fan."
+
+[[type.field]]
+wire = "quiet"
+type = "bool"
+optional = true
+since = "1.7"
+doc = "Whether it is quiet."
+"#;
+    let spec = jaka_spec::load(&[Source { path: "spec/fan.toml", text }]).expect("the spec is correct");
+    let impls = impls_of(topic::messages(&spec), &["Validate", "Command"]);
+    expect![[r#"
+        impl check::Validate for SetFan {
+            #[allow(unused_variables)]
+            fn validate(
+                &self,
+                place: &check::Place<'_>,
+                limits: &check::Limits,
+            ) -> Result<(), check::NotSent> {
+                place.check("curve", &self.curve, &check::Limits::NONE)?;
+                place
+                    .check(
+                        "delay",
+                        &self.delay,
+                        &check::Limits {
+                            min: Some(0f64),
+                            unit: "s",
+                            ..check::Limits::NONE
+                        }
+                            .until([1, 6]),
+                    )?;
+                Ok(())
+            }
+        }
+        impl proto::Command for SetFan {
+            type Reply = ();
+            const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
+                    "set_fan",
+                    "{\"cmdName\":\"set_fan\"",
+                    "",
+                    proto::Effect::Setting,
+                )
+                .since([1, 6, 5])
+                .until([1, 7]);
+        }
+        impl check::Validate for FanCurve {
+            #[allow(unused_variables)]
+            fn validate(
+                &self,
+                place: &check::Place<'_>,
+                limits: &check::Limits,
+            ) -> Result<(), check::NotSent> {
+                place.check("quiet", &self.quiet, &check::Limits::NONE.since([1, 7]))?;
+                Ok(())
+            }
+        }
+    "#]]
+    .assert_eq(&impls);
+}
+
+/// The implementations of these traits in the modules of an expansion.
+fn impls_of(tokens: TokenStream, traits: &[&str]) -> String {
+    let mut file: syn::File = syn::parse2(tokens).expect("the expansion is valid Rust");
+    let is_wanted = |item: &syn::Item| {
+        let syn::Item::Impl(item) = item else { return false };
+        let name = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
+        name.is_some_and(|name| traits.iter().any(|wanted| name.ident == wanted))
+    };
+    let modules = file.items.into_iter().filter_map(|item| match item {
+        syn::Item::Mod(module) => module.content,
+        _ => None,
+    });
+    file.items = modules.flat_map(|(_, items)| items).filter(is_wanted).collect();
+    prettyplease::unparse(&file)
+}
+
+#[test]
 fn each_error_of_the_spec_is_a_compiler_error() {
     let text = "title = \"Motion\"\n\n[[command]]\nwire = \"go\"\neffect = \"fly\"\n";
     let errors = jaka_spec::load(&[Source { path: "spec/motion.toml", text }]).expect_err("the spec is wrong");
@@ -41,4 +147,41 @@ fn each_error_of_the_spec_is_a_compiler_error() {
         );
     "#]]
     .assert_eq(&pretty(compile_errors(&errors)));
+}
+
+/// The packs of the crate that shows how packs are used.
+const NEWER: Source<'_> = Source { path: "newer.toml", text: include_str!("../../tests/pack-user/newer.toml") };
+const CHANGED: Source<'_> = Source { path: "changed.toml", text: include_str!("../../tests/pack-user/changed.toml") };
+
+fn module(source: Source<'_>) -> Module {
+    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
+    jaka_spec::load_pack(&spec, source).expect("the pack is correct").module()
+}
+
+#[test]
+fn packs() {
+    let sync = quote!(::jaka_sync);
+    expect_file!["../golden/pack_newer.rs"].assert_eq(&pretty(pack::module(&module(NEWER), &sync)));
+    expect_file!["../golden/pack_changed.rs"].assert_eq(&pretty(pack::module(&module(CHANGED), &sync)));
+}
+
+#[test]
+fn commands_in_the_spec_and_in_a_pack_are_the_same() {
+    let sources = [jaka_spec::BUILTIN, &[Source { path: "spec/newer.toml", ..NEWER }]].concat();
+    let spec = jaka_spec::load(&sources).expect("the spec is correct");
+    let topic = spec.topics.last().expect("the spec has topics");
+    let items = topic::items(Scope { spec: &spec, topic: Some(topic), elsewhere: &quote!(super) }, topic);
+    let own = module(NEWER);
+    let in_pack =
+        topic::items(Scope { spec: &own.spec, topic: Some(&own.topic), elsewhere: &quote!(super) }, &own.topic);
+    assert_eq!(pretty(items), pretty(in_pack));
+    let methods = pretty(client::methods(&spec)).replace("::jaka_proto::messages::newer::", "").replace("pub fn", "fn");
+    let in_pack = pretty(pack::module(&own, &quote!(::jaka_sync))).replace("::jaka_sync::Error", "Error");
+    for method in ["get_motion_state(", "emergency_stop_status(", "set_status_period("] {
+        let signature = |text: &str| {
+            let line = text.lines().find(|line| line.contains(method)).map(str::trim);
+            line.unwrap_or_else(|| panic!("{method} is missing")).to_owned()
+        };
+        assert_eq!(signature(&methods), signature(&in_pack));
+    }
 }

@@ -9,6 +9,7 @@ mod codec;
 mod command;
 mod docs;
 mod error_codes;
+mod pack;
 mod request;
 mod topic;
 mod typedef;
@@ -31,6 +32,15 @@ pub fn messages(input: TokenStream) -> TokenStream {
 #[proc_macro]
 pub fn client_methods(input: TokenStream) -> TokenStream {
     expand(input, client::methods)
+}
+
+/// The module of a pack, for `jaka_sync::pack!`.
+#[proc_macro]
+pub fn pack(input: TokenStream) -> TokenStream {
+    match syn::parse::<pack::Input>(input) {
+        Ok(input) => pack::expand(&input).into(),
+        Err(error) => error.into_compile_error().into(),
+    }
 }
 
 fn expand(input: TokenStream, render: fn(&jaka_spec::Spec) -> proc_macro2::TokenStream) -> TokenStream {

@@ -10,7 +10,7 @@ use crate::codec::{
 use crate::docs;
 use crate::validate;
 
-/// The type, its codec and, where requests use it, its checks.
+/// The type, its codec and its checks.
 pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let docs = docs::attributes(&def.doc);
@@ -22,7 +22,7 @@ pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
         TypeKind::Choice(choice) => array_choice(scope, &name, &docs, choice),
         TypeKind::Wrapper(ty, unit) => wrapper(scope, &name, def, ty, unit.as_deref()),
     };
-    let checks = validate::type_def(scope, def);
+    let checks = validate::type_def(def);
     quote!(#item #checks)
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields:
             fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> { #read }
         }
 
-        ::jaka_proto::__object_impls!(#name);
+        proto::__object_impls!(#name);
     }
 }
 
@@ -83,7 +83,7 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
             }
         }
 
-        ::jaka_proto::__serde_impls!(#name);
+        proto::__serde_impls!(#name);
         #conversions
     }
 }
@@ -155,7 +155,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
             }
         }
 
-        ::jaka_proto::__serde_impls!(#name);
+        proto::__serde_impls!(#name);
     }
 }
 
@@ -202,7 +202,7 @@ fn int_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<i64>]) -> Toke
             }
         }
 
-        ::jaka_proto::__int_enum_impls!(#name);
+        proto::__int_enum_impls!(#name);
     }
 }
 
@@ -238,7 +238,7 @@ fn text_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<String>]) -> 
             }
         }
 
-        ::jaka_proto::__text_enum_impls!(#name);
+        proto::__text_enum_impls!(#name);
     }
 }
 
@@ -288,7 +288,7 @@ fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Cho
             }
         }
 
-        ::jaka_proto::__serde_impls!(#name);
+        proto::__serde_impls!(#name);
     }
 }
 
@@ -328,7 +328,7 @@ pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, 
             }
         }
 
-        ::jaka_proto::__object_impls!(#name);
+        proto::__object_impls!(#name);
     }
 }
 

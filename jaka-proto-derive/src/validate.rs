@@ -1,34 +1,22 @@
 //! The checks of requests, and of the types inside them.
 
-use std::collections::BTreeSet;
-
-use jaka_spec::{Command, EnumValue, Field, Request, Spec, Type, TypeDef, TypeKind};
-use proc_macro2::{Ident, TokenStream};
+use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::codec::{Scope, ident, names, variant_path};
+use crate::codec::{ident, names, variant_path};
 
 /// The checks of a request.
 pub(crate) fn request(command: &Command, name: &Ident) -> TokenStream {
     let body = match &command.request {
         Request::Fields(fields) => struct_body(fields),
-        Request::Choice(choice) => {
-            let arms = choice.variants.iter().map(|variant| {
-                let (path, names) = (variant_path(variant), names(&variant.fields));
-                let checks = checks(&variant.fields, |name| quote!(#name));
-                quote!(#path { #(#names),* } => { #checks })
-            });
-            quote!(match self { #(#arms)* } Ok(()))
-        }
+        Request::Choice(choice) => choice_body(choice, None),
     };
     implement(name, &body)
 }
 
-/// The checks of a type, if requests use it.
-pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> Option<TokenStream> {
-    if !sent_types(scope.spec).contains(def.name.as_str()) {
-        return None;
-    }
+/// The checks of a type.
+pub(crate) fn type_def(def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let body = match &def.kind {
         TypeKind::Object(fields) | TypeKind::Array { fields, .. } => struct_body(fields),
@@ -47,10 +35,9 @@ pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> Option<TokenStream> {
                 check::Validate::validate(&self.0, place, &limits)
             }
         }
-        // The model reads choices, but no request of a known firmware sends one inside an array.
-        TypeKind::Choice(_) => quote!(Ok(())),
+        TypeKind::Choice(choice) => choice_body(choice, Some(&quote!(Self::Other(_) => {}))),
     };
-    Some(implement(&name, &body))
+    implement(&name, &body)
 }
 
 fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
@@ -61,11 +48,21 @@ fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
                 &self,
                 place: &check::Place<'_>,
                 limits: &check::Limits,
-            ) -> Result<(), check::InvalidArgument> {
+            ) -> Result<(), check::NotSent> {
                 #body
             }
         }
     }
+}
+
+/// The checks of each variant; `other` is the arm of what the spec does not list.
+fn choice_body(choice: &Choice, other: Option<&TokenStream>) -> TokenStream {
+    let arms = choice.variants.iter().map(|variant| {
+        let (path, names) = (variant_path(variant), names(&variant.fields));
+        let checks = checks(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { #checks })
+    });
+    quote!(match self { #(#arms)* #other } Ok(()))
 }
 
 fn struct_body(fields: &[Field]) -> TokenStream {
@@ -88,12 +85,24 @@ fn limits(field: &Field) -> TokenStream {
     let advisory = field.range.advisory.then(|| quote!(advisory: true,));
     let ascii = field.ascii.then(|| quote!(ascii: true,));
     let unit = field.unit.as_deref().map(|unit| quote!(unit: #unit,));
+    let firmware = firmware(&field.versions);
     let set = [min, max, advisory, ascii, unit];
     if set.iter().all(Option::is_none) {
-        return quote!(check::Limits::NONE);
+        return quote!(check::Limits::NONE #firmware);
     }
     let set = set.iter().flatten();
-    quote!(check::Limits { #(#set)* ..check::Limits::NONE })
+    quote!(check::Limits { #(#set)* ..check::Limits::NONE } #firmware)
+}
+
+/// What follows limits, or a command's information, of something that not all firmware has.
+pub(crate) fn firmware(versions: &Versions) -> TokenStream {
+    let numbers = |version: &Version| {
+        let numbers = version.numbers().iter().map(|number| Literal::u32_unsuffixed(*number));
+        quote!([#(#numbers),*])
+    };
+    let since = versions.since.as_ref().map(numbers).map(|numbers| quote!(.since(#numbers)));
+    let until = versions.until.as_ref().map(numbers).map(|numbers| quote!(.until(#numbers)));
+    quote!(#since #until)
 }
 
 fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {
@@ -118,36 +127,5 @@ fn enum_body<T>(values: &[EnumValue<T>], allowed: &str, wire: &TokenStream) -> T
             Self::Other(_) => check::Standing::Unknown,
         };
         place.listed(&#wire, standing, #allowed)
-    }
-}
-
-/// The names of all types that requests use, also inside other types.
-fn sent_types(spec: &Spec) -> BTreeSet<&str> {
-    let mut sent = BTreeSet::new();
-    let mut open: Vec<&Type> = spec.commands().flat_map(sent_fields).map(|field| &field.ty).collect();
-    while let Some(ty) = open.pop() {
-        match ty {
-            Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) => open.push(inner),
-            Type::Named(name) if sent.insert(name.as_str()) => {
-                open.extend(spec.type_def(name).into_iter().flat_map(parts));
-            }
-            _ => {}
-        }
-    }
-    sent
-}
-
-fn sent_fields(command: &Command) -> Vec<&Field> {
-    match &command.request {
-        Request::Fields(fields) => fields.iter().collect(),
-        Request::Choice(choice) => choice.variants.iter().flat_map(|variant| &variant.fields).collect(),
-    }
-}
-
-fn parts(def: &TypeDef) -> Vec<&Type> {
-    match &def.kind {
-        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => fields.iter().map(|field| &field.ty).collect(),
-        TypeKind::Wrapper(ty, _) => vec![ty],
-        _ => Vec::new(),
     }
 }

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-/// What a number or text may be.
+use crate::firmware::{FirmwareRange, FirmwareVersion, NotInFirmware};
+use crate::wire::Typed;
+
+/// What a field may hold, and which firmware has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Least value allowed.
@@ -15,11 +18,28 @@ pub struct Limits {
     pub ascii: bool,
     /// Unit of the limits.
     pub unit: &'static str,
+    /// The firmware that has the field.
+    pub firmware: FirmwareRange,
 }
 
 impl Limits {
-    /// Any finite number, any text.
-    pub const NONE: Self = Self { min: None, max: None, advisory: false, ascii: false, unit: "" };
+    /// Any finite number, any text, in any firmware.
+    pub const NONE: Self =
+        Self { min: None, max: None, advisory: false, ascii: false, unit: "", firmware: FirmwareRange::ALL };
+
+    /// The same for a field that firmware has since this version.
+    #[must_use]
+    pub const fn since<const N: usize>(mut self, numbers: [u32; N]) -> Self {
+        self.firmware.since = Some(FirmwareVersion::new(numbers));
+        self
+    }
+
+    /// The same for a field that firmware has until this version.
+    #[must_use]
+    pub const fn until<const N: usize>(mut self, numbers: [u32; N]) -> Self {
+        self.firmware.until = Some(FirmwareVersion::new(numbers));
+        self
+    }
 
     fn allows(&self, value: f64) -> bool {
         self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
@@ -52,6 +72,41 @@ pub enum AdvisoryRanges {
     /// They are left to the controller.
     Ignored,
 }
+
+/// What a request is checked against, beside the spec.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Rules {
+    /// Whether ranges are enforced that newer firmware has widened.
+    pub ranges: AdvisoryRanges,
+    /// The controller's firmware, for requests to be refused that it does not have; none for any.
+    pub firmware: Option<FirmwareVersion>,
+}
+
+impl From<AdvisoryRanges> for Rules {
+    fn from(ranges: AdvisoryRanges) -> Self {
+        Self { ranges, firmware: None }
+    }
+}
+
+/// Why a request is not sent.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotSent {
+    /// The spec forbids it.
+    InvalidArgument(InvalidArgument),
+    /// The controller's firmware does not have it.
+    NotInFirmware(NotInFirmware),
+}
+
+impl fmt::Display for NotSent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InvalidArgument(invalid) => invalid.fmt(f),
+            Self::NotInFirmware(missing) => missing.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for NotSent {}
 
 /// A request that the spec forbids. Nothing was sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,7 +154,7 @@ pub struct Place<'p> {
     command: &'static str,
     name: PlaceName,
     outer: Option<&'p Place<'p>>,
-    ranges: AdvisoryRanges,
+    rules: Rules,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -111,20 +166,33 @@ enum PlaceName {
 
 impl<'p> Place<'p> {
     /// The request as a whole.
-    pub fn request(command: &'static str, ranges: AdvisoryRanges) -> Self {
-        Self { command, name: PlaceName::Request, outer: None, ranges }
+    pub fn request(command: &'static str, rules: Rules) -> Self {
+        Self { command, name: PlaceName::Request, outer: None, rules }
     }
 
     /// Checks a field of what stands here.
     ///
     /// # Errors
-    /// The field holds what the spec forbids.
-    pub fn check<T: Validate>(&'p self, name: &'static str, value: &T, limits: &Limits) -> Result<(), InvalidArgument> {
-        value.validate(&self.inner(PlaceName::Field(name)), limits)
+    /// The field holds what the spec forbids, or holds something and the controller's firmware does not have it.
+    pub fn check<T: Validate>(&'p self, name: &'static str, value: &T, limits: &Limits) -> Result<(), NotSent> {
+        let place = self.inner(PlaceName::Field(name));
+        if value.is_present() {
+            place.exists(&limits.firmware)?;
+        }
+        value.validate(&place, limits)
+    }
+
+    /// Checks that the controller's firmware has what stands here, where the firmware is known.
+    pub(crate) fn exists(&self, range: &FirmwareRange) -> Result<(), NotSent> {
+        let Some(firmware) = self.rules.firmware.filter(|firmware| !range.contains(*firmware)) else {
+            return Ok(());
+        };
+        let field = Some(self.path()).filter(|path| !path.is_empty());
+        Err(NotSent::NotInFirmware(NotInFirmware { command: self.command.to_owned(), field, firmware, range: *range }))
     }
 
     fn inner(&'p self, name: PlaceName) -> Place<'p> {
-        Self { command: self.command, name, outer: Some(self), ranges: self.ranges }
+        Self { command: self.command, name, outer: Some(self), rules: self.rules }
     }
 
     fn path(&self) -> String {
@@ -137,15 +205,15 @@ impl<'p> Place<'p> {
         }
     }
 
-    fn invalid(&self, value: impl Into<String>, allowed: impl Into<String>, advisory: bool) -> InvalidArgument {
-        InvalidArgument::new(self.command, self.path(), value, allowed, advisory)
+    fn invalid(&self, value: impl Into<String>, allowed: impl Into<String>, advisory: bool) -> NotSent {
+        NotSent::InvalidArgument(InvalidArgument::new(self.command, self.path(), value, allowed, advisory))
     }
 
-    fn number(&self, value: f64, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn number(&self, value: f64, limits: &Limits) -> Result<(), NotSent> {
         if !value.is_finite() {
             return Err(self.invalid(value.to_string(), limits.to_string(), false));
         }
-        if limits.allows(value) || (limits.advisory && self.ranges == AdvisoryRanges::Ignored) {
+        if limits.allows(value) || (limits.advisory && self.rules.ranges == AdvisoryRanges::Ignored) {
             return Ok(());
         }
         Err(self.invalid(value.to_string(), limits.to_string(), limits.advisory))
@@ -155,10 +223,10 @@ impl<'p> Place<'p> {
     ///
     /// # Errors
     /// The value is not listed, or only newer firmware takes it.
-    pub fn listed(&self, value: &dyn fmt::Display, standing: Standing, allowed: &str) -> Result<(), InvalidArgument> {
+    pub fn listed(&self, value: &dyn fmt::Display, standing: Standing, allowed: &str) -> Result<(), NotSent> {
         match standing {
             Standing::Listed => Ok(()),
-            Standing::Advisory if self.ranges == AdvisoryRanges::Ignored => Ok(()),
+            Standing::Advisory if self.rules.ranges == AdvisoryRanges::Ignored => Ok(()),
             Standing::Advisory => Err(self.invalid(value.to_string(), allowed, true)),
             Standing::Unknown => Err(self.invalid(value.to_string(), allowed, false)),
         }
@@ -181,31 +249,36 @@ pub trait Validate {
     /// Checks the value, which stands at `place`.
     ///
     /// # Errors
-    /// The spec forbids the value.
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument>;
+    /// The spec forbids the value, or the controller's firmware does not have a field of it.
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent>;
+
+    /// False for an optional value that is left out.
+    fn is_present(&self) -> bool {
+        true
+    }
 }
 
 impl Validate for f64 {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         place.number(*self, limits)
     }
 }
 
 impl Validate for i64 {
     #[expect(clippy::cast_precision_loss, reason = "limits are small whole numbers; rounding moves none across them")]
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         place.number(*self as f64, limits)
     }
 }
 
 impl Validate for bool {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
         Ok(())
     }
 }
 
 impl Validate for String {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         let printable = self.bytes().all(|b| b == b' ' || b.is_ascii_graphic());
         if limits.ascii && !printable {
             return Err(place.invalid(format!("`{self}`"), "printable ASCII", limits.advisory));
@@ -215,32 +288,43 @@ impl Validate for String {
 }
 
 impl Validate for serde_json::Value {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
         Ok(())
     }
 }
 
+/// What is given as raw JSON is not checked.
+impl<T: Validate> Validate for Typed<T> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+        self.known().map_or(Ok(()), |value| value.validate(place, limits))
+    }
+}
+
 impl<T: Validate> Validate for Option<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         self.as_ref().map_or(Ok(()), |value| value.validate(place, limits))
+    }
+
+    fn is_present(&self) -> bool {
+        self.is_some()
     }
 }
 
 impl<T: Validate> Validate for [T] {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         let each = |(index, item): (usize, &T)| item.validate(&place.inner(PlaceName::Element(index)), limits);
         self.iter().enumerate().try_for_each(each)
     }
 }
 
 impl<T: Validate> Validate for Vec<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         self.as_slice().validate(place, limits)
     }
 }
 
 impl<T: Validate, const N: usize> Validate for [T; N] {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), InvalidArgument> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
         self.as_slice().validate(place, limits)
     }
 }

@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use crate::check::{AdvisoryRanges, InvalidArgument, Limits, Place, Validate};
+use crate::check::{Limits, NotSent, Place, Rules, Validate};
+use crate::firmware::{FirmwareRange, FirmwareVersion};
 use crate::wire::{Fields, Writer};
 
 /// A request, with the type of its reply.
@@ -23,12 +24,14 @@ pub trait Command: Fields + Validate {
         out.raw("}");
     }
 
-    /// Checks the request against the spec.
+    /// Checks the request against the spec, and against the controller's firmware where the rules say which it is.
     ///
     /// # Errors
-    /// A field holds what the spec forbids.
-    fn check(&self, ranges: AdvisoryRanges) -> Result<(), InvalidArgument> {
-        self.validate(&Place::request(Self::INFO.name, ranges), &Limits::NONE)
+    /// A field holds what the spec forbids, or the firmware does not have the command or a field that is given.
+    fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
+        let request = Place::request(Self::INFO.name, rules.into());
+        request.exists(&Self::INFO.firmware)?;
+        self.validate(&request, &Limits::NONE)
     }
 }
 
@@ -64,6 +67,8 @@ pub struct CommandInfo {
     pub ends_session: bool,
     /// The reply's key that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<&'static str>,
+    /// The firmware that has the command.
+    pub firmware: FirmwareRange,
 }
 
 impl CommandInfo {
@@ -80,6 +85,7 @@ impl CommandInfo {
             reply_certain: true,
             ends_session: false,
             bare_reply: None,
+            firmware: FirmwareRange::ALL,
         }
     }
 
@@ -120,6 +126,22 @@ impl CommandInfo {
     #[must_use]
     pub const fn bare_reply(mut self, key: &'static str) -> Self {
         self.bare_reply = Some(key);
+        self
+    }
+
+    /// The same for a command that firmware has since this version.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn since<const N: usize>(mut self, numbers: [u32; N]) -> Self {
+        self.firmware.since = Some(FirmwareVersion::new(numbers));
+        self
+    }
+
+    /// The same for a command that firmware has until this version.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn until<const N: usize>(mut self, numbers: [u32; N]) -> Self {
+        self.firmware.until = Some(FirmwareVersion::new(numbers));
         self
     }
 }

@@ -7,6 +7,7 @@ pub mod check;
 mod command;
 mod envelope;
 mod error_code;
+mod firmware;
 pub mod framing;
 pub mod geometry;
 mod ledger;
@@ -23,6 +24,7 @@ pub mod messages {
 pub use command::{Command, CommandInfo, Effect, Requirement, Visit};
 pub use envelope::{Envelope, Refusal, read_payload, write_refusal, write_reply};
 pub use error_code::ErrorCode;
+pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
 pub use ledger::{Arrival, Ledger, Mistrust, Ticket};
 pub use messages::Request;
 pub use request::RequestError;

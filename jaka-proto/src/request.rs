@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::check::{AdvisoryRanges, InvalidArgument};
+use crate::check::{NotSent, Rules};
 use crate::command::{Command, CommandInfo, Visit};
 use crate::messages::Request;
 use crate::wire::{DecodeError, Reader, Writer};
@@ -48,20 +48,20 @@ impl Request {
         self.visit(Write(out));
     }
 
-    /// Checks the request against the spec.
+    /// Checks the request against the spec, and against the controller's firmware where the rules say which it is.
     ///
     /// # Errors
-    /// A field holds what the spec forbids.
-    pub fn check(&self, ranges: AdvisoryRanges) -> Result<(), InvalidArgument> {
-        struct Check(AdvisoryRanges);
+    /// As [`Command::check`].
+    pub fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
+        struct Check(Rules);
         impl Visit for Check {
-            type Output = Result<(), InvalidArgument>;
+            type Output = Result<(), NotSent>;
 
             fn visit<C: Command>(self, command: &C) -> Self::Output {
                 command.check(self.0)
             }
         }
-        self.visit(Check(ranges))
+        self.visit(Check(rules.into()))
     }
 }
 

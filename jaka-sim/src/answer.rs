@@ -10,6 +10,7 @@ mod io;
 mod kinematics;
 mod motion;
 mod network;
+mod pack;
 mod payload;
 mod power;
 mod program;
@@ -24,6 +25,8 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, ErrorCode, Request, RequestError, write_refusal, write_reply};
+
+use serde_json::{Map, Value};
 
 use crate::book::{Book, Entry, usual_refusal};
 use crate::world::World;
@@ -74,13 +77,22 @@ const TOPICS: [Topic; 14] = [
 pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Writer) -> Sequel {
     match Request::read(text) {
         Ok(request) => {
-            carry_out(&request, book, world, out);
+            carry_out(text, &request, book, world, out);
             return sequel(&request);
         }
+        Err(RequestError::Unknown { command }) => match book.entry(&command) {
+            Some(entry) => carry_out_packed(text, entry, book, world, out),
+            None => refuse_unknown(book, out),
+        },
         Err(RequestError::Field { command, .. }) => refuse(&command, &usual_refusal(&command), out),
         Err(_) => refuse_unknown(book, out),
     }
     Sequel::Nothing
+}
+
+/// Puts what a user wants to be answered into the reply to an accepted command.
+pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
+    pack::put(fields, out);
 }
 
 /// None of the commands that have one is ever refused.
@@ -98,27 +110,44 @@ pub(crate) fn refuse_unknown(book: &Book, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &book.unknown, out);
 }
 
-fn carry_out(request: &Request, book: &Book, world: &mut World, out: &mut Writer) {
+fn carry_out(text: &str, request: &Request, book: &Book, world: &mut World, out: &mut Writer) {
     let name = request.info().name;
-    let entry = book.entry(name);
-    let requires = entry.map_or(&[][..], |entry| &entry.requires);
-    let blocked = entry.is_some_and(|entry| entry.moves) && !world.state.can_move();
-    if let (Some(entry), false) = (entry, requires.iter().all(|requirement| world.state.meets(*requirement))) {
-        return refuse(name, &entry.refusal, out);
+    let Some(entry) = book.entry(name) else { return refuse_unknown(book, out) };
+    if let Some(refusal) = refusal(entry, world) {
+        return refuse(name, &refusal, out);
     }
-    if blocked {
-        return refuse(name, &usual_refusal(name), out);
-    }
-    let outcome = match request.check(AdvisoryRanges::Ignored) {
-        Ok(()) => ask_topics(request, world, out),
-        Err(_) => Outcome::Refused,
+    let is_allowed = if entry.packed {
+        pack::allows(&book.spec, &entry.command, text)
+    } else {
+        request.check(AdvisoryRanges::Ignored).is_ok()
     };
+    let outcome = if is_allowed { ask_topics(request, world, out) } else { Outcome::Refused };
     match outcome {
+        Outcome::Replied if entry.packed => pack::complete(&book.spec, &entry.command, out),
         Outcome::Replied => {}
         Outcome::Refused => refuse(name, &usual_refusal(name), out),
+        Outcome::Unhandled if entry.packed => pack::sample(&book.spec, &entry.command, out),
         Outcome::Unhandled => show_example(request, entry, out),
     }
     world.settle();
+}
+
+/// Answers a command of which only a pack knows.
+fn carry_out_packed(text: &str, entry: &Entry, book: &Book, world: &World, out: &mut Writer) {
+    let Entry { command, .. } = entry;
+    match refusal(entry, world) {
+        Some(refusal) => refuse(&command.wire, &refusal, out),
+        None if pack::allows(&book.spec, command, text) => pack::sample(&book.spec, command, out),
+        None => refuse(&command.wire, &usual_refusal(&command.wire), out),
+    }
+}
+
+/// The refusal of a command in a state in which it cannot be carried out.
+fn refusal(entry: &Entry, world: &World) -> Option<(ErrorCode, String)> {
+    if !entry.command.requires.iter().all(|requirement| world.state.meets(*requirement)) {
+        return Some(entry.refusal.clone());
+    }
+    (entry.moves && !world.state.can_move()).then(|| usual_refusal(&entry.command.wire))
 }
 
 fn ask_topics(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
@@ -126,8 +155,8 @@ fn ask_topics(request: &Request, world: &mut World, out: &mut Writer) -> Outcome
     outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
 }
 
-fn show_example(request: &Request, entry: Option<&Entry>, out: &mut Writer) {
-    match entry.and_then(|entry| entry.example.as_deref()) {
+fn show_example(request: &Request, entry: &Entry, out: &mut Writer) {
+    match entry.example.as_deref() {
         Some(example) => out.raw(example),
         None => write_reply(request.info(), &(), out),
     }

@@ -1,13 +1,14 @@
 //! What the spec says about each command, ready to look up.
 
-use std::collections::HashMap;
-use std::io;
-use std::sync::OnceLock;
+use std::collections::{BTreeSet, HashMap};
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+use std::{fs, io};
 
 use jaka_proto::{Command, Envelope, ErrorCode, read_payload};
-use jaka_spec::{Effect, Requirement, Spec};
+use jaka_spec::{Effect, Requirement, Source, Spec};
 
-/// The built-in spec, by `cmdName`.
+/// A spec, by `cmdName`.
 #[derive(Debug)]
 pub(crate) struct Book {
     entries: HashMap<String, Entry>,
@@ -20,10 +21,12 @@ pub(crate) struct Book {
 /// What the spec says about one command.
 #[derive(Debug)]
 pub(crate) struct Entry {
+    /// All of it.
+    pub(crate) command: jaka_spec::Command,
     /// True for a command that moves the arm: one that needs it enabled to do so.
     pub(crate) moves: bool,
-    /// What the command needs.
-    pub(crate) requires: Vec<Requirement>,
+    /// True for one that a pack adds or changes.
+    pub(crate) packed: bool,
     /// The code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
     /// The first successful reply that the spec prints.
@@ -31,18 +34,39 @@ pub(crate) struct Entry {
 }
 
 impl Book {
-    /// The book, which is read once in a process.
-    pub(crate) fn open() -> io::Result<&'static Self> {
-        static BOOK: OnceLock<Book> = OnceLock::new();
+    /// The book of the built-in spec, which is read once in a process.
+    fn built_in() -> io::Result<Arc<Self>> {
+        static BOOK: OnceLock<Arc<Book>> = OnceLock::new();
         if let Some(book) = BOOK.get() {
-            return Ok(book);
+            return Ok(Arc::clone(book));
         }
         let spec = jaka_spec::builtin().map_err(io::Error::other)?;
-        Ok(BOOK.get_or_init(|| Self::new(spec)))
+        Ok(Arc::clone(BOOK.get_or_init(|| Arc::new(Self::new(spec, &BTreeSet::new())))))
     }
 
-    fn new(spec: Spec) -> Self {
-        let entries = spec.commands().map(|command| (command.wire.clone(), Entry::new(command))).collect();
+    /// The book of the built-in spec with packs, each of which adds to those before it.
+    pub(crate) fn open(packs: &[PathBuf]) -> io::Result<Arc<Self>> {
+        let built_in = Self::built_in()?;
+        if packs.is_empty() {
+            return Ok(built_in);
+        }
+        let mut spec = built_in.spec.clone();
+        let mut packed = BTreeSet::new();
+        for path in packs {
+            let name = path.display().to_string();
+            let text = fs::read_to_string(path)
+                .map_err(|error| io::Error::new(error.kind(), format!("cannot read the pack `{name}`: {error}")))?;
+            let pack = jaka_spec::load_pack(&spec, Source { path: &name, text: &text })
+                .map_err(|errors| io::Error::new(io::ErrorKind::InvalidData, errors))?;
+            packed.extend(pack.module().topic.commands.iter().map(|command| command.wire.clone()));
+            spec = pack.spec;
+        }
+        Ok(Arc::new(Self::new(spec, &packed)))
+    }
+
+    fn new(spec: Spec, packed: &BTreeSet<String>) -> Self {
+        let entry = |command: &jaka_spec::Command| Entry::new(command, packed.contains(&command.wire));
+        let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
         Self { entries, spec, unknown }
@@ -61,14 +85,15 @@ impl Book {
 }
 
 impl Entry {
-    fn new(command: &jaka_spec::Command) -> Self {
+    fn new(command: &jaka_spec::Command, packed: bool) -> Self {
         let own = command.refusal.as_ref().map(|refusal| (ErrorCode(refusal.code), refusal.message.clone()));
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
         Self {
             moves: command.effect == Effect::Motion && command.requires.contains(&Requirement::Enabled),
-            requires: command.requires.clone(),
+            packed,
             refusal: own.unwrap_or_else(|| usual_refusal(&command.wire)),
             example: replies.find(|reply| is_success(reply)).map(str::to_owned),
+            command: command.clone(),
         }
     }
 }

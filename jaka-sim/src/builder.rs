@@ -25,6 +25,7 @@ pub struct Builder {
     pub(crate) delays: Delays,
     pub(crate) stepped: bool,
     folders: Vec<PathBuf>,
+    pub(crate) packs: Vec<PathBuf>,
     programs: HashMap<String, Program>,
     pub(crate) takeover: Takeover,
     pub(crate) faults: FaultPlan,
@@ -45,6 +46,7 @@ impl Builder {
             delays: Delays::REAL,
             stepped: false,
             folders: Vec::new(),
+            packs: Vec::new(),
             programs: program::built_in(),
             takeover: Takeover::Replace,
             faults: FaultPlan::new(),
@@ -108,6 +110,16 @@ impl Builder {
     #[must_use]
     pub fn programs_from(mut self, folder: impl Into<PathBuf>) -> Self {
         self.folders.push(folder.into());
+        self
+    }
+
+    /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the start.
+    ///
+    /// What a pack adds is checked and answered by what it says: with its example, or else with zeros. To answer something else, see
+    /// [`Controller::set_reply`].
+    #[must_use]
+    pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
+        self.packs.push(path.into());
         self
     }
 
@@ -208,7 +220,7 @@ impl Builder {
     /// Starts the controller.
     ///
     /// # Errors
-    /// A port or a thread cannot be had.
+    /// A port or a thread cannot be had, or a program or a pack cannot be read.
     pub fn start(self) -> io::Result<Controller> {
         Controller::with(self)
     }

@@ -153,12 +153,13 @@ fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Write
     log::trace!(target: "jaka_sim", "received {incoming}");
     let mut world = shared.world();
     let sequel = match incoming {
-        Incoming::Request(text) => answer::answer(text, shared.book, &mut world, reply),
+        Incoming::Request(text) => answer::answer(text, &shared.book, &mut world, reply),
         Incoming::NoText(_) | Incoming::Garbage => {
-            answer::refuse_unknown(shared.book, reply);
+            answer::refuse_unknown(&shared.book, reply);
             Sequel::Nothing
         }
     };
+    put_set_fields(incoming, shared, reply);
     firmware::restyle(shared.options.style(), &shared.book.spec, &world.state, reply);
     drop(world);
     let fault = shared.faults().next(incoming.command().as_deref());
@@ -166,4 +167,15 @@ fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Write
         shared.tape.record(text.clone());
     }
     way_out.send_reply(reply.as_str(), fault, sequel)
+}
+
+/// Writes the fields that a user has set into the reply.
+fn put_set_fields(incoming: &Incoming, shared: &Shared, reply: &mut Writer) {
+    let replies = shared.replies();
+    if replies.is_empty() {
+        return;
+    }
+    if let Some(fields) = incoming.command().and_then(|command| replies.get(&command).cloned()) {
+        answer::put(&fields, reply);
+    }
 }

@@ -9,6 +9,8 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use serde_json::Value;
+
 use crate::door::Door;
 use crate::replay::Stage;
 use crate::shared::Shared;
@@ -117,6 +119,20 @@ impl Controller {
     /// Cuts the arm's power.
     pub fn cut_power(&self) {
         self.set_state(|state| state.powered = false);
+    }
+
+    /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack adds, and
+    /// of any other. Fields that are not set here are answered as usual.
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    ///
+    /// let controller = Controller::start()?;
+    /// controller.set_reply("get_version", [("version".to_owned(), "1.7.2".into())]);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    pub fn set_reply(&self, command: impl Into<String>, fields: impl IntoIterator<Item = (String, Value)>) {
+        self.shared.replies().insert(command.into(), fields.into_iter().collect());
     }
 
     /// The text of the requests received so far, in order, the last 10,000 of them and of these the last 16 MiB.

@@ -1,8 +1,11 @@
 //! What the threads of one controller share.
 
+use std::collections::HashMap;
 use std::io;
-use std::sync::{Mutex, MutexGuard};
+use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
+
+use serde_json::{Map, Value};
 
 use crate::book::Book;
 use crate::clock::{CYCLE, Clock};
@@ -20,7 +23,7 @@ use crate::{Builder, FaultPlan};
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) options: Builder,
-    pub(crate) book: &'static Book,
+    pub(crate) book: Arc<Book>,
     pub(crate) command_door: Door,
     pub(crate) status_door: Door,
     pub(crate) seat: Seat,
@@ -33,6 +36,7 @@ pub(crate) struct Shared {
     clock: Clock,
     steps: Mutex<Steps>,
     faults: Mutex<FaultPlan>,
+    replies: Mutex<HashMap<String, Map<String, Value>>>,
 }
 
 /// How far a stepped clock is, and when the last packet went out.
@@ -44,9 +48,8 @@ struct Steps {
 
 impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
-        let book = Book::open()?;
+        let book = Book::open(&options.packs)?;
         Ok(Self {
-            book,
             command_door: Door::open(options.address, options.command_port)?,
             status_door: Door::open(options.address, options.status_port)?,
             seat: Seat::default(),
@@ -54,7 +57,9 @@ impl Shared {
             readers: Readers::new(options.faults.status_fault().clone()),
             tape: Tape::default(),
             stage: options.replay.as_ref().map(|plan| Stage::new(plan, options.replay_timing)),
-            world: Mutex::new(World::new(&options, book)?),
+            world: Mutex::new(World::new(&options, &book)?),
+            book,
+            replies: Mutex::default(),
             clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
             faults: Mutex::new(options.faults.clone()),
             steps: Mutex::default(),
@@ -93,5 +98,10 @@ impl Shared {
     /// What is wrong with the replies to come.
     pub(crate) fn faults(&self) -> MutexGuard<'_, FaultPlan> {
         lock(&self.faults)
+    }
+
+    /// The fields of replies that a user has set, by command.
+    pub(crate) fn replies(&self) -> MutexGuard<'_, HashMap<String, Map<String, Value>>> {
+        lock(&self.replies)
     }
 }

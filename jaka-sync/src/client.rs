@@ -7,13 +7,14 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_proto::check::InvalidArgument;
+use jaka_proto::check::{InvalidArgument, Rules};
+use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
-use jaka_proto::{Command, CommandInfo, Ticket, read_payload};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
 use serde_json::Value;
 
-use crate::link::Link;
+use crate::link::{Link, Sent};
 use crate::{Config, Disconnect, Error, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
@@ -34,6 +35,8 @@ use crate::{Config, Disconnect, Error, StopHandle, recorder, reply};
 pub struct Client {
     link: Arc<Link>,
     config: Config,
+    /// The firmware that requests are checked against, if any.
+    firmware: Option<FirmwareVersion>,
     reply: String,
 }
 
@@ -49,13 +52,15 @@ impl Client {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = recorder::connect(address, Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
-        Ok(Self { link, config: config.clone(), reply: String::new() })
+        Ok(Self { link, config: config.clone(), firmware: None, reply: String::new() })
     }
 
     /// Sends a command and waits for its reply.
     ///
     /// # Errors
     /// - [`InvalidArgument`](Error::InvalidArgument): the spec forbids a field; nothing was sent.
+    /// - [`NotInFirmware`](Error::NotInFirmware): the controller does not have it, after
+    ///   [`check_firmware`](Self::check_firmware); nothing was sent.
     /// - [`Refused`](Error::Refused): the controller refused; the command did not run.
     /// - [`Timeout`](Error::Timeout), [`ReplyLost`](Error::ReplyLost): the command may have run.
     /// - [`UnexpectedReply`](Error::UnexpectedReply): accepted, but the reply does not fit the spec.
@@ -70,9 +75,8 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call).
     pub fn call_within<C: Command>(&mut self, command: &C, timeout: Duration) -> Result<C::Reply, Error> {
-        command.check(self.config.advisory_ranges)?;
         let info = C::INFO;
-        let sent = self.link.send(info.name, Cow::Borrowed(info.name), timeout, |out| command.write_request(out))?;
+        let sent = self.send(command, timeout)?;
         match self.link.wait(&sent, &mut self.reply) {
             Ok(()) => {}
             Err(error) if !info.reply_certain && closed(&error) => return without_reply(info),
@@ -87,10 +91,14 @@ impl Client {
 
     /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
     pub(crate) fn post<C: Command>(&self, command: &C) -> Result<Ticket, Error> {
-        command.check(self.config.advisory_ranges)?;
+        self.send(command, Duration::ZERO).map(|sent| sent.ticket)
+    }
+
+    /// Sends a command, unless the spec forbids it or the controller's firmware does not have it.
+    fn send<C: Command>(&self, command: &C, timeout: Duration) -> Result<Sent<'static>, Error> {
+        command.check(Rules { ranges: self.config.advisory_ranges, firmware: self.firmware })?;
         let name = C::INFO.name;
-        let sent = self.link.send(name, Cow::Borrowed(name), Duration::ZERO, |out| command.write_request(out))?;
-        Ok(sent.ticket)
+        self.link.send(name, Cow::Borrowed(name), timeout, |out| command.write_request(out))
     }
 
     /// Takes off the replies to commands that were posted, as far as they have come.
@@ -106,6 +114,40 @@ impl Client {
     /// Gives up the reply to a command that was posted.
     pub(crate) fn forget(&self, ticket: Ticket) {
         self.link.forget(ticket);
+    }
+
+    /// Reads the controller's version once (`get_version`, 4.51), and from then on refuses, before it is sent, what the spec
+    /// says that this firmware does not have.
+    ///
+    /// By default nothing is checked so. Raw calls and stop handles never are.
+    ///
+    /// ```no_run
+    /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
+    /// let firmware = robot.check_firmware()?;
+    /// println!("firmware {firmware}");
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`call`](Self::call); [`UnexpectedReply`](Error::UnexpectedReply) with the controller's text if that is no version.
+    /// The checks stay as they were then.
+    pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
+        let text = self.call(&GetVersion)?.version;
+        let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
+        let unexpected = |_| self.link.attach(reply::unexpected(GetVersion::INFO.name, unfit()));
+        let firmware = text.parse().map_err(unexpected)?;
+        self.firmware = Some(firmware);
+        Ok(firmware)
+    }
+
+    /// Sets the firmware that requests are checked against, without asking the controller; none for no such checks.
+    pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
+        self.firmware = firmware;
+    }
+
+    /// The firmware that requests are checked against, if any.
+    pub fn firmware(&self) -> Option<FirmwareVersion> {
+        self.firmware
     }
 
     /// Sends a command that the spec does not know, and gives back the whole reply as JSON.
@@ -133,6 +175,27 @@ impl Client {
             let source = DecodeError::unfit(format!("JSON ({error})"), &self.reply);
             self.link.attach(reply::unexpected(command, source))
         })
+    }
+
+    /// Sends a request as it stands, byte for byte, and gives back the text of its reply.
+    ///
+    /// `request` is a JSON object with a `cmdName`. For programs that write requests by other means than this crate's, such as
+    /// a command line or the replay of a log: nothing is checked beyond that.
+    ///
+    /// # Errors
+    /// As [`call`](Self::call); [`InvalidArgument`](Error::InvalidArgument) if `request` is no JSON object or has no `cmdName`.
+    pub fn call_text(&mut self, request: &str, timeout: Duration) -> Result<&str, Error> {
+        let envelope = Envelope::read(request);
+        let command = envelope.as_ref().ok().and_then(|envelope| envelope.command.as_deref());
+        let Some(command) = command.filter(|command| !command.is_empty()) else {
+            let excerpt: String = request.chars().take(80).collect();
+            return Err(
+                InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
+            );
+        };
+        let sent = self.link.send(command, Cow::Owned(command.to_owned()), timeout, |out| out.raw(request))?;
+        self.link.wait(&sent, &mut self.reply)?;
+        Ok(&self.reply)
     }
 
     /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec.

@@ -6,11 +6,11 @@ use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_proto::check::InvalidArgument;
+use jaka_proto::check::{InvalidArgument, NotSent};
 use jaka_proto::framing::FrameError;
 use jaka_proto::recording::Entry;
 use jaka_proto::wire::DecodeError;
-use jaka_proto::{Mistrust, Refusal};
+use jaka_proto::{Mistrust, NotInFirmware, Refusal};
 
 use crate::recorder::{self, Exchanges};
 
@@ -23,6 +23,10 @@ use crate::recorder::{self, Exchanges};
 pub enum Error {
     /// The spec forbids the request. Nothing was sent; correct the field that is named.
     InvalidArgument(InvalidArgument),
+    /// The controller's firmware does not have the command, or a field that is given. Nothing was sent.
+    ///
+    /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
+    NotInFirmware(NotInFirmware),
     /// No connection could be made. Check the address, the cable, and whether the controller is on.
     Connect {
         /// The address given.
@@ -148,6 +152,11 @@ impl Error {
         matches!(self, Self::InvalidArgument(_))
     }
 
+    /// True if nothing was sent because the controller's firmware does not have the command or one of its fields.
+    pub fn is_not_in_firmware(&self) -> bool {
+        matches!(self, Self::NotInFirmware(_))
+    }
+
     /// True if no connection could be made.
     pub fn is_connect(&self) -> bool {
         matches!(self, Self::Connect { .. })
@@ -198,6 +207,7 @@ impl Error {
     fn write_text(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::InvalidArgument(invalid) => write!(f, "{invalid}"),
+            Self::NotInFirmware(missing) => write!(f, "{missing}"),
             Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
             Self::Refused { refusal, .. } => write!(f, "{refusal}"),
             Self::RefusedBecause { refusal, explanation, .. } => write!(f, "{refusal}; {explanation}"),
@@ -243,7 +253,7 @@ impl StdError for Error {
             Self::Connect { source, .. } => Some(source),
             Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source, .. } => Some(source),
             Self::Disconnected { cause, .. } => Some(&**cause),
-            // The texts of `InvalidArgument` and `Refused` are this error's own.
+            // The texts of `InvalidArgument`, `NotInFirmware` and `Refused` are this error's own.
             _ => None,
         }
     }
@@ -252,6 +262,15 @@ impl StdError for Error {
 impl From<InvalidArgument> for Error {
     fn from(invalid: InvalidArgument) -> Self {
         Self::InvalidArgument(invalid)
+    }
+}
+
+impl From<NotSent> for Error {
+    fn from(not_sent: NotSent) -> Self {
+        match not_sent {
+            NotSent::InvalidArgument(invalid) => Self::InvalidArgument(invalid),
+            NotSent::NotInFirmware(missing) => Self::NotInFirmware(missing),
+        }
     }
 }
 

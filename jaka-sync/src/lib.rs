@@ -1,12 +1,14 @@
 #![doc = include_str!("../README.md")]
 
 mod address;
+mod call;
 mod client;
 mod config;
 mod error;
 mod link;
 mod methods;
 mod monitor;
+mod pack;
 mod receive;
 mod recorder;
 mod reply;
@@ -15,6 +17,7 @@ mod servo_session;
 mod status_stream;
 mod stop;
 
+pub use call::Call;
 pub use client::Client;
 pub use config::Config;
 pub use error::{Disconnect, Error};
@@ -28,7 +31,7 @@ pub use jaka_proto::messages::*;
 pub use jaka_proto::recording;
 #[doc(no_inline)]
 pub use jaka_proto::{
-    Command, CommandInfo, Effect, ErrorCode, Refusal, Requirement,
+    Command, CommandInfo, Effect, ErrorCode, FirmwareRange, FirmwareVersion, NotInFirmware, Refusal, Requirement,
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };
@@ -44,3 +47,9 @@ pub const COMMAND_PORT: u16 = 10001;
 
 /// The port on which a controller sends status packets.
 pub const STATUS_PORT: u16 = 10000;
+
+/// What macros of this crate name; no part of the interface.
+#[doc(hidden)]
+pub mod __private {
+    pub use jaka_proto_derive::pack;
+}

@@ -63,7 +63,7 @@ impl<'a, 's> Item<'a, 's> {
 
     /// True where the table has the key, whatever its value.
     pub(crate) fn has(&self, key: &'static str) -> bool {
-        self.table.contains_key(key)
+        self.get(key).is_some()
     }
 
     /// True where the value under `key` is a string.
@@ -100,10 +100,13 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     pub(crate) fn number(&self, key: &'static str) -> Option<Placed<'s, f64>> {
-        self.typed(key, "a finite number", |value| match value {
-            DeValue::Float(float) => float.as_str().parse().ok().filter(|f: &f64| f.is_finite()),
-            #[expect(clippy::cast_precision_loss, reason = "limits of the protocol are small")]
-            other => int(other).map(|i| i as f64),
+        self.typed(key, "a finite number", |value| number(value).filter(|number| number.is_finite()))
+    }
+
+    /// A limit, where infinity is none.
+    pub(crate) fn bound(&self, key: &'static str) -> Option<Placed<'s, f64>> {
+        self.typed(key, "a number, or inf or -inf for no limit", |value| {
+            number(value).filter(|number| !number.is_nan())
         })
     }
 
@@ -127,7 +130,7 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     fn child(&self, what: &str, at: At<'s>, table: &'a DeTable<'s>) -> Item<'a, 's> {
-        let name = ["name", "wire", "tag"].iter().find_map(|key| json_scalar(table.get(*key)?.get_ref()));
+        let name = ["target", "name", "wire", "tag"].iter().find_map(|key| json_scalar(table.get(*key)?.get_ref()));
         let name = name.map(|name| format!("{what} `{}`", name.trim_matches('"')));
         let what = match (&name, self.what.as_str()) {
             (Some(name), "") => name.clone(),
@@ -178,6 +181,14 @@ fn int(value: &DeValue<'_>) -> Option<i64> {
     match value {
         DeValue::Integer(int) => i64::from_str_radix(int.as_str(), int.radix()).ok(),
         _ => None,
+    }
+}
+
+fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        #[expect(clippy::cast_precision_loss, reason = "limits of the protocol are small")]
+        other => int(other).map(|i| i as f64),
     }
 }
 

@@ -2,19 +2,26 @@
 
 mod builtin;
 mod item;
+#[cfg(feature = "json")]
+pub mod json;
 mod model;
 mod names;
+mod pack;
 mod read;
 mod report;
 mod resolve;
 mod type_text;
+mod version;
 
 pub use builtin::{BUILTIN, builtin};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
-    Type, TypeDef, TypeKind, Variant, Versions,
+    Type, TypeDef, TypeKind, Variant,
 };
+pub use names::to_camel;
+pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
+pub use version::{Version, Versions};
 
 /// A TOML file: the path that errors name, and its text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

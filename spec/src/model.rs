@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::names::to_camel;
+use crate::version::Versions;
 
 /// A whole protocol: the topics in the order they were given.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +61,13 @@ pub struct Topic {
     pub errors: Vec<ErrorCode>,
 }
 
+impl Topic {
+    /// True for a topic without types, commands and error codes.
+    pub fn is_empty(&self) -> bool {
+        self.types.is_empty() && self.commands.is_empty() && self.errors.is_empty()
+    }
+}
+
 /// One command of port 10001.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Command {
@@ -112,6 +120,15 @@ impl Command {
         (!self.reply.is_empty()).then(|| self.request_type() + "Reply")
     }
 
+    /// The fields of its request, of all variants where there are some, and of its reply.
+    pub fn fields(&self) -> impl Iterator<Item = &Field> {
+        let (fields, variants) = match &self.request {
+            Request::Fields(fields) => (fields.as_slice(), &[][..]),
+            Request::Choice(choice) => (&[][..], choice.variants.as_slice()),
+        };
+        fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields)).chain(&self.reply)
+    }
+
     /// True where nothing is sent beside `cmdName`.
     pub fn is_bare(&self) -> bool {
         matches!(&self.request, Request::Fields(fields) if fields.is_empty())
@@ -144,15 +161,6 @@ pub enum Requirement {
     ServoMode,
     /// Servo mode is off.
     NotServoMode,
-}
-
-/// The firmware versions that know an item.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Versions {
-    /// First version that has it.
-    pub since: Option<String>,
-    /// Last version that has it.
-    pub until: Option<String>,
 }
 
 /// The body of a request.
@@ -252,6 +260,17 @@ pub enum Type {
     Json,
 }
 
+impl Type {
+    /// The name of the named type at its heart, if that is one.
+    pub fn named(&self) -> Option<&str> {
+        match self {
+            Self::List(element) | Self::Array(element, _) | Self::Python(element) => element.named(),
+            Self::Named(name) => Some(name),
+            _ => None,
+        }
+    }
+}
+
 /// A named type.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TypeDef {
@@ -283,6 +302,20 @@ pub enum TypeKind {
     Choice(Choice),
     /// A struct around one value: the wrapped type and its unit.
     Wrapper(Type, Option<String>),
+}
+
+impl TypeKind {
+    /// The named types that it is made of.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let (fields, variants, wrapped) = match self {
+            Self::Object(fields) | Self::Array { fields, .. } => (fields.as_slice(), &[][..], None),
+            Self::Choice(choice) => (&[][..], choice.variants.as_slice(), None),
+            Self::Wrapper(ty, _) => (&[][..], &[][..], Some(ty)),
+            Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..], None),
+        };
+        let fields = fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields));
+        fields.map(|field| &field.ty).chain(wrapped).filter_map(Type::named)
+    }
 }
 
 /// One value of an enum.

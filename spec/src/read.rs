@@ -8,33 +8,46 @@ use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Request
 use crate::names::is_snake;
 use crate::report::{At, Report};
 use crate::resolve::Index;
+use crate::version::Versions;
 
 mod common;
 mod field;
 mod types;
 
-pub(crate) use common::Unique;
-use common::{camel_name, doc, keyword, required_doc, snake_name, versions, wire_int, word};
+pub(crate) use common::{Unique, versions, wire_int};
+use common::{camel_name, doc, keyword, required_doc, snake_name, word};
 use field::fields;
-use types::{type_def, variants};
+pub(crate) use field::{changed_field, element, field};
+use types::variants;
+pub(crate) use types::{enum_value, type_def};
 
-/// Reads a file. What cannot be read is reported and left out.
+/// Reads a file of the spec. What cannot be read is reported and left out.
 pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Report) -> Topic {
+    file(source, report, |root, topic| {
+        topic.commands = root.items("command", "command").iter().map(|item| command(item, index)).collect();
+        topic.types = root.items("type", "type").iter().map(|item| type_def(item, index)).collect();
+        topic.errors = root.items("error", "error code").iter().map(|item| error_code(item, index)).collect();
+    })
+}
+
+/// Reads what every file has, and lets `body` read the rest.
+pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&Item<'_, 's>, &mut Topic)) -> Topic {
     let table = parse(source, report);
     let start = At { source, offset: 0 };
     let root = Item::new(String::new(), start, table.get_ref(), report);
     let name = stem(source.path).to_owned();
     if !is_snake(&name) {
-        report.error(start, format!("the file's name is the topic's, and `{name}` is no snake_case name"));
+        report.error(start, format!("the file's name is that of a module, and `{name}` is no snake_case name"));
     }
-    let topic = Topic {
+    let mut topic = Topic {
         title: root.required_text("title").value,
         doc: doc(&root).unwrap_or_default(),
-        commands: root.items("command", "command").iter().map(|item| command(item, index)).collect(),
-        types: root.items("type", "type").iter().map(|item| type_def(item, index)).collect(),
-        errors: root.items("error", "error code").iter().map(|item| error_code(item, index)).collect(),
+        commands: Vec::new(),
+        types: Vec::new(),
+        errors: Vec::new(),
         name,
     };
+    body(&root, &mut topic);
     root.finish();
     topic
 }
@@ -44,7 +57,7 @@ fn stem(path: &str) -> &str {
     file.strip_suffix(".toml").unwrap_or(file)
 }
 
-fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command {
+pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command {
     let wire = item.required_text("wire");
     let section = item.text("section");
     index.command(item, &wire, section.as_ref());
@@ -69,7 +82,7 @@ fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command {
         ends_session: item.flag("ends_session").is_some_and(|flag| flag.value),
         reconstructed: item.text("reconstructed").map(|text| text.value),
         deprecated: item.text("deprecated").map(|text| text.value),
-        versions: versions(item),
+        versions: versions(item, &Versions::default()),
         doc: required_doc(item),
         errata: item.texts("errata").into_iter().map(|text| text.value).collect(),
         request,
@@ -99,12 +112,12 @@ const REQUIREMENTS: &[(&str, Requirement)] = &[
     ("not_servo_mode", Requirement::NotServoMode),
 ];
 
-fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
+pub(crate) fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
     let list = item.texts("requires");
     list.iter().filter_map(|text| word(item, "requires", text, REQUIREMENTS)).collect()
 }
 
-fn deadline(item: &Item<'_, '_>) -> Option<Duration> {
+pub(crate) fn deadline(item: &Item<'_, '_>) -> Option<Duration> {
     let ms = item.int("deadline_ms")?;
     let positive = u64::try_from(ms.value).ok().filter(|ms| *ms > 0);
     if positive.is_none() {
@@ -129,7 +142,7 @@ fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
     }
 }
 
-fn error_code<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> ErrorCode {
+pub(crate) fn error_code<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> ErrorCode {
     let wire = wire_int(item);
     let name = camel_name(item);
     index.error_code(item, &wire, &name);

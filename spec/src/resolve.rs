@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::item::{Item, Placed};
-use crate::model::{Type, TypeKind};
+use crate::model::{Spec, Type, TypeKind};
 use crate::names::to_camel;
 use crate::read::Unique;
 use crate::report::{At, Report};
@@ -29,6 +29,25 @@ struct TypeUse<'s> {
 }
 
 impl<'s> Index<'s> {
+    /// What a spec has that a pack adds to.
+    pub(crate) fn of(base: &Spec) -> Self {
+        let commands = || base.commands();
+        let requests = commands().flat_map(|command| [Some(command.request_type()), command.reply_type()]).flatten();
+        let mut index = Self {
+            commands: Unique::taken(commands().map(|command| command.wire.clone())),
+            sections: Unique::taken(commands().filter_map(|command| command.section.clone())),
+            methods: Unique::taken(commands().map(|command| command.name.clone())),
+            type_names: Unique::taken(requests.chain(base.types().map(|def| def.name.clone()))),
+            error_wires: Unique::taken(base.errors().map(|code| code.wire)),
+            error_names: Unique::taken(base.errors().map(|code| code.name.clone())),
+            ..Self::default()
+        };
+        for def in base.types() {
+            index.type_body(&def.name, &def.kind);
+        }
+        index
+    }
+
     pub(crate) fn command(
         &mut self,
         item: &Item<'_, 's>,
@@ -56,39 +75,18 @@ impl<'s> Index<'s> {
 
     /// What a type is made of, for the check that no type contains itself.
     pub(crate) fn type_body(&mut self, name: &str, kind: &TypeKind) {
-        let mut parts = Vec::new();
-        match kind {
-            TypeKind::Object(fields) | TypeKind::Array { fields, .. } => {
-                parts.extend(fields.iter().filter_map(|field| named(&field.ty)));
-            }
-            TypeKind::Choice(choice) => {
-                let fields = choice.variants.iter().flat_map(|variant| &variant.fields);
-                parts.extend(fields.filter_map(|field| named(&field.ty)));
-            }
-            TypeKind::Wrapper(ty, _) => parts.extend(named(ty)),
-            TypeKind::IntEnum(_) | TypeKind::TextEnum(_) => {}
-        }
-        self.types.insert(name.to_owned(), parts);
+        self.types.insert(name.to_owned(), kind.names().map(str::to_owned).collect());
     }
 
     pub(crate) fn type_use(&mut self, item: &Item<'_, 's>, at: At<'s>, ty: &Type) {
-        if let Some(name) = named(ty) {
-            self.uses.push(TypeUse { what: item.what.clone(), at, name });
+        if let Some(name) = ty.named() {
+            self.uses.push(TypeUse { what: item.what.clone(), at, name: name.to_owned() });
         }
     }
 
     pub(crate) fn error_code(&mut self, item: &Item<'_, 's>, wire: &Placed<'s, i64>, name: &Placed<'s, String>) {
         self.error_wires.add(item, "code", wire);
         self.error_names.add(item, "name", name);
-    }
-}
-
-/// The name of the type at the heart of `ty`, if it is a named one.
-fn named(ty: &Type) -> Option<String> {
-    match ty {
-        Type::List(element) | Type::Array(element, _) | Type::Python(element) => named(element),
-        Type::Named(name) => Some(name.clone()),
-        _ => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! What users read when a spec is wrong: every error at once, each at its place.
 
 use expect_test::{Expect, expect};
-use jaka_spec::{Source, load};
+use jaka_spec::{Source, load, load_pack};
 
 /// Loads `text` as `spec/test.toml` and compares the errors.
 fn check(text: &str, expected: &Expect) {
@@ -321,6 +321,49 @@ doc = "A kind that does not exist."
             spec/test.toml:32:8: type `Odd`: `kind` is one of object, array, enum, choice, wrapper, not `struct`
         "]],
     );
+}
+
+#[test]
+fn versions_that_are_none_or_in_the_wrong_order() {
+    let command = |wire: &str, versions: &str| {
+        format!("[[command]]\nwire = \"{wire}\"\neffect = \"query\"\ndoc = \"Reads.\"\n{versions}\n")
+    };
+    let text = [
+        "title = \"Test\"\n".to_owned(),
+        command("signed", "since = \"1.+5\""),
+        command("five_numbers", "until = \"1.7.1.46.2\""),
+        command("too_great", "since = \"1.4294967296\""),
+        command("later", "since = \"1.7\"\nuntil = \"1.6.5\""),
+        command("within", "since = \"1.6.5\"\nuntil = \"1.6\""),
+        command("at_once", "since = \"1.6\"\nuntil = \"1.6\""),
+        command("ten_is_after_nine", "since = \"1.5.9\"\nuntil = \"1.5.10\""),
+    ];
+    check(
+        &text.concat(),
+        &expect![[r"
+            spec/test.toml:6:9: command `signed`: `since` is a version such as 1.5 or 1.6.5
+            spec/test.toml:11:9: command `five_numbers`: `until` is a version such as 1.5 or 1.6.5
+            spec/test.toml:16:9: command `too_great`: `since` is a version such as 1.5 or 1.6.5
+            spec/test.toml:17:1: command `later`: `since` is later than `until`
+        "]],
+    );
+}
+
+#[test]
+fn the_versions_of_an_override_are_checked_with_those_that_it_keeps() {
+    let text = r#"
+title = "Test"
+
+[[command]]
+wire = "go"
+effect = "motion"
+since = "1.7"
+doc = "Goes."
+"#;
+    let base = load(&[Source { path: "spec/test.toml", text }]).expect("the spec is correct");
+    let pack = "title = \"Pack\"\n\n[[override]]\ntarget = \"go\"\nuntil = \"1.6\"\n";
+    let errors = load_pack(&base, Source { path: "pack.toml", text: pack }).expect_err("no version is left");
+    expect!["pack.toml:3:1: override of `go`: `since` is later than `until`"].assert_eq(&errors.to_string());
 }
 
 #[test]

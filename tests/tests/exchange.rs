@@ -94,6 +94,20 @@ fn ranges_of_newer_firmware_can_be_switched_off() {
 }
 
 #[test]
+fn a_request_is_sent_as_it_stands() {
+    let (controller, mut client) = connected();
+    let request = "{ \"rate_value\":0.5,\t\"cmdName\": \"rapid_rate\" }";
+    let reply = client.call_text(request, Duration::from_secs(5)).expect("it answers");
+    assert!(reply.contains("\"rapid_rate\""), "{reply}");
+    assert_eq!(controller.requests(), [request]);
+    for wrong in ["", "[]", "{}", "{\"cmdName\": \"\"}"] {
+        let error = client.call_text(wrong, Duration::from_secs(5)).expect_err("it is no request");
+        assert!(error.is_invalid_argument(), "{wrong}: {error:?}");
+    }
+    assert_eq!(controller.requests(), [request]);
+}
+
+#[test]
 fn raw_calls_give_the_whole_reply() {
     let (controller, mut client) = connected();
     let reply = client.call_raw("get_robot_state", &Value::Null).expect("it answers");

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::item::{Item, Placed};
-use crate::model::Versions;
 use crate::names::{is_camel, is_snake};
 use crate::report::At;
+use crate::version::{Version, Versions};
 
 pub(super) fn doc(item: &Item<'_, '_>) -> Option<String> {
     item.text("doc").map(|text| text.value.trim().to_owned())
@@ -32,7 +32,7 @@ pub(super) fn camel_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
     name
 }
 
-pub(super) fn wire_int<'s>(item: &Item<'_, 's>) -> Placed<'s, i64> {
+pub(crate) fn wire_int<'s>(item: &Item<'_, 's>) -> Placed<'s, i64> {
     if !item.has("wire") {
         item.error(item.at, "`wire` is missing");
     }
@@ -58,21 +58,26 @@ pub(super) fn word<T: Copy>(
     found
 }
 
-pub(super) fn versions(item: &Item<'_, '_>) -> Versions {
+/// The versions that know the item; what its table does not say is as `before`.
+pub(crate) fn versions(item: &Item<'_, '_>, before: &Versions) -> Versions {
     let version = |key| {
         let text = item.text(key)?;
-        let fits = text.value.split('.').all(|part| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit()));
-        if !fits {
+        let version = Version::read(&text.value);
+        if version.is_none() {
             item.error(text.at, &format!("`{key}` is a version such as 1.5 or 1.6.5"));
         }
-        Some(text.value)
+        version
     };
-    Versions { since: version("since"), until: version("until") }
+    let versions = Versions { since: version("since"), until: version("until") }.or(before);
+    if versions.is_void() {
+        item.error(item.at, "`since` is later than `until`");
+    }
+    versions
 }
 
-/// Names that may stand only once, with the place of the first.
+/// Names that may stand only once, with the place of the first; none for those of the spec that a pack adds to.
 #[derive(Debug)]
-pub(crate) struct Unique<'s, T>(BTreeMap<T, At<'s>>);
+pub(crate) struct Unique<'s, T>(BTreeMap<T, Option<At<'s>>>);
 
 impl<T> Default for Unique<'_, T> {
     fn default() -> Self {
@@ -83,10 +88,15 @@ impl<T> Default for Unique<'_, T> {
 impl<'s, T: Ord + Clone + std::fmt::Display> Unique<'s, T> {
     pub(crate) fn add(&mut self, item: &Item<'_, 's>, what: &str, name: &Placed<'s, T>) {
         if let Some(first) = self.0.get(&name.value) {
-            let message = format!("the {what} `{}` is taken already, at {first}", name.value);
-            item.error(name.at, &message);
+            let place = first.map_or_else(|| "by the spec that this adds to".to_owned(), |first| format!("at {first}"));
+            item.error(name.at, &format!("the {what} `{}` is taken already, {place}", name.value));
         } else {
-            self.0.insert(name.value.clone(), name.at);
+            self.0.insert(name.value.clone(), Some(name.at));
         }
+    }
+
+    /// The names that are taken before anything is read.
+    pub(crate) fn taken(names: impl Iterator<Item = T>) -> Self {
+        Self(names.map(|name| (name, None)).collect())
     }
 }

@@ -6,6 +6,7 @@ use crate::model::{Field, Range, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::resolve::Index;
 use crate::type_text;
+use crate::version::Versions;
 
 /// Fields of a struct written as an object, from `[[… .key]]`.
 pub(super) fn fields<'s>(item: &Item<'_, 's>, key: &'static str, what: &str, index: &mut Index<'s>) -> Vec<Field> {
@@ -13,10 +14,19 @@ pub(super) fn fields<'s>(item: &Item<'_, 's>, key: &'static str, what: &str, ind
     let mut keys = Unique::default();
     let read = |item: &Item<'_, 's>| {
         let wire = item.required_text("wire");
+        let name = snake_name(item, &wire);
         keys.add(item, "key", &wire);
-        field(item, wire, index, &mut names)
+        names.add(item, "name", &name);
+        read(item, wire.value, name, index)
     };
     item.items(key, what).iter().map(read).collect()
+}
+
+/// One field of a struct written as an object.
+pub(crate) fn field<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
+    let wire = item.required_text("wire");
+    let name = snake_name(item, &wire);
+    read(item, wire.value, name, index)
 }
 
 /// Fields of a struct written as an array: they have a place instead of a key.
@@ -24,7 +34,9 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     let mut names = Unique::default();
     let mut optional_seen = false;
     let read = |item: &Item<'_, 's>| {
-        let field = field(item, Placed { at: item.at, value: String::new() }, index, &mut names);
+        let name = snake_name(item, &Placed { at: item.at, value: String::new() });
+        names.add(item, "name", &name);
+        let field = read(item, String::new(), name, index);
         if optional_seen && !field.optional {
             item.error(item.at, "an element behind an optional one must be optional too");
         }
@@ -34,17 +46,14 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     item.items("field", "field").iter().map(read).collect()
 }
 
-fn field<'s>(
-    item: &Item<'_, 's>,
-    wire: Placed<'s, String>,
-    index: &mut Index<'s>,
-    names: &mut Unique<'s, String>,
-) -> Field {
-    let name = snake_name(item, &wire);
-    names.add(item, "name", &name);
-    if RESERVED_FIELDS.contains(&name.value.as_str()) {
-        item.error(name.at, &format!("`{}` is a name of the generated code; give another as `name`", name.value));
-    }
+/// One field of a struct written as an array.
+pub(crate) fn element<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
+    let name = snake_name(item, &Placed { at: item.at, value: String::new() });
+    read(item, String::new(), name, index)
+}
+
+fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {
+    check_name(item, &name);
     let field = Field {
         name: name.value,
         ty: field_type(item, index),
@@ -55,21 +64,77 @@ fn field<'s>(
         or_raw: item.flag("or_raw").is_some_and(|flag| flag.value),
         doc: required_doc(item),
         disputed: item.texts("disputed").into_iter().map(|text| text.value).collect(),
-        versions: versions(item),
-        wire: wire.value,
+        versions: versions(item, &Versions::default()),
+        wire,
     };
     check_field(item, &field);
     item.finish();
     field
 }
 
+/// The field as an `[[override]]` changes it: what the table does not say stays as it is.
+pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut Index<'s>) -> Field {
+    let name = snake_name(item, &Placed { at: item.at, value: base.name.clone() });
+    check_name(item, &name);
+    let flag = |key, before: bool| item.flag(key).map_or(before, |flag| flag.value);
+    let ty = if item.has("type") { field_type(item, index) } else { base.ty.clone() };
+    let limits = if is_number(&ty) { base.range } else { Range::default() };
+    let bound = |key, before| item.bound(key).map_or(before, |bound| Some(bound.value).filter(|b| b.is_finite()));
+    let mut field = Field {
+        wire: base.wire.clone(),
+        name: name.value,
+        ty,
+        unit: item
+            .text("unit")
+            .map_or_else(|| base.unit.clone(), |unit| Some(unit.value).filter(|unit| !unit.is_empty())),
+        range: Range {
+            min: bound("min", limits.min),
+            max: bound("max", limits.max),
+            advisory: flag("advisory", limits.advisory),
+        },
+        ascii: flag("ascii", base.ascii),
+        optional: flag("optional", base.optional),
+        or_raw: flag("or_raw", base.or_raw),
+        doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
+        disputed: base.disputed.clone(),
+        versions: versions(item, &base.versions),
+    };
+    settle(item, &mut field, base);
+    check_field(item, &field);
+    item.finish();
+    field
+}
+
+/// Where sources contradict each other, whoever takes a side says why.
+fn settle(item: &Item<'_, '_>, field: &mut Field, base: &Field) {
+    match item.text("settled") {
+        Some(settled) if base.disputed.is_empty() => {
+            item.error(settled.at, "`settled` is for a disputed field, and no source disputes this one");
+        }
+        Some(settled) => {
+            field.disputed.clear();
+            field.doc = format!("{}\n\nSettled: {}", field.doc, settled.value.trim());
+        }
+        None if !base.disputed.is_empty() && (field.ty != base.ty || field.doc != base.doc) => {
+            let readings = base.disputed.join("; ");
+            item.error(item.at, &format!("the meaning is disputed ({readings}); say in `settled` how you found out"));
+        }
+        None => {}
+    }
+}
+
+fn check_name(item: &Item<'_, '_>, name: &Placed<'_, String>) {
+    if RESERVED_FIELDS.contains(&name.value.as_str()) {
+        item.error(name.at, &format!("`{}` is a name of the generated code; give another as `name`", name.value));
+    }
+}
+
 fn check_field(item: &Item<'_, '_>, field: &Field) {
     let scalar = innermost(&field.ty);
-    let numeric = matches!(scalar, Type::Int | Type::Float);
     if field.range.min.zip(field.range.max).is_some_and(|(min, max)| min > max) {
         item.error(item.at, "`min` is greater than `max`");
     }
-    if (field.range != Range::default()) && !numeric {
+    if (field.range != Range::default()) && !is_number(&field.ty) {
         item.error(item.at, "`min`, `max` and `advisory` are for numbers");
     }
     if field.range.advisory && field.range.min.is_none() && field.range.max.is_none() {
@@ -90,6 +155,11 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
 fn has_words(ty: &Type) -> bool {
     let usual = |form: &str| matches!(form.to_ascii_lowercase().trim_matches('"'), "false" | "true" | "0" | "1");
     matches!(ty, Type::Bool { off, on } if !usual(off) || !usual(on))
+}
+
+/// True for a number, and for an array of numbers.
+fn is_number(ty: &Type) -> bool {
+    matches!(innermost(ty), Type::Int | Type::Float)
 }
 
 fn innermost(ty: &Type) -> &Type {

@@ -7,7 +7,7 @@ use crate::model::{Choice, EnumValue, Field, TypeDef, TypeKind, Variant};
 use crate::names::RESERVED_TYPES;
 use crate::resolve::Index;
 
-pub(super) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDef {
+pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDef {
     let name = camel_name(item);
     index.type_name(item, &name);
     if RESERVED_TYPES.contains(&name.value.as_str()) {
@@ -54,18 +54,23 @@ fn enum_values<'s, T: Ord + Clone + std::fmt::Display>(
     let mut wires = Unique::default();
     let read = |item: &Item<'_, 's>| {
         let wire = wire(item);
-        let name = camel_name(item);
         wires.add(item, "value", &wire);
-        names.add(item, "name", &name);
-        if name.value == "Other" {
-            item.error(name.at, "`Other` is the variant for values that the spec does not list");
-        }
-        let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
-        let value = EnumValue { wire: wire.value, name: name.value, doc: required_doc(item), advisory };
-        item.finish();
-        value
+        names.add(item, "name", &camel_name(item));
+        enum_value(item, wire.value)
     };
     items.iter().map(read).collect()
+}
+
+/// One value of an enum.
+pub(crate) fn enum_value<T>(item: &Item<'_, '_>, wire: T) -> EnumValue<T> {
+    let name = camel_name(item);
+    if name.value == "Other" {
+        item.error(name.at, "`Other` is the variant for values that the spec does not list");
+    }
+    let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
+    let value = EnumValue { wire, name: name.value, doc: required_doc(item), advisory };
+    item.finish();
+    value
 }
 
 /// The variants of a choice, whose fields are read by `fields`.

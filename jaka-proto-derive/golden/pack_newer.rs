@@ -1,0 +1,270 @@
+/// What newer firmware adds.
+///
+/// Three commands that the built-in spec does not have.
+#[allow(unreachable_pub)]
+pub mod newer {
+    #[allow(unused_imports)]
+    use ::jaka_sync::proto::{self as proto, check, wire};
+    /// Reads how the motion stands.
+    ///
+    /// Sends `get_motion_state`. Changes nothing on the robot.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub struct GetMotionState;
+    impl wire::Fields for GetMotionState {
+        fn write_fields(&self, _out: &mut wire::Writer) {}
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            reader.skip().map(|()| Self)
+        }
+    }
+    proto::__object_impls!(GetMotionState);
+    impl check::Validate for GetMotionState {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            Ok(())
+        }
+    }
+    impl proto::Command for GetMotionState {
+        type Reply = GetMotionStateReply;
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
+            "get_motion_state",
+            "{\"cmdName\":\"get_motion_state\"",
+            "",
+            proto::Effect::Query,
+        );
+    }
+    /// What the controller answers to [`GetMotionState`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct GetMotionStateReply {
+        /// Whether the arm is in position.
+        ///
+        /// `inpos` on the wire.
+        #[doc(alias = "inpos")]
+        pub in_position: bool,
+        /// Whether the motion is paused.
+        pub paused: bool,
+        /// How many motions are queued.
+        pub queue: i64,
+        /// How many of the queued motions are being carried out.
+        pub active_queue: i64,
+    }
+    impl wire::Fields for GetMotionStateReply {
+        fn write_fields(&self, out: &mut wire::Writer) {
+            out.key("\"inpos\":");
+            wire::Encode::encode(&self.in_position, out);
+            out.key("\"paused\":");
+            wire::Encode::encode(&self.paused, out);
+            out.key("\"queue\":");
+            wire::Encode::encode(&self.queue, out);
+            out.key("\"active_queue\":");
+            wire::Encode::encode(&self.active_queue, out);
+        }
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            let mut in_position = None;
+            let mut paused = None;
+            let mut queue = None;
+            let mut active_queue = None;
+            reader.begin_object()?;
+            while let Some(key) = reader.next_key()? {
+                match &*key {
+                    "inpos" => reader.field("in_position", &mut in_position)?,
+                    "paused" => reader.field("paused", &mut paused)?,
+                    "queue" => reader.field("queue", &mut queue)?,
+                    "active_queue" => reader.field("active_queue", &mut active_queue)?,
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {
+                in_position: in_position
+                    .ok_or_else(|| wire::DecodeError::missing("in_position", "inpos"))?,
+                paused: paused
+                    .ok_or_else(|| wire::DecodeError::missing("paused", "paused"))?,
+                queue: queue
+                    .ok_or_else(|| wire::DecodeError::missing("queue", "queue"))?,
+                active_queue: active_queue
+                    .ok_or_else(|| wire::DecodeError::missing(
+                        "active_queue",
+                        "active_queue",
+                    ))?,
+            })
+        }
+    }
+    proto::__object_impls!(GetMotionStateReply);
+    /// Reads whether the emergency stop is pressed.
+    ///
+    /// Sends `emergency_stop_status`. Changes nothing on the robot.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub struct EmergencyStopStatus;
+    impl wire::Fields for EmergencyStopStatus {
+        fn write_fields(&self, _out: &mut wire::Writer) {}
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            reader.skip().map(|()| Self)
+        }
+    }
+    proto::__object_impls!(EmergencyStopStatus);
+    impl check::Validate for EmergencyStopStatus {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            Ok(())
+        }
+    }
+    impl proto::Command for EmergencyStopStatus {
+        type Reply = EmergencyStopStatusReply;
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
+            "emergency_stop_status",
+            "{\"cmdName\":\"emergency_stop_status\"",
+            "",
+            proto::Effect::Query,
+        );
+    }
+    /// What the controller answers to [`EmergencyStopStatus`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct EmergencyStopStatusReply {
+        /// Whether the emergency stop is pressed.
+        pub emergency_stop: bool,
+    }
+    impl wire::Fields for EmergencyStopStatusReply {
+        fn write_fields(&self, out: &mut wire::Writer) {
+            out.key("\"emergency_stop\":");
+            out.choose(*&self.emergency_stop, "0", "1");
+        }
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            let mut emergency_stop = None;
+            reader.begin_object()?;
+            while let Some(key) = reader.next_key()? {
+                match &*key {
+                    "emergency_stop" => {
+                        reader.field("emergency_stop", &mut emergency_stop)?
+                    }
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {
+                emergency_stop: emergency_stop
+                    .ok_or_else(|| wire::DecodeError::missing(
+                        "emergency_stop",
+                        "emergency_stop",
+                    ))?,
+            })
+        }
+    }
+    proto::__object_impls!(EmergencyStopStatusReply);
+    /// Sets the time between two status packets.
+    ///
+    /// Sends `set_port10000_delay_ms`.
+    #[doc(alias = "set_port10000_delay_ms")]
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct SetStatusPeriod {
+        /// Time between two packets. In ms, at least 1.
+        ///
+        /// `port10000_delay_ms` on the wire.
+        #[doc(alias = "port10000_delay_ms")]
+        pub period: i64,
+    }
+    impl wire::Fields for SetStatusPeriod {
+        fn write_fields(&self, out: &mut wire::Writer) {
+            out.key("\"port10000_delay_ms\":");
+            wire::Encode::encode(&self.period, out);
+        }
+        fn read_fields(
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<Self, wire::DecodeError> {
+            let mut period = None;
+            reader.begin_object()?;
+            while let Some(key) = reader.next_key()? {
+                match &*key {
+                    "port10000_delay_ms" => reader.field("period", &mut period)?,
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {
+                period: period
+                    .ok_or_else(|| wire::DecodeError::missing(
+                        "period",
+                        "port10000_delay_ms",
+                    ))?,
+            })
+        }
+    }
+    proto::__object_impls!(SetStatusPeriod);
+    impl check::Validate for SetStatusPeriod {
+        #[allow(unused_variables)]
+        fn validate(
+            &self,
+            place: &check::Place<'_>,
+            limits: &check::Limits,
+        ) -> Result<(), check::NotSent> {
+            place
+                .check(
+                    "period",
+                    &self.period,
+                    &check::Limits {
+                        min: Some(1f64),
+                        unit: "ms",
+                        ..check::Limits::NONE
+                    },
+                )?;
+            Ok(())
+        }
+    }
+    impl proto::Command for SetStatusPeriod {
+        type Reply = ();
+        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
+            "set_port10000_delay_ms",
+            "{\"cmdName\":\"set_port10000_delay_ms\"",
+            "",
+            proto::Effect::Setting,
+        );
+    }
+    /// The commands of [`newer`](self) as methods: of a client, of a robot, and of all else that takes commands.
+    pub trait NewerCommands: ::jaka_sync::Call {
+        /// Reads how the motion stands.
+        ///
+        /// Sends `get_motion_state`. Changes nothing on the robot.
+        ///
+        /// # Errors
+        /// As `Call::call`.
+        fn get_motion_state(
+            &mut self,
+        ) -> Result<GetMotionStateReply, ::jaka_sync::Error> {
+            ::jaka_sync::Call::call(self, &GetMotionState)
+        }
+        /// Reads whether the emergency stop is pressed.
+        ///
+        /// Sends `emergency_stop_status`. Changes nothing on the robot.
+        ///
+        /// # Errors
+        /// As `Call::call`.
+        fn emergency_stop_status(
+            &mut self,
+        ) -> Result<EmergencyStopStatusReply, ::jaka_sync::Error> {
+            ::jaka_sync::Call::call(self, &EmergencyStopStatus)
+        }
+        /// Sets the time between two status packets.
+        ///
+        /// Sends `set_port10000_delay_ms`.
+        ///
+        /// # Errors
+        /// As `Call::call`.
+        #[doc(alias = "set_port10000_delay_ms")]
+        fn set_status_period(&mut self, period: i64) -> Result<(), ::jaka_sync::Error> {
+            ::jaka_sync::Call::call(self, &SetStatusPeriod { period })
+        }
+    }
+    impl<T: ::jaka_sync::Call + ?Sized> NewerCommands for T {}
+}

@@ -1,0 +1,56 @@
+//! Commands that a pack adds or changes: checked and answered by what the pack says.
+
+use jaka_proto::wire::Writer;
+use jaka_proto::{Envelope, ErrorCode};
+use jaka_spec::{Command, Spec, json};
+use serde_json::{Map, Value};
+
+/// True if the spec allows the request.
+pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
+    let message: Result<Map<_, _>, _> = serde_json::from_str(request);
+    message.is_ok_and(|message| json::check_request(spec, command, &message).is_empty())
+}
+
+/// Writes a reply with the spec's example, or with zeros.
+pub(super) fn sample(spec: &Spec, command: &Command, out: &mut Writer) {
+    write(&command.wire, &json::sample_reply(spec, command), out);
+}
+
+/// Adds to a reply what the pack says and the simulator does not know.
+pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
+    let Some(mut reply) = accepted(out.as_str()) else { return };
+    let before = reply.len();
+    for (key, value) in json::sample_reply(spec, command) {
+        reply.entry(key).or_insert(value);
+    }
+    if reply.len() > before {
+        rewrite(&reply, out);
+    }
+}
+
+/// Writes the user's fields into the reply to an accepted command.
+pub(super) fn put(fields: &Map<String, Value>, out: &mut Writer) {
+    let Some(mut reply) = accepted(out.as_str()) else { return };
+    reply.extend(fields.clone());
+    rewrite(&reply, out);
+}
+
+/// The reply, if it accepts the command.
+fn accepted(reply: &str) -> Option<Map<String, Value>> {
+    let envelope = Envelope::read(reply).ok()?;
+    let is_success = envelope.code.is_ok_and(ErrorCode::is_success);
+    serde_json::from_str(reply).ok().filter(|_| is_success)
+}
+
+fn rewrite(reply: &Map<String, Value>, out: &mut Writer) {
+    let text = Value::Object(reply.clone()).to_string();
+    out.clear();
+    out.raw(&text);
+}
+
+fn write(command: &str, fields: &Map<String, Value>, out: &mut Writer) {
+    jaka_proto::write_refusal(Some(command), ErrorCode::SUCCESS, "", out);
+    let mut reply = accepted(out.as_str()).unwrap_or_default();
+    reply.extend(fields.clone());
+    rewrite(&reply, out);
+}

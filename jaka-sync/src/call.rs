@@ -1,0 +1,42 @@
+//! What takes commands.
+
+use crate::{Client, Command, Error, Robot};
+
+/// What takes commands: a [`Client`], a [`Robot`], or a type of yours that passes them on.
+///
+/// The methods of a [pack](crate::pack) are there for all that implements this, and code can be generic over it:
+///
+/// ```
+/// use jaka_sync::power::GetVersion;
+/// use jaka_sync::{Call, Error};
+///
+/// fn version(robot: &mut impl Call) -> Result<String, Error> {
+///     Ok(robot.call(&GetVersion)?.version)
+/// }
+/// ```
+pub trait Call {
+    /// Sends a command and waits for its reply.
+    ///
+    /// # Errors
+    /// As [`Client::call`].
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error>;
+}
+
+impl Call for Client {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        Client::call(self, command)
+    }
+}
+
+/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see [`Robot::run`].
+impl Call for Robot {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        self.client().call(command)
+    }
+}
+
+impl<T: Call + ?Sized> Call for &mut T {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        (**self).call(command)
+    }
+}

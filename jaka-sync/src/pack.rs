@@ -1,0 +1,48 @@
+//! Commands from a TOML file in the user's crate.
+
+/// Makes a module of a command pack: a TOML file of yours that adds commands to the built-in spec, or changes what is there.
+///
+/// The path counts from the folder of your crate's `Cargo.toml`, and the module has the name of the file. Of `newer.toml`
+/// comes `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait `NewerCommands`, whose
+/// methods work on a [`Client`](crate::Client), a [`Robot`](crate::Robot) and all else that implements [`Call`](crate::Call).
+/// An edit of the file rebuilds your crate, and what is wrong in it is a compiler error at the macro's path that names file, line
+/// and column.
+///
+/// ```toml
+/// # newer.toml
+/// title = "What firmware 1.7.2 adds"
+///
+/// [[command]]
+/// wire = "get_motion_state"
+/// effect = "query"
+/// doc = "Reads how the motion stands."
+///
+/// [[command.reply]]
+/// wire = "queue"
+/// type = "int"
+/// doc = "How many motions are queued."
+/// ```
+///
+/// ```ignore
+/// jaka_sync::pack!("newer.toml");
+/// use newer::NewerCommands as _;
+///
+/// let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
+/// let queue = robot.get_motion_state()?.queue;
+/// ```
+///
+/// A pack can also change what the built-in spec has: `[[extend]]` adds fields to a command or a type, such as keys to the
+/// status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or settles what sources dispute. The
+/// module then has messages of its own for each command that is changed by it. Their methods bear the module's name, such as
+/// `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is read by a
+/// `Monitor<newer::RobotStatus>`. The format is described with
+/// [jaka-spec](https://docs.rs/jaka-spec).
+///
+/// Where a later version of this crate has an entry of your pack in its own spec, the compiler warns that the entry can be
+/// deleted; until then it goes on to work.
+#[macro_export]
+macro_rules! pack {
+    ($path:tt) => {
+        $crate::__private::pack! { ($crate) $path }
+    };
+}

@@ -1,0 +1,210 @@
+//! What a command line offers for a command.
+
+use serde_json::Value;
+
+use super::limits::Limits;
+use super::names::{kebab, same};
+use super::value::value;
+use crate::{Choice, Command, EnumValue, Field, Request, Spec, Type, TypeKind};
+
+/// One argument of a command: a field of its request, or the tag that tells which fields there are.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Argument {
+    /// Its name in kebab-case, such as `joint-position`; no other argument of the command has it.
+    pub name: String,
+    /// The key on the wire, such as `jointPosition`, which may serve as an alias.
+    pub wire: String,
+    /// The key under which [`request`](super::request) takes its value: the field's Rust name, or the tag's key.
+    pub field: String,
+    /// What to give, such as `NUMBER`, `on|off` or `[X,Y,Z,RX,RY,RZ]`.
+    pub hint: String,
+    /// What it means, in which unit and range, and what sources disagree on.
+    pub help: String,
+    /// True where it must be given; with a tag, in the variants that have it.
+    pub required: bool,
+    /// The values of an enum or a tag; empty for any other type.
+    pub values: Vec<PossibleValue>,
+    /// The variants that have the field, by their names in kebab-case; empty where all requests have it.
+    pub variants: Vec<String>,
+    ty: Type,
+}
+
+/// One value that an argument may have.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct PossibleValue {
+    /// Its name in kebab-case.
+    pub name: String,
+    /// Its form on the wire, such as `0`.
+    pub wire: Value,
+    /// What it means, in one sentence.
+    pub help: String,
+}
+
+impl Argument {
+    /// Reads what was typed for the argument, as [`value`] does.
+    ///
+    /// # Errors
+    /// The text is no value of the argument's type; the message says what is.
+    pub fn value(&self, spec: &Spec, text: &str) -> Result<Value, String> {
+        let is_value = |listed: &&PossibleValue| same(&listed.name, text) || listed.wire == text;
+        match self.values.iter().find(is_value) {
+            Some(listed) => Ok(listed.wire.clone()),
+            None => value(spec, &self.ty, text).map_err(|error| match self.values.len() {
+                0 => error,
+                _ => format!("`{text}` is not {}", self.hint),
+            }),
+        }
+    }
+}
+
+/// The arguments of a command, in the order of the spec; the tag of a choice comes first.
+///
+/// Fields of several variants with the same name and type are one argument.
+pub fn arguments(spec: &Spec, command: &Command) -> Vec<Argument> {
+    match &command.request {
+        Request::Fields(fields) => fields.iter().map(|field| argument(spec, field)).collect(),
+        Request::Choice(choice) => choice_arguments(spec, choice),
+    }
+}
+
+fn choice_arguments(spec: &Spec, choice: &Choice) -> Vec<Argument> {
+    let mut arguments = vec![tag(choice)];
+    for variant in &choice.variants {
+        let variant_name = kebab(&variant.name);
+        for field in &variant.fields {
+            let mut new = argument(spec, field);
+            new.variants.push(variant_name.clone());
+            match arguments.iter_mut().find(|old| old.name == new.name) {
+                Some(old) if old.wire == new.wire && old.ty == new.ty => merge(old, new),
+                Some(_) => {
+                    new.name = format!("{variant_name}-{}", new.name);
+                    arguments.push(new);
+                }
+                None => arguments.push(new),
+            }
+        }
+    }
+    arguments
+}
+
+/// Adds a variant to an argument. What it says of the field is added if no other variant says it.
+fn merge(old: &mut Argument, new: Argument) {
+    if !old.help.contains(&new.help) {
+        old.help = format!("{} With `{}`: {}", old.help, new.variants.join("`, `"), new.help);
+    }
+    old.variants.extend(new.variants);
+    old.required &= new.required;
+}
+
+fn tag(choice: &Choice) -> Argument {
+    let listed = |variant: &crate::Variant| possible(&variant.name, variant.wire.into(), &variant.doc);
+    let values: Vec<_> = choice.variants.iter().map(listed).collect();
+    Argument {
+        name: kebab(&choice.tag),
+        wire: choice.tag.clone(),
+        field: choice.tag.clone(),
+        hint: alternatives(&values),
+        help: "What is asked for, and so which further arguments there are.".to_owned(),
+        required: true,
+        values,
+        variants: Vec::new(),
+        ty: Type::Int,
+    }
+}
+
+fn argument(spec: &Spec, field: &Field) -> Argument {
+    Argument {
+        name: kebab(&field.name),
+        wire: field.wire.clone(),
+        field: field.name.clone(),
+        hint: hint(spec, &field.ty),
+        help: help(spec, field),
+        required: !field.optional,
+        values: values(spec, &field.ty),
+        variants: Vec::new(),
+        ty: field.ty.clone(),
+    }
+}
+
+fn values(spec: &Spec, ty: &Type) -> Vec<PossibleValue> {
+    let Type::Named(name) = ty else { return Vec::new() };
+    match spec.type_def(name).map(|def| &def.kind) {
+        Some(TypeKind::IntEnum(values)) => listed(values, |wire| (*wire).into()),
+        Some(TypeKind::TextEnum(values)) => listed(values, |wire| wire.as_str().into()),
+        Some(TypeKind::Wrapper(ty, _)) => values(spec, ty),
+        _ => Vec::new(),
+    }
+}
+
+fn listed<T>(values: &[EnumValue<T>], wire: impl Fn(&T) -> Value) -> Vec<PossibleValue> {
+    let one = |value: &EnumValue<T>| {
+        let mut one = possible(&value.name, wire(&value.wire), &value.doc);
+        if value.advisory {
+            one.help += " Taken by newer firmware only.";
+        }
+        one
+    };
+    values.iter().map(one).collect()
+}
+
+fn possible(name: &str, wire: Value, doc: &str) -> PossibleValue {
+    PossibleValue { name: kebab(name), wire, help: first_sentence(doc).to_owned() }
+}
+
+fn alternatives(values: &[PossibleValue]) -> String {
+    values.iter().map(|value| value.name.as_str()).collect::<Vec<_>>().join("|")
+}
+
+fn hint(spec: &Spec, ty: &Type) -> String {
+    match ty {
+        Type::Bool { .. } => "on|off".to_owned(),
+        Type::Int => "INTEGER".to_owned(),
+        Type::Float => "NUMBER".to_owned(),
+        Type::Text | Type::Python(_) => "TEXT".to_owned(),
+        Type::Json => "JSON".to_owned(),
+        Type::List(element) => format!("[{},…]", hint(spec, element)),
+        Type::Array(element, len) => format!("[{}; {len}]", hint(spec, element)),
+        Type::Named(name) => match spec.type_def(name).map(|def| &def.kind) {
+            Some(TypeKind::Array { fields, .. }) => {
+                let names: Vec<_> = fields.iter().map(|field| field.name.to_uppercase()).collect();
+                format!("[{}]", names.join(","))
+            }
+            Some(TypeKind::Wrapper(ty, _)) => hint(spec, ty),
+            Some(TypeKind::IntEnum(_) | TypeKind::TextEnum(_)) => alternatives(&values(spec, ty)),
+            Some(TypeKind::Object(_) | TypeKind::Choice(_)) | None => "JSON".to_owned(),
+        },
+    }
+}
+
+fn help(spec: &Spec, field: &Field) -> String {
+    let mut help = first_sentence(&field.doc).to_owned();
+    if let Some(unit) = field.unit.as_deref().or_else(|| wrapped_unit(spec, &field.ty)) {
+        help = format!("{help} In {unit}.");
+    }
+    if let Some(range) = (Limits { unit: None, ..Limits::of(field) }).range_words() {
+        help = format!("{help} Allowed: {range}.");
+    }
+    if field.ascii {
+        help += " Printable ASCII only.";
+    }
+    if !field.disputed.is_empty() {
+        help = format!("{help} Sources disagree: {}.", field.disputed.join("; "));
+    }
+    help
+}
+
+fn wrapped_unit<'s>(spec: &'s Spec, ty: &Type) -> Option<&'s str> {
+    let Type::Named(name) = ty else { return None };
+    match &spec.type_def(name)?.kind {
+        TypeKind::Wrapper(_, unit) => unit.as_deref(),
+        _ => None,
+    }
+}
+
+/// The first sentence, with its full stop.
+fn first_sentence(doc: &str) -> &str {
+    let ends = ["\n\n", ". ", ".\n"].iter().filter_map(|end| Some(doc.find(end)? + usize::from(end.starts_with('.'))));
+    ends.min().map_or(doc, |end| &doc[..end])
+}

@@ -1,0 +1,206 @@
+//! Messages held against the spec, read as leniently as the generated code reads them.
+
+use serde_json::{Map, Value};
+
+use super::departure::{Departure, DepartureKind, Reading};
+use super::limits::{Slot, variants};
+use super::notation::notation;
+use super::problem::{element, excerpt, member};
+use super::python;
+use super::scalar::{self, Form};
+use crate::{Choice, Field, Spec, Type, TypeKind};
+
+/// The departures found so far.
+pub(super) struct Decoder<'s> {
+    pub(super) spec: &'s Spec,
+    pub(super) departures: Vec<Departure>,
+}
+
+impl<'s> Decoder<'s> {
+    pub(super) fn new(spec: &'s Spec) -> Self {
+        Self { spec, departures: Vec::new() }
+    }
+
+    /// Reads the fields of an object. `envelope` are keys that are none of the fields.
+    pub(super) fn object(&mut self, place: &str, fields: &[Field], found: &Map<String, Value>, envelope: &[&str]) {
+        let known = |key: &str| envelope.contains(&key) || fields.iter().any(|field| field.wire == key);
+        for (key, value) in found.iter().filter(|(key, _)| !known(key)) {
+            self.add(&member(place, key), DepartureKind::Unknown, value, notation(value), Reading::Lenient);
+        }
+        for field in fields {
+            self.field(&member(place, &field.wire), field, found.get(&field.wire));
+        }
+    }
+
+    /// Reads the variant of an object that holds a choice.
+    pub(super) fn object_choice(&mut self, choice: &Choice, found: &Map<String, Value>, envelope: &[&str]) {
+        let tag = found.get(&choice.tag).unwrap_or(&Value::Null);
+        let known = variants(&choice.variants);
+        let wire = scalar::int(tag).map(|(wire, _)| wire);
+        match choice.variants.iter().find(|variant| Some(variant.wire) == wire) {
+            Some(variant) => self.object("", &variant.fields, found, &[envelope, &[&choice.tag]].concat()),
+            None if tag.is_null() => self.add(&choice.tag, DepartureKind::Missing, tag, known, Reading::Unreadable),
+            None => self.add(&choice.tag, DepartureKind::Unlisted, tag, known, Reading::Unreadable),
+        }
+    }
+
+    fn field(&mut self, place: &str, field: &Field, found: Option<&Value>) {
+        let slot = Slot::of(place, field);
+        let before = self.departures.len();
+        match found.filter(|value| !value.is_null()) {
+            Some(value) => self.value(&slot, value),
+            None if field.optional => return,
+            None => self.unfit(&slot, DepartureKind::Missing, &Value::Null),
+        }
+        if field.or_raw && found.is_some_and(|value| !value.is_null()) {
+            // What does not fit is kept as raw JSON.
+            self.departures[before..].iter_mut().for_each(|departure| departure.reading = Reading::Lenient);
+        }
+    }
+
+    fn value(&mut self, slot: &Slot<'_>, value: &Value) {
+        match slot.ty {
+            Type::Bool { off, on } => self.form(slot, value, scalar::truth(value, off, on).map(|(_, form)| form)),
+            Type::Float => self.number(slot, value, scalar::float(value)),
+            #[expect(clippy::cast_precision_loss, reason = "limits are small; rounding moves none across them")]
+            Type::Int => self.number(slot, value, scalar::int(value).map(|(int, form)| (int as f64, form))),
+            Type::Text => match value.as_str() {
+                Some(text) if slot.limits.allow_text(text) => {}
+                Some(_) => self.lenient(slot, DepartureKind::Range, value),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
+            Type::Python(inner) => match value.as_str().and_then(python::read) {
+                Some(found) => self.value(&slot.inner(slot.place, inner), &found),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
+            Type::Json => {}
+            Type::List(element) => self.list(slot, element, value, None),
+            Type::Array(element, len) => self.list(slot, element, value, Some(*len)),
+            Type::Named(name) => self.named(slot, name, value),
+        }
+    }
+
+    fn named(&mut self, slot: &Slot<'_>, name: &str, value: &Value) {
+        let spec = self.spec;
+        match spec.type_def(name).map(|def| &def.kind) {
+            Some(TypeKind::Object(fields)) => match value.as_object() {
+                Some(found) => self.object(slot.place, fields, found, &[]),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
+            Some(TypeKind::Array { fields, exact }) => match value.as_array() {
+                Some(found) => self.elements(slot, fields, found, *exact),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
+            Some(TypeKind::IntEnum(values)) => match scalar::int(value) {
+                Some((wire, _)) if values.iter().all(|listed| listed.wire != wire) => {
+                    self.lenient(slot, DepartureKind::Unlisted, value);
+                }
+                found => self.form(slot, value, found.map(|(_, form)| form)),
+            },
+            Some(TypeKind::TextEnum(values)) => match value.as_str() {
+                Some(text) if values.iter().any(|listed| listed.wire == text) => {}
+                Some(_) => self.lenient(slot, DepartureKind::Unlisted, value),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
+            Some(TypeKind::Choice(choice)) => self.array_choice(slot, choice, value),
+            Some(TypeKind::Wrapper(ty, unit)) => self.value(&slot.unwrapped(ty, unit.as_deref()), value),
+            None => {}
+        }
+    }
+
+    /// Reads the elements of a struct that is an array on the wire.
+    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], found: &[Value], exact: bool) {
+        if found.len() > fields.len() {
+            let reading = if exact { Reading::Unreadable } else { Reading::Lenient };
+            self.at(slot, DepartureKind::Length, &Value::from(found), reading);
+        }
+        for (index, field) in fields.iter().enumerate() {
+            self.field(&member(slot.place, &field.name), field, found.get(index));
+        }
+    }
+
+    fn array_choice(&mut self, slot: &Slot<'_>, choice: &Choice, value: &Value) {
+        let parts = value.as_array().and_then(|found| found.split_first());
+        let Some(((tag, _), rest)) = parts.and_then(|(tag, rest)| Some((scalar::int(tag)?, rest))) else {
+            return self.unfit(slot, DepartureKind::Form, value);
+        };
+        match choice.variants.iter().find(|variant| variant.wire == tag) {
+            Some(variant) => self.elements(slot, &variant.fields, rest, false),
+            None => self.lenient(slot, DepartureKind::Unlisted, value),
+        }
+    }
+
+    fn list(&mut self, slot: &Slot<'_>, ty: &Type, value: &Value, len: Option<usize>) {
+        let Some(found) = value.as_array() else { return self.unfit(slot, DepartureKind::Form, value) };
+        if len.is_some_and(|len| found.len() != len) {
+            self.unfit(slot, DepartureKind::Length, value);
+        }
+        let first = self.departures.len();
+        for (index, value) in found.iter().enumerate() {
+            let before = self.departures.len();
+            let place = element(slot.place, index);
+            self.value(&slot.inner(&place, ty), value);
+            for departure in self.departures.split_off(before) {
+                self.add_or_count(slot.place, first, departure);
+            }
+        }
+    }
+
+    /// Adds a departure of an element, or counts it where an element before differs in the same way.
+    fn add_or_count(&mut self, array: &str, first: usize, new: Departure) {
+        /// The path inside the element.
+        fn inner<'f>(array: &str, field: &'f str) -> &'f str {
+            field[array.len()..].split_once(']').map_or("", |(_, inner)| inner)
+        }
+        let same = |old: &&mut Departure| {
+            (old.kind, old.reading) == (new.kind, new.reading) && inner(array, &old.field) == inner(array, &new.field)
+        };
+        match self.departures[first..].iter_mut().find(same) {
+            Some(old) => old.more += new.more + 1,
+            None => self.departures.push(new),
+        }
+    }
+
+    fn number(&mut self, slot: &Slot<'_>, value: &Value, found: Option<(f64, Form)>) {
+        match found {
+            Some((number, _)) if !slot.limits.allow(number) => self.lenient(slot, DepartureKind::Range, value),
+            found => self.form(slot, value, found.map(|(_, form)| form)),
+        }
+    }
+
+    fn form(&mut self, slot: &Slot<'_>, value: &Value, form: Option<Form>) {
+        match form {
+            Some(Form::Plain) => {}
+            Some(Form::Lenient) => self.lenient(slot, DepartureKind::Form, value),
+            None => self.unfit(slot, DepartureKind::Form, value),
+        }
+    }
+
+    fn lenient(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value) {
+        self.at(slot, kind, value, Reading::Lenient);
+    }
+
+    fn unfit(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value) {
+        self.at(slot, kind, value, Reading::Unreadable);
+    }
+
+    fn at(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value, reading: Reading) {
+        self.add(slot.place, kind, value, slot.words(self.spec), reading);
+        if let Some(last) = self.departures.last_mut() {
+            last.advisory = kind == DepartureKind::Range && slot.limits.range.advisory;
+        }
+    }
+
+    pub(super) fn add(&mut self, place: &str, kind: DepartureKind, value: &Value, expected: String, reading: Reading) {
+        let found = if kind == DepartureKind::Missing { String::new() } else { excerpt(value) };
+        self.departures.push(Departure {
+            field: place.to_owned(),
+            kind,
+            found,
+            expected,
+            reading,
+            advisory: false,
+            more: 0,
+        });
+    }
+}

@@ -1,0 +1,71 @@
+//! One difference between a message and the spec.
+
+use std::fmt;
+
+/// One thing in which a message differs from the spec.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Departure {
+    /// Where, by the keys on the wire and the names of elements, such as `torqsensor[0]` or `actual_position.rx`;
+    /// empty for the message as a whole.
+    pub field: String,
+    /// What differs.
+    pub kind: DepartureKind,
+    /// What stands there, as JSON; empty where nothing does.
+    pub found: String,
+    /// What the spec has there; for an unknown key, the type that the value looks like, in the spec's notation.
+    pub expected: String,
+    /// Whether the message decodes all the same.
+    pub reading: Reading,
+    /// True for a number outside a range that newer firmware has widened.
+    pub advisory: bool,
+    /// How many further elements of the same array differ in the same way.
+    pub more: usize,
+}
+
+/// What differs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DepartureKind {
+    /// A key or element that must be there is not, or is null.
+    Missing,
+    /// The spec has no such key.
+    Unknown,
+    /// The value is of another JSON type, or written in another form.
+    Form,
+    /// The array has another length.
+    Length,
+    /// The number is out of range, or the text holds more than ASCII.
+    Range,
+    /// The enum or choice has no such value.
+    Unlisted,
+}
+
+/// Whether what differs can be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// It decodes: to the same value, to raw JSON, or by being skipped.
+    Lenient,
+    /// It does not, and so neither does the message.
+    Unreadable,
+}
+
+/// One line, such as ``lenient: `speed` is "20"; expected is a number (in mm/s)``.
+impl fmt::Display for Departure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { field, kind, found, expected, reading, more, .. } = self;
+        f.write_str(match reading {
+            Reading::Lenient => "lenient: ",
+            Reading::Unreadable => "unreadable: ",
+        })?;
+        if field.is_empty() { f.write_str("the message") } else { write!(f, "`{field}`") }?;
+        match kind {
+            DepartureKind::Missing => write!(f, " is missing; expected is {expected}"),
+            DepartureKind::Unknown => write!(f, " is not in the spec; it looks like `{expected}`: {found}"),
+            DepartureKind::Unlisted => write!(f, " is {found}; the spec lists {expected}"),
+            DepartureKind::Length => write!(f, " has another length; expected is {expected}: {found}"),
+            DepartureKind::Form | DepartureKind::Range => write!(f, " is {found}; expected is {expected}"),
+        }?;
+        if *more == 0 { Ok(()) } else { write!(f, " (and {more} more like it)") }
+    }
+}

@@ -1,0 +1,176 @@
+//! Requests into JSON, strictly.
+
+mod value;
+
+use serde_json::{Map, Value};
+
+use super::envelope::COMMAND_NAME;
+use super::limits::{AdvisoryRanges, Slot, variants};
+use super::names::{field_of, same, suggestion};
+use super::problem::{Problem, ProblemKind, member};
+use crate::{Choice, Command, Field, Request, Spec};
+
+/// The request with these fields, byte for byte as the generated code writes it.
+///
+/// - A field is given under its wire spelling or its Rust name. One that is null counts as absent.
+/// - A struct that the wire writes as an array is taken as that array, or as an object of its fields.
+/// - A value of an enum is taken by its wire form or by its name, in any case: `0`, `"Absolute"`, `"absolute"`. So is
+///   the tag of a choice, which is given under its key on the wire.
+/// - A truth value is taken as true or false, or as the wire writes it. A Python literal is taken as its text, unread.
+///
+/// # Errors
+/// Everything that the spec forbids, at once: unknown fields, and then the rest in the order of the spec.
+pub fn request(
+    spec: &Spec,
+    command: &Command,
+    fields: &Map<String, Value>,
+    ranges: AdvisoryRanges,
+) -> Result<String, Vec<Problem>> {
+    let out = format!("{{\"{COMMAND_NAME}\":\"{}\"", command.wire);
+    let mut encoder = Encoder { spec, ranges, out, problems: Vec::new() };
+    match &command.request {
+        Request::Fields(known) => encoder.object("", known, fields, ""),
+        Request::Choice(choice) => encoder.object_choice(choice, fields),
+    }
+    encoder.out.push('}');
+    if encoder.problems.is_empty() { Ok(encoder.out) } else { Err(encoder.problems) }
+}
+
+struct Encoder<'s> {
+    spec: &'s Spec,
+    ranges: AdvisoryRanges,
+    out: String,
+    problems: Vec<Problem>,
+}
+
+/// Fields of structs, of arrays and of choices.
+impl Encoder<'_> {
+    /// Writes the fields of an object, without braces. `tag` is a key that is none of the fields.
+    fn object(&mut self, place: &str, fields: &[Field], given: &Map<String, Value>, tag: &str) {
+        for (key, value) in given.iter().filter(|(key, _)| *key != tag && field_of(fields, key).is_none()) {
+            let known = suggestion(key, fields.iter().map(|field| [field.name.as_str(), field.wire.as_str()]));
+            self.problem(&member(place, key), ProblemKind::Unknown, value, known);
+        }
+        let values: Vec<_> = fields.iter().map(|field| self.given(place, fields, field, given)).collect();
+        self.members(place, fields, &values);
+    }
+
+    /// The value given for a field.
+    fn given<'v>(
+        &mut self,
+        place: &str,
+        fields: &[Field],
+        field: &Field,
+        given: &'v Map<String, Value>,
+    ) -> Option<&'v Value> {
+        let is_field = |key: &str| field_of(fields, key).is_some_and(|found| found.name == field.name);
+        let mut values = given.iter().filter(|(key, value)| is_field(key) && !value.is_null()).map(|(_, value)| value);
+        let value = values.next();
+        if let Some(again) = values.next() {
+            self.problem(&member(place, &field.name), ProblemKind::Repeated, again, String::new());
+        }
+        value
+    }
+
+    /// Writes one value for each field, with its key where it has one.
+    fn members(&mut self, place: &str, fields: &[Field], values: &[Option<&Value>]) {
+        for (index, (field, value)) in fields.iter().zip(values).enumerate() {
+            // An element of an array cannot be left out before one that is given.
+            let gap = field.wire.is_empty() && values[index..].iter().any(Option::is_some);
+            let place = member(place, &field.name);
+            let slot = Slot::of(&place, field);
+            if let Some(value) = value {
+                self.comma();
+                if !field.wire.is_empty() {
+                    self.key(&field.wire);
+                }
+                self.value(&slot, value);
+            } else if !field.optional || gap {
+                self.missing(&slot);
+            }
+        }
+    }
+
+    /// Writes a struct that is an array on the wire.
+    fn array(&mut self, slot: &Slot<'_>, fields: &[Field], value: &Value) {
+        self.out.push('[');
+        match value {
+            Value::Object(given) => self.object(slot.place, fields, given, ""),
+            Value::Array(elements) => self.elements(slot, fields, elements, value),
+            _ => self.forbidden(slot, value),
+        }
+        self.out.push(']');
+    }
+
+    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], elements: &[Value], whole: &Value) {
+        let required = fields.iter().filter(|field| !field.optional).count();
+        if elements.len() < required || elements.len() > fields.len() {
+            return self.forbidden(slot, whole);
+        }
+        let values: Vec<_> = elements.iter().map(|value| Some(value).filter(|value| !value.is_null())).collect();
+        self.members(slot.place, fields, &values);
+    }
+
+    fn object_choice(&mut self, choice: &Choice, given: &Map<String, Value>) {
+        let tag = given.get(&choice.tag).unwrap_or(&Value::Null);
+        let Some(variant) = choice.variants.iter().find(|variant| is_value(tag, variant.wire, &variant.name)) else {
+            let kind = if tag.is_null() { ProblemKind::Missing } else { ProblemKind::Forbidden };
+            return self.problem(&choice.tag, kind, tag, variants(&choice.variants));
+        };
+        self.comma();
+        self.key(&choice.tag);
+        self.out.push_str(&variant.wire.to_string());
+        self.object("", &variant.fields, given, &choice.tag);
+    }
+
+    fn array_choice(&mut self, slot: &Slot<'_>, choice: &Choice, value: &Value) {
+        let parts = value.as_array().and_then(|elements| elements.split_first());
+        let found = parts.and_then(|(tag, rest)| {
+            let variant = choice.variants.iter().find(|variant| is_value(tag, variant.wire, &variant.name));
+            variant.map(|variant| (variant, rest))
+        });
+        let Some((variant, rest)) = found else { return self.forbidden(slot, value) };
+        self.out.push('[');
+        self.out.push_str(&variant.wire.to_string());
+        self.elements(slot, &variant.fields, rest, value);
+        self.out.push(']');
+    }
+}
+
+/// Punctuation and problems.
+impl Encoder<'_> {
+    /// Writes a comma, unless an object or array begins here.
+    fn comma(&mut self) {
+        if !self.out.ends_with(['{', '[']) {
+            self.out.push(',');
+        }
+    }
+
+    fn key(&mut self, wire: &str) {
+        self.out.extend(["\"", wire, "\":"]);
+    }
+
+    fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {
+        self.problems.push(Problem::new(place, kind, value, allowed));
+    }
+
+    fn missing(&mut self, slot: &Slot<'_>) {
+        self.problem(slot.place, ProblemKind::Missing, &Value::Null, slot.words(self.spec));
+    }
+
+    fn forbidden(&mut self, slot: &Slot<'_>, value: &Value) {
+        self.problem(slot.place, ProblemKind::Forbidden, value, slot.words(self.spec));
+    }
+
+    /// Says of the last problem whether newer firmware may take the value.
+    fn mark(&mut self, advisory: bool) {
+        if let Some(last) = self.problems.last_mut() {
+            last.advisory = advisory;
+        }
+    }
+}
+
+/// True if `value` is this number, or the name that goes with it.
+fn is_value(value: &Value, wire: i64, name: &str) -> bool {
+    value.as_i64() == Some(wire) || value.as_str().is_some_and(|text| same(text, name))
+}

@@ -1,0 +1,104 @@
+//! Replies and status packets held against the spec.
+
+use serde_json::{Map, Value};
+
+use super::decode::Decoder;
+use super::departure::{Departure, DepartureKind, Reading};
+use super::scalar::{self, Form};
+use crate::{Command, Spec, TypeKind};
+
+/// The key under which messages name their command.
+pub(super) const COMMAND_NAME: &str = "cmdName";
+const ERROR_CODE: &str = "errorCode";
+const ERROR_MESSAGE: &str = "errorMsg";
+
+/// The three keys that every reply has.
+pub(super) const ENVELOPE: &[&str] = &[COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE];
+
+/// The type of the packets of port 10000.
+const STATUS_TYPE: &str = "RobotStatus";
+
+/// How a reply differs from the spec: in its envelope, in unknown keys, and then in the order of the spec.
+///
+/// A refusal is held against the envelope alone, for it carries no payload. A bare Python tuple, which some firmware
+/// sends in place of a reply, is given as a JSON string.
+pub fn departures(spec: &Spec, command: &Command, reply: &Value) -> Vec<Departure> {
+    let mut decoder = Decoder::new(spec);
+    match (reply, bare_reply(command, reply)) {
+        (Value::Object(found), _) => {
+            if envelope(&mut decoder, command, found) {
+                decoder.object("", &command.reply, found, ENVELOPE);
+            }
+        }
+        (_, Some(found)) => {
+            decoder.add("", DepartureKind::Form, reply, "an object".to_owned(), Reading::Lenient);
+            decoder.object("", &command.reply, &found, ENVELOPE);
+        }
+        (other, None) => decoder.add("", DepartureKind::Form, other, "an object".to_owned(), Reading::Unreadable),
+    }
+    decoder.departures
+}
+
+/// The reply that a bare Python tuple stands for.
+fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
+    let name = command.bare_reply.as_ref()?;
+    let field = command.reply.iter().find(|field| field.name == *name)?;
+    let is_tuple = reply.as_str()?.trim_start().starts_with('(');
+    is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
+}
+
+/// How a packet of port 10000 differs from the spec: in unknown keys, and then in the order of the spec.
+pub fn status_departures(spec: &Spec, packet: &Value) -> Vec<Departure> {
+    let mut decoder = Decoder::new(spec);
+    let fields = match spec.type_def(STATUS_TYPE).map(|def| &def.kind) {
+        Some(TypeKind::Object(fields)) => fields.as_slice(),
+        _ => &[],
+    };
+    match packet {
+        Value::Object(found) => decoder.object("", fields, found, &[]),
+        other => decoder.add("", DepartureKind::Form, other, "an object".to_owned(), Reading::Unreadable),
+    }
+    decoder.departures
+}
+
+/// Reads the keys that every reply has; true if the reply is one of success, whose payload follows.
+fn envelope(decoder: &mut Decoder<'_>, command: &Command, found: &Map<String, Value>) -> bool {
+    let value = |key: &str| found.get(key).unwrap_or(&Value::Null);
+    let (name, code, message) = (value(COMMAND_NAME), value(ERROR_CODE), value(ERROR_MESSAGE));
+    let name_form = match name.as_str() {
+        Some(text) if text == command.wire => Some(Form::Plain),
+        Some(text) if text.trim() != command.wire => None,
+        _ => Some(Form::Lenient),
+    };
+    let code_form = error_code(code).map(|number| match code.as_str() {
+        Some(text) if text == number.to_string() => Form::Plain,
+        _ => Form::Lenient,
+    });
+    let message_form = if message.is_string() { Form::Plain } else { Form::Lenient };
+    let mut part = |key: &str, value: &Value, expected: &str, form: Option<Form>| {
+        let kind = if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
+        match form {
+            Some(Form::Plain) => {}
+            Some(Form::Lenient) => decoder.add(key, kind, value, expected.to_owned(), Reading::Lenient),
+            None => decoder.add(key, kind, value, expected.to_owned(), Reading::Unreadable),
+        }
+    };
+    part(ERROR_CODE, code, "text of decimal digits", code_form);
+    part(ERROR_MESSAGE, message, "text", Some(message_form));
+    part(COMMAND_NAME, name, &format!("`{}`", command.wire), name_form);
+    is_success(found)
+}
+
+/// True for the reply to a command that was carried out.
+pub(super) fn is_success(reply: &Map<String, Value>) -> bool {
+    reply.get(ERROR_CODE).and_then(error_code) == Some(0)
+}
+
+/// The number in `errorCode`: also in a string, and there also in hexadecimal.
+fn error_code(code: &Value) -> Option<i64> {
+    let digits = code.as_str().map(str::trim).and_then(|text| text.strip_prefix("0x").or(text.strip_prefix("0X")));
+    match digits.map(|digits| i64::from_str_radix(digits, 16)) {
+        Some(Ok(code)) => Some(code),
+        _ => scalar::int(code).map(|(code, _)| code),
+    }
+}

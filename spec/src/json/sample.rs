@@ -1,0 +1,78 @@
+//! Replies for a simulated controller.
+
+use serde_json::{Map, Value};
+
+use super::envelope::{ENVELOPE, is_success};
+use super::python;
+use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
+
+/// The fields of a successful reply, without the three keys that every reply has.
+///
+/// They are those of the first successful reply that the spec prints. A required field that it lacks is false, 0 (or
+/// what is nearest to it in range), empty text, the first value of an enum, an empty array, an array of the fixed
+/// length, or an object of such.
+pub fn sample_reply(spec: &Spec, command: &Command) -> Map<String, Value> {
+    let replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
+    let mut objects = replies.filter_map(|reply| serde_json::from_str::<Map<_, _>>(reply).ok());
+    let mut reply = objects.find(is_success).unwrap_or_default();
+    reply.retain(|key, _| !ENVELOPE.contains(&key.as_str()));
+    complete(spec, &command.reply, &mut reply);
+    reply
+}
+
+fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {
+    for field in fields.iter().filter(|field| !field.optional) {
+        object.entry(field.wire.clone()).or_insert_with(|| member(spec, field));
+    }
+}
+
+fn member(spec: &Spec, field: &Field) -> Value {
+    let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
+    let nearest = 0_f64.max(min).min(max);
+    if nearest != 0.0 && matches!(field.ty, Type::Int | Type::Float) {
+        // In the form in which Rust prints it, a whole number has no fraction.
+        return serde_json::from_str(&nearest.to_string()).unwrap_or_default();
+    }
+    of_type(spec, &field.ty)
+}
+
+fn of_type(spec: &Spec, ty: &Type) -> Value {
+    match ty {
+        Type::Bool { off, .. } => serde_json::from_str(off).unwrap_or_default(),
+        Type::Int | Type::Float => 0.into(),
+        Type::Text => "".into(),
+        Type::Json => Map::new().into(),
+        Type::List(_) => Value::Array(Vec::new()),
+        Type::Array(element, len) => vec![of_type(spec, element); *len].into(),
+        Type::Python(inner) => python::write(&of_type(spec, inner)).into(),
+        Type::Named(name) => spec.type_def(name).map(|def| of_kind(spec, &def.kind)).unwrap_or_default(),
+    }
+}
+
+fn of_kind(spec: &Spec, kind: &TypeKind) -> Value {
+    match kind {
+        TypeKind::Object(fields) => {
+            let mut object = Map::new();
+            complete(spec, fields, &mut object);
+            object.into()
+        }
+        TypeKind::Array { fields, .. } => elements(spec, fields).collect(),
+        TypeKind::IntEnum(values) => first(values, |value| value.wire.into()),
+        TypeKind::TextEnum(values) => first(values, |value| value.wire.clone().into()),
+        TypeKind::Choice(choice) => {
+            let tagged = |variant: &crate::Variant| {
+                std::iter::once(variant.wire.into()).chain(elements(spec, &variant.fields)).collect()
+            };
+            choice.variants.first().map(tagged).unwrap_or_default()
+        }
+        TypeKind::Wrapper(ty, _) => of_type(spec, ty),
+    }
+}
+
+fn elements(spec: &Spec, fields: &[Field]) -> impl Iterator<Item = Value> {
+    fields.iter().filter(|field| !field.optional).map(|field| member(spec, field))
+}
+
+fn first<T>(values: &[EnumValue<T>], wire: impl Fn(&EnumValue<T>) -> Value) -> Value {
+    values.first().map(wire).unwrap_or_default()
+}

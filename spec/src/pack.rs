@@ -1,0 +1,188 @@
+//! Packs: what a user's file adds to a spec and changes in it.
+
+mod change;
+mod module;
+
+use std::collections::BTreeSet;
+
+pub use self::module::Module;
+use crate::item::Item;
+use crate::model::{Command, ErrorCode, Field, Request, Spec, Topic, TypeDef, TypeKind};
+use crate::report::{Error, Errors, Report};
+use crate::resolve::Index;
+use crate::{Source, read, resolve};
+
+/// A spec with what a pack adds to it and changes in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pack {
+    /// All of it: the changed items at their places, and what is new in a last topic, the pack's.
+    pub spec: Spec,
+    /// Entries of the pack that change nothing, since the spec says the same already.
+    pub notes: Vec<Error>,
+    /// What is new.
+    topic: Topic,
+    changed: Changed,
+}
+
+/// The items of the spec that a pack changes or repeats.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Changed {
+    commands: BTreeSet<String>,
+    types: BTreeSet<String>,
+    repeated_commands: BTreeSet<String>,
+    repeated_types: BTreeSet<String>,
+}
+
+/// Loads a pack: a file that adds to `base` and changes it.
+///
+/// # Errors
+/// One [`Error`] for each thing that is wrong, at its line and column.
+pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
+    let (report, notes) = (Report::default(), Report::default());
+    let mut draft = Draft { spec: base.clone(), index: Index::of(base), notes: &notes, changed: Changed::default() };
+    let topic = read::file(source, &report, |root, topic| draft.read(root, topic));
+    resolve::check(&draft.index, &report);
+    draft.check_methods(&topic, source, &report);
+    report.finish()?;
+    let Draft { mut spec, changed, .. } = draft;
+    let mut notes = notes.finish().map_or_else(|errors| errors.0, |()| Vec::new());
+    if topic.is_empty() && changed.commands.is_empty() && changed.types.is_empty() {
+        let message = "this pack no longer changes anything: the spec has all of it, so it can be deleted".to_owned();
+        notes.insert(0, Error { path: source.path.to_owned(), line: 1, column: 1, message });
+    }
+    spec.topics.push(topic.clone());
+    Ok(Pack { spec, notes, topic, changed })
+}
+
+/// A spec while a pack is being applied.
+struct Draft<'s, 'r> {
+    spec: Spec,
+    index: Index<'s>,
+    notes: &'r Report,
+    changed: Changed,
+}
+
+impl<'s> Draft<'s, '_> {
+    fn read(&mut self, root: &Item<'_, 's>, topic: &mut Topic) {
+        let commands = root.items("command", "command");
+        let types = root.items("type", "type");
+        let errors = root.items("error", "error code");
+        let extensions = root.items("extend", "extension of");
+        let overrides = root.items("override", "override of");
+        if [&commands, &types, &errors, &extensions, &overrides].iter().all(|items| items.is_empty()) {
+            root.error(root.at, "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[extend]]` or `[[override]]`");
+        }
+        topic.types = types.iter().filter_map(|item| self.new_type(item)).collect();
+        topic.commands = commands.iter().filter_map(|item| self.new_command(item)).collect();
+        topic.errors = errors.iter().filter_map(|item| self.new_error(item)).collect();
+        for item in &extensions {
+            self.extend(item);
+        }
+        for item in &overrides {
+            self.change(item);
+        }
+    }
+
+    /// Says that an entry changes nothing.
+    fn note(&self, item: &Item<'_, 's>, message: &str) {
+        self.notes.error(item.at, format!("{}: {message}", item.what));
+    }
+
+    fn new_command(&mut self, item: &Item<'_, 's>) -> Option<Command> {
+        let known = item.text("wire").and_then(|wire| self.spec.command(&wire.value).cloned());
+        let Some(known) = known else {
+            if item.has("bare_reply") {
+                item.error(item.at, "`bare_reply` is for commands of the built-in spec");
+            }
+            return Some(read::command(item, &mut self.index));
+        };
+        if bare_command(&read::command(item, &mut Index::default())) == bare_command(&known) {
+            self.note(item, REPEATED);
+            self.changed.repeated_commands.insert(known.wire);
+        } else {
+            item.error(item.at, DIFFERS);
+        }
+        None
+    }
+
+    fn new_type(&mut self, item: &Item<'_, 's>) -> Option<TypeDef> {
+        let known = item.text("name").and_then(|name| self.spec.type_def(&name.value).cloned());
+        let Some(known) = known else { return Some(read::type_def(item, &mut self.index)) };
+        if bare_type(&read::type_def(item, &mut Index::default())) == bare_type(&known) {
+            self.note(item, REPEATED);
+            self.changed.repeated_types.insert(known.name);
+        } else {
+            item.error(item.at, DIFFERS);
+        }
+        None
+    }
+
+    fn new_error(&mut self, item: &Item<'_, 's>) -> Option<ErrorCode> {
+        let known = item.int("wire").and_then(|wire| self.spec.errors().find(|code| code.wire == wire.value).cloned());
+        let Some(known) = known else { return Some(read::error_code(item, &mut self.index)) };
+        if read::error_code(item, &mut Index::default()).name == known.name {
+            self.note(item, REPEATED);
+        } else {
+            item.error(item.at, &format!("the spec has the code {} already, as `{}`", known.wire, known.name));
+        }
+        None
+    }
+
+    /// The methods of changed commands bear the pack's name; nothing else may.
+    fn check_methods(&mut self, topic: &Topic, source: Source<'s>, report: &Report) {
+        let start = crate::report::At { source, offset: 0 };
+        for name in topic.commands.iter().map(|command| &command.name) {
+            let taken = self.spec.commands().any(|command| module::method(&command.name, &topic.name) == *name);
+            if taken {
+                report.error(start, format!("the method name `{name}` is that of a changed command in this pack"));
+            }
+        }
+    }
+}
+
+const REPEATED: &str = "the spec has the same already; this entry changes nothing and can be deleted";
+const DIFFERS: &str =
+    "the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`";
+
+/// The command without what is for readers alone.
+fn bare_command(command: &Command) -> Command {
+    let mut bare = command.clone();
+    bare.doc.clear();
+    bare.errata.clear();
+    bare.examples.clear();
+    (bare.section, bare.reconstructed) = (None, None);
+    match &mut bare.request {
+        Request::Fields(fields) => bare_fields(fields),
+        Request::Choice(choice) => choice.variants.iter_mut().for_each(|variant| {
+            variant.doc.clear();
+            bare_fields(&mut variant.fields);
+        }),
+    }
+    bare_fields(&mut bare.reply);
+    bare
+}
+
+fn bare_type(def: &TypeDef) -> TypeKind {
+    let mut kind = def.kind.clone();
+    match &mut kind {
+        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => bare_fields(fields),
+        TypeKind::IntEnum(values) => values.iter_mut().for_each(|value| value.doc.clear()),
+        TypeKind::TextEnum(values) => values.iter_mut().for_each(|value| value.doc.clear()),
+        TypeKind::Choice(choice) => choice.variants.iter_mut().for_each(|variant| {
+            variant.doc.clear();
+            bare_fields(&mut variant.fields);
+        }),
+        TypeKind::Wrapper(..) => {}
+    }
+    kind
+}
+
+fn bare_fields(fields: &mut [Field]) {
+    for field in fields {
+        field.doc.clear();
+    }
+}
+
+fn bare_field(field: &Field) -> Field {
+    Field { doc: String::new(), ..field.clone() }
+}

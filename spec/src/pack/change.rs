@@ -1,0 +1,271 @@
+//! `[[extend]]` and `[[override]]`: changes of what the spec has.
+
+use super::{Draft, bare_field};
+use crate::item::{Item, Placed};
+use crate::model::{Command, EnumValue, Field, Request, Spec, TypeDef, TypeKind};
+use crate::names::nearest;
+use crate::read;
+
+/// What an entry changes: a command by its `cmdName`, or a type by its name.
+#[derive(Debug, Clone, PartialEq)]
+enum Target {
+    Command(String),
+    Type(String),
+}
+
+impl Target {
+    fn of(item: &Item<'_, '_>, spec: &Spec) -> Option<Self> {
+        let name = item.required_text("target");
+        if spec.command(&name.value).is_some() {
+            return Some(Self::Command(name.value));
+        }
+        if spec.type_def(&name.value).is_some() {
+            return Some(Self::Type(name.value));
+        }
+        let known = spec.commands().map(|command| &*command.wire).chain(spec.types().map(|def| &*def.name));
+        let hint = nearest(&name.value, known).map(|near| format!("; there is `{near}`")).unwrap_or_default();
+        if !name.value.is_empty() {
+            item.error(name.at, &format!("the spec has no command and no type `{}`{hint}", name.value));
+        }
+        None
+    }
+}
+
+/// Where the fields stand that an entry names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Request,
+    Reply,
+    Type,
+}
+
+impl Part {
+    fn key(self) -> &'static str {
+        match self {
+            Self::Request => "request",
+            Self::Reply => "reply",
+            Self::Type => "field",
+        }
+    }
+}
+
+impl<'s> Draft<'s, '_> {
+    /// Adds fields, or values of an enum.
+    pub(super) fn extend(&mut self, item: &Item<'_, 's>) {
+        let Some(target) = Target::of(item, &self.spec) else { return };
+        let variant = item.text("variant");
+        let parts: &[Part] = match target {
+            Target::Command(_) => &[Part::Request, Part::Reply],
+            Target::Type(_) => &[Part::Type],
+        };
+        let mut added = Vec::new();
+        for part in parts {
+            let fields = item.items(part.key(), "field");
+            added.extend(fields.iter().map(|field| self.add_field(item, field, (&target, variant.as_ref(), *part))));
+        }
+        if let Target::Type(name) = &target {
+            added.extend(item.items("value", "value").iter().map(|value| self.add_value(value, name)));
+        }
+        if added.is_empty() {
+            item.error(
+                item.at,
+                "an extension has fields: `request` or `reply` of a command, `field` or `value` of a type",
+            );
+        }
+        item.finish();
+        if added.contains(&true) {
+            self.changed(&target);
+        }
+    }
+
+    /// Adds a field; false if nothing changes.
+    fn add_field(&mut self, outer: &Item<'_, 's>, item: &Item<'_, 's>, place: Place<'_, 's>) -> bool {
+        let Self { spec, index, .. } = self;
+        let Some(List { fields, keyed, optional_only }) = list(outer, spec, place) else { return false };
+        let new = if keyed { read::field(item, index) } else { read::element(item, index) };
+        let same = fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
+        if same.is_some_and(|old| bare_field(old) == bare_field(&new)) {
+            self.note(item, super::REPEATED);
+            return false;
+        }
+        if let Some(old) = same {
+            item.error(item.at, &taken(old, &new));
+        } else if optional_only && !new.optional {
+            item.error(item.at, "a reply that may never come can have optional fields only");
+        } else if !keyed && !new.optional && fields.last().is_some_and(|last| last.optional) {
+            item.error(item.at, "an element behind an optional one must be optional too");
+        }
+        fields.push(new);
+        true
+    }
+
+    /// Adds a value to an enum; false if nothing changes.
+    fn add_value(&mut self, item: &Item<'_, 's>, name: &str) -> bool {
+        let repeated = match self.spec.type_mut(name).map(|def| &mut def.kind) {
+            Some(TypeKind::IntEnum(values)) => {
+                let wire = read::wire_int(item).value;
+                add_value(item, values, read::enum_value(item, wire))
+            }
+            Some(TypeKind::TextEnum(values)) => {
+                let wire = item.required_text("wire").value;
+                add_value(item, values, read::enum_value(item, wire))
+            }
+            _ => {
+                item.error(item.at, "`value` is for an enum");
+                false
+            }
+        };
+        if repeated {
+            self.note(item, super::REPEATED);
+        }
+        !repeated
+    }
+
+    /// Changes one field, or what is said about a command.
+    pub(super) fn change(&mut self, item: &Item<'_, 's>) {
+        let Some(target) = Target::of(item, &self.spec) else { return };
+        let variant = item.text("variant");
+        let parts = match target {
+            Target::Command(_) => &[Part::Request, Part::Reply][..],
+            Target::Type(_) => &[Part::Type],
+        };
+        let named: Vec<_> = parts.iter().filter_map(|part| Some((*part, item.text(part.key())?))).collect();
+        match (named.as_slice(), &target) {
+            ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
+            ([], Target::Command(wire)) => self.change_command(item, wire),
+            ([], Target::Type(_)) => item.error(item.at, "`field` says which field is overridden, and is missing"),
+            _ => item.error(item.at, "an override is of one field: `request` or `reply`, not both"),
+        }
+    }
+
+    fn change_field(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>, place: Place<'_, 's>) {
+        let Self { spec, index, .. } = self;
+        let Some(List { fields, .. }) = list(item, spec, place) else { return };
+        let Some(at) = fields.iter().position(|field| is_called(field, &name.value)) else {
+            let known = fields.iter().map(|field| if field.wire.is_empty() { &*field.name } else { &*field.wire });
+            let known: Vec<_> = known.collect();
+            item.error(name.at, &format!("there is no field `{}`; there are {}", name.value, known.join(", ")));
+            return;
+        };
+        let new = read::changed_field(item, &fields[at], index);
+        if fields.iter().enumerate().any(|(i, other)| i != at && other.name == new.name) {
+            item.error(item.at, &format!("another field has the name `{}`", new.name));
+        }
+        if new == fields[at] {
+            self.note(item, SAME);
+        } else {
+            fields[at] = new;
+            self.changed(place.0);
+        }
+    }
+
+    fn change_command(&mut self, item: &Item<'_, 's>, wire: &str) {
+        let Some(command) = self.spec.command_mut(wire) else { return };
+        let before = command.clone();
+        if item.has("requires") {
+            command.requires = read::requires(item);
+        }
+        command.deadline = read::deadline(item).or(command.deadline);
+        command.versions = read::versions(item, &before.versions);
+        if let Some(doc) = item.text("doc") {
+            doc.value.trim().clone_into(&mut command.doc);
+        }
+        let same = *command == before;
+        item.finish();
+        if same {
+            self.note(item, SAME);
+        } else {
+            self.changed(&Target::Command(wire.to_owned()));
+        }
+    }
+
+    fn changed(&mut self, target: &Target) {
+        match target {
+            Target::Command(wire) => self.changed.commands.insert(wire.clone()),
+            Target::Type(name) => {
+                if let Some(def) = self.spec.type_def(name) {
+                    self.index.type_body(name, &def.kind);
+                }
+                self.changed.types.insert(name.clone())
+            }
+        };
+    }
+}
+
+const SAME: &str = "the spec says the same already; this override changes nothing and can be deleted";
+
+/// The target of an entry, its `variant`, and the part of the target that is changed.
+type Place<'p, 's> = (&'p Target, Option<&'p Placed<'s, String>>, Part);
+
+/// Fields that a pack changes.
+struct List<'f> {
+    fields: &'f mut Vec<Field>,
+    /// True for fields of an object; elements of an array have no keys.
+    keyed: bool,
+    optional_only: bool,
+}
+
+/// The fields at a place, or an error if there can be none.
+fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part): Place<'_, 's>) -> Option<List<'f>> {
+    let object = |fields| List { fields, keyed: true, optional_only: false };
+    let (choice, keyed) = match target {
+        Target::Command(wire) => {
+            let command = spec.command_mut(wire)?;
+            let optional_only = !command.reply_certain;
+            match (&mut command.request, part) {
+                (_, Part::Reply) => return Some(List { optional_only, ..object(&mut command.reply) }),
+                (Request::Fields(fields), _) => return Some(object(fields)),
+                (Request::Choice(choice), _) => (choice, true),
+            }
+        }
+        Target::Type(name) => match &mut spec.type_mut(name)?.kind {
+            TypeKind::Object(fields) => return Some(object(fields)),
+            TypeKind::Array { fields, .. } => return Some(List { keyed: false, ..object(fields) }),
+            TypeKind::Choice(choice) => (choice, false),
+            _ => {
+                item.error(item.at, &format!("`{name}` has no fields"));
+                return None;
+            }
+        },
+    };
+    let known: Vec<_> = choice.variants.iter().map(|variant| variant.name.clone()).collect();
+    let found = variant.and_then(|name| choice.variants.iter_mut().find(|variant| variant.name == name.value));
+    if found.is_none() {
+        let at = variant.map_or(item.at, |variant| variant.at);
+        item.error(at, &format!("`variant` says which variant is meant: one of {}", known.join(", ")));
+    }
+    found.map(|variant| List { keyed, ..object(&mut variant.fields) })
+}
+
+fn taken(old: &Field, new: &Field) -> String {
+    if old.wire == new.wire {
+        "the spec has it already, with another content; use `[[override]]`".to_owned()
+    } else {
+        format!("the name `{}` is that of the key `{}`; give another as `name`", old.name, old.wire)
+    }
+}
+
+fn is_called(field: &Field, name: &str) -> bool {
+    if field.wire.is_empty() { field.name == name } else { field.wire == name }
+}
+
+/// Adds a value; true if it is there already.
+fn add_value<T: PartialEq>(item: &Item<'_, '_>, values: &mut Vec<EnumValue<T>>, new: EnumValue<T>) -> bool {
+    let old = values.iter().find(|old| old.wire == new.wire || old.name == new.name);
+    match old {
+        Some(old) if old.wire == new.wire && old.name == new.name => return true,
+        Some(_) => item.error(item.at, "the spec has a value of this name or number already"),
+        None => values.push(new),
+    }
+    false
+}
+
+impl Spec {
+    fn command_mut(&mut self, wire: &str) -> Option<&mut Command> {
+        self.topics.iter_mut().flat_map(|topic| &mut topic.commands).find(|command| command.wire == wire)
+    }
+
+    fn type_mut(&mut self, name: &str) -> Option<&mut TypeDef> {
+        self.topics.iter_mut().flat_map(|topic| &mut topic.types).find(|def| def.name == name)
+    }
+}

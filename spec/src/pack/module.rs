@@ -1,0 +1,88 @@
+//! What code is generated for a pack.
+
+use std::collections::BTreeSet;
+
+use super::Pack;
+use crate::model::{Command, Spec, Topic, TypeDef};
+
+/// A pack as a module of generated code.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Module {
+    /// What the module has: what is new, what is changed, and what is made of changed types.
+    pub topic: Topic,
+    /// The spec with the pack. Its other topics have what is as in the spec that the pack adds to.
+    pub spec: Spec,
+    /// The `cmdName`s of the commands of the module that the spec has in another form.
+    pub changed: BTreeSet<String>,
+    /// The `cmdName`s of the commands that the pack repeats as the spec has them.
+    pub repeated_commands: BTreeSet<String>,
+    /// The names of the types that the pack repeats as the spec has them.
+    pub repeated_types: BTreeSet<String>,
+}
+
+impl Module {
+    /// The name of the method of a command. That of a changed command bears the module's name, since the client has a method
+    /// of the plain name.
+    pub fn method(&self, command: &Command) -> String {
+        if self.changed.contains(&command.wire) {
+            method(&command.name, &self.topic.name)
+        } else {
+            command.name.clone()
+        }
+    }
+}
+
+pub(super) fn method(command: &str, module: &str) -> String {
+    format!("{command}_{module}")
+}
+
+impl Pack {
+    /// What code is generated for the pack.
+    pub fn module(&self) -> Module {
+        let types = self.affected_types();
+        let is_affected = |command: &Command| {
+            self.changed.commands.contains(&command.wire)
+                || command.fields().any(|field| uses(field.ty.named(), &types))
+        };
+        let mut own = self.topic.clone();
+        let mut topics = self.spec.topics.clone();
+        topics.pop();
+        let mut changed = BTreeSet::new();
+        for topic in &mut topics {
+            let (commands, kept): (Vec<_>, _) = topic.commands.drain(..).partition(is_affected);
+            topic.commands = kept;
+            changed.extend(commands.iter().map(|command| command.wire.clone()));
+            own.commands.extend(commands);
+            let (affected, kept): (Vec<_>, _) = topic.types.drain(..).partition(|def| types.contains(&*def.name));
+            topic.types = kept;
+            own.types.extend(affected);
+        }
+        topics.push(own.clone());
+        Module {
+            topic: own,
+            spec: Spec { topics },
+            changed,
+            repeated_commands: self.changed.repeated_commands.clone(),
+            repeated_types: self.changed.repeated_types.clone(),
+        }
+    }
+
+    /// The types that the pack changes, and those that are made of them.
+    fn affected_types(&self) -> BTreeSet<String> {
+        let mut affected = self.changed.types.clone();
+        loop {
+            let is_new = |def: &&TypeDef| {
+                !affected.contains(&def.name) && def.kind.names().any(|name| uses(Some(name), &affected))
+            };
+            let more: Vec<_> = self.spec.types().filter(is_new).map(|def| def.name.clone()).collect();
+            if more.is_empty() {
+                return affected;
+            }
+            affected.extend(more);
+        }
+    }
+}
+
+fn uses(name: Option<&str>, types: &BTreeSet<String>) -> bool {
+    name.is_some_and(|name| types.contains(name))
+}

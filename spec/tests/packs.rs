@@ -1,0 +1,573 @@
+//! Packs: what they add and change, and what users read when one is wrong.
+
+use expect_test::{Expect, expect};
+use jaka_spec::{Pack, Request, Source, Spec, Type, builtin, load_pack};
+
+fn spec() -> Spec {
+    builtin().expect("the built-in spec is correct")
+}
+
+fn pack(text: &str) -> Pack {
+    let text = format!("title = \"Test\"\n{text}");
+    load_pack(&spec(), Source { path: "newer.toml", text: &text }).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Loads a wrong pack and compares the errors. A line for the title is put before `text`.
+fn wrong(text: &str, expected: &Expect) {
+    let text = format!("title = \"Test\"{text}");
+    let errors = match load_pack(&spec(), Source { path: "newer.toml", text: &text }) {
+        Ok(_) => String::new(),
+        Err(errors) => errors.to_string() + "\n",
+    };
+    expected.assert_eq(&errors);
+}
+
+/// Loads a pack and compares its notes.
+fn notes(text: &str, expected: &Expect) {
+    let lines: Vec<_> = pack(text).notes.iter().map(|note| format!("{note}\n")).collect();
+    expected.assert_eq(&lines.concat());
+}
+
+/// What the module of the pack has: its commands with their methods, and its types.
+fn module(text: &str) -> String {
+    let module = pack(text).module();
+    let commands = module.topic.commands.iter().map(|command| module.method(command));
+    let types = module.topic.types.iter().map(|def| def.name.clone());
+    commands.chain(types).collect::<Vec<_>>().join(" ")
+}
+
+const MOTION_STATE: &str = r#"
+[[command]]
+wire = "get_motion_state"
+effect = "query"
+doc = "Reads how the motion stands."
+
+[[command.reply]]
+wire = "queue"
+type = "int"
+doc = "How many motions are queued."
+"#;
+
+#[test]
+fn a_new_command_is_in_a_topic_of_its_own() {
+    let pack = pack(MOTION_STATE);
+    let spec = &pack.spec;
+    assert_eq!(spec.commands().count(), 83);
+    assert!(spec.command("get_motion_state").is_some());
+    let topic = spec.topics.last().expect("there are topics");
+    assert_eq!((&*topic.name, topic.commands.len(), &*pack.notes), ("newer", 1, &[][..]));
+    assert_eq!(module(MOTION_STATE), "get_motion_state");
+}
+
+#[test]
+fn a_field_is_added_to_a_command() {
+    let text = r#"
+[[extend]]
+target = "joint_move"
+
+[[extend.request]]
+wire = "zone"
+type = "float"
+unit = "mm"
+optional = true
+since = "1.7.1"
+doc = "How far from the target the next motion may begin."
+"#;
+    let pack = pack(text);
+    let command = pack.spec.command("joint_move").expect("the spec has it");
+    let Request::Fields(fields) = &command.request else { panic!("joint_move has fields") };
+    let last = fields.last().expect("it has fields");
+    assert_eq!(
+        (&*last.wire, last.versions.since.as_ref().map(ToString::to_string).as_deref()),
+        ("zone", Some("1.7.1"))
+    );
+    assert_eq!(pack.spec.commands().count(), 82);
+    assert_eq!(module(text), "joint_move_newer");
+}
+
+#[test]
+fn keys_are_added_to_the_status_packet() {
+    let text = r#"
+[[extend]]
+target = "RobotStatus"
+
+[[extend.field]]
+wire = "brake_state"
+type = "int"
+optional = true
+doc = "State of the brakes."
+"#;
+    assert_eq!(module(text), "RobotStatus");
+}
+
+#[test]
+fn what_is_made_of_a_changed_type_changes_with_it() {
+    let text = r#"
+[[extend]]
+target = "MoveMode"
+
+[[extend.value]]
+wire = 7
+name = "Tool"
+doc = "The target counts from the tool."
+"#;
+    assert_eq!(module(text), "joint_move_newer move_l_newer move_c_newer servo_j_newer servo_p_newer MoveMode");
+}
+
+#[test]
+fn a_range_is_widened() {
+    let pack = pack(
+        r#"
+[[override]]
+target = "jog"
+variant = "Continuous"
+request = "jnum"
+max = 6
+"#,
+    );
+    let Some(Request::Choice(choice)) = pack.spec.command("jog").map(|command| &command.request) else {
+        panic!("jog has variants")
+    };
+    let axis = |name: &str| {
+        let variant = choice.variants.iter().find(|variant| variant.name == name).expect("jog has the variant");
+        variant.fields.iter().find(|field| field.wire == "jnum").expect("it has an axis").range
+    };
+    assert_eq!((axis("Continuous").min, axis("Continuous").max), (Some(0.0), Some(6.0)));
+    assert_eq!(axis("Stop").max, Some(5.0));
+}
+
+#[test]
+fn a_limit_is_taken_away_by_infinity() {
+    let pack = pack("[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = inf\n");
+    let Some(Request::Fields(fields)) = pack.spec.command("rapid_rate").map(|command| &command.request) else {
+        panic!("rapid_rate has fields")
+    };
+    assert_eq!((fields[0].range.min, fields[0].range.max), (Some(0.0), None));
+}
+
+#[test]
+fn a_disputed_field_is_settled() {
+    let text = r#"
+[[type]]
+name = "ToolVoltage"
+kind = "enum"
+doc = "Voltage of the tool's output."
+
+[[type.value]]
+wire = 0
+name = "V24"
+doc = "24 V."
+
+[[type.value]]
+wire = 1
+name = "V12"
+doc = "12 V."
+
+[[override]]
+target = "set_tio_vout_param"
+request = "tio_vout_vol"
+type = "ToolVoltage"
+doc = "Voltage of the tool's output."
+settled = "Measured at the tool's connector, firmware 1.7.2."
+"#;
+    let pack = pack(text);
+    let command = pack.spec.command("set_tio_vout_param").expect("the spec has it");
+    let field = command.fields().find(|field| field.wire == "tio_vout_vol").expect("it has a voltage");
+    assert_eq!(field.ty, Type::Named("ToolVoltage".to_owned()));
+    assert!(field.disputed.is_empty());
+    assert_eq!(
+        field.doc,
+        "Voltage of the tool's output.\n\nSettled: Measured at the tool's connector, firmware 1.7.2."
+    );
+    assert_eq!(module(text), "set_tio_vout_param_newer ToolVoltage");
+}
+
+#[test]
+fn packs_add_to_packs() {
+    let first = pack(MOTION_STATE);
+    let text = "title = \"More\"\n[[override]]\ntarget = \"get_motion_state\"\ndeadline_ms = 9000\n";
+    let second = load_pack(&first.spec, Source { path: "more.toml", text }).expect("the pack is correct");
+    let command = second.spec.command("get_motion_state").expect("the first pack has it");
+    assert_eq!(command.deadline.map(|deadline| deadline.as_secs()), Some(9));
+}
+
+#[test]
+fn what_the_spec_has_by_now_is_noted() {
+    notes(
+        r#"
+[[command]]
+wire = "get_joint_pos"
+effect = "query"
+doc = "Reads the joints, in words of its own."
+
+[[command.reply]]
+wire = "joint_pos"
+name = "joint_position"
+type = "JointPosition"
+doc = "Where the joints are."
+
+[[override]]
+target = "rapid_rate"
+request = "rate_value"
+max = 1
+"#,
+        &expect![[r"
+            newer.toml:1:1: this pack no longer changes anything: the spec has all of it, so it can be deleted
+            newer.toml:3:1: command `get_joint_pos`: the spec has the same already; this entry changes nothing and can be deleted
+            newer.toml:14:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+        "]],
+    );
+}
+
+#[test]
+fn a_pack_of_which_the_spec_has_a_part_keeps_the_rest() {
+    notes(
+        &format!("{MOTION_STATE}\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 1\n"),
+        &expect![[r"
+            newer.toml:13:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+        "]],
+    );
+}
+
+#[test]
+fn an_empty_pack() {
+    wrong(
+        "\n",
+        &expect![[r"
+        newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[extend]]` or `[[override]]`
+    "]],
+    );
+}
+
+#[test]
+fn a_pack_without_a_title() {
+    let errors =
+        load_pack(&spec(), Source { path: "newer.toml", text: MOTION_STATE }).expect_err("the title is missing");
+    expect!["newer.toml:1:1: `title` is missing"].assert_eq(&errors.to_string());
+}
+
+#[test]
+fn a_file_whose_name_is_no_module() {
+    let text = format!("title = \"Test\"\n{MOTION_STATE}");
+    let errors = load_pack(&spec(), Source { path: "firmware/1.7.toml", text: &text }).expect_err("it is no name");
+    expect!["firmware/1.7.toml:1:1: the file's name is that of a module, and `1.7` is no snake_case name"]
+        .assert_eq(&errors.to_string());
+}
+
+#[test]
+fn no_toml() {
+    wrong(
+        "\n[[command]\nwire = \"go\"\n",
+        &expect![[r"
+        newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[extend]]` or `[[override]]`
+        newer.toml:2:11: not valid TOML: unclosed array table, expected `]`
+        newer.toml:3:1: unknown key `wire`; the keys are command, doc, error, extend, override, title, type
+    "]],
+    );
+}
+
+#[test]
+fn a_target_that_is_not_there() {
+    wrong(
+        "\n[[extend]]\ntarget = \"joint_mov\"\n\n[[override]]\ntarget = \"Rowbotstatus\"\n\n[[override]]\ntarget = \"fly\"\n",
+        &expect![[r"
+            newer.toml:3:10: extension of `joint_mov`: the spec has no command and no type `joint_mov`; there is `joint_move`
+            newer.toml:6:10: override of `Rowbotstatus`: the spec has no command and no type `Rowbotstatus`; there is `RobotStatus`
+            newer.toml:9:10: override of `fly`: the spec has no command and no type `fly`
+        "]],
+    );
+}
+
+#[test]
+fn an_entry_without_a_target() {
+    wrong(
+        "\n[[extend]]\n[[extend.request]]\nwire = \"zone\"\n",
+        &expect![[r"
+        newer.toml:2:1: extension of: `target` is missing
+    "]],
+    );
+}
+
+#[test]
+fn an_extension_that_adds_nothing() {
+    wrong(
+        "\n[[extend]]\ntarget = \"joint_move\"\n",
+        &expect![[r"
+        newer.toml:2:1: extension of `joint_move`: an extension has fields: `request` or `reply` of a command, `field` or `value` of a type
+    "]],
+    );
+}
+
+#[test]
+fn an_extension_of_the_wrong_kind() {
+    wrong(
+        "\n[[extend]]\ntarget = \"RobotStatus\"\n[[extend.reply]]\nwire = \"mode\"\ntype = \"int\"\ndoc = \"Mode.\"\n",
+        &expect![[r"
+            newer.toml:2:1: extension of `RobotStatus`: an extension has fields: `request` or `reply` of a command, `field` or `value` of a type
+            newer.toml:4:10: extension of `RobotStatus`: unknown key `reply`; the keys are field, target, value, variant
+        "]],
+    );
+}
+
+#[test]
+fn a_field_that_is_there_already() {
+    wrong(
+        "\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"speed\"\ntype = \"int\"\ndoc = \"Speed.\"\n",
+        &expect![[r"
+            newer.toml:4:1: extension of `joint_move`, field `speed`: the spec has it already, with another content; use `[[override]]`
+        "]],
+    );
+}
+
+#[test]
+fn a_field_whose_name_is_taken() {
+    wrong(
+        "\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"v\"\nname = \"speed\"\ntype = \"int\"\ndoc = \"Speed.\"\n",
+        &expect![[r"
+            newer.toml:4:1: extension of `joint_move`, field `speed`: the name `speed` is that of the key `speed`; give another as `name`
+        "]],
+    );
+}
+
+#[test]
+fn a_field_without_type_and_doc() {
+    wrong(
+        "\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"zone\"\n",
+        &expect![[r"
+        newer.toml:4:1: extension of `joint_move`, field `zone`: `doc` is missing
+        newer.toml:4:1: extension of `joint_move`, field `zone`: `type` is missing
+    "]],
+    );
+}
+
+#[test]
+fn a_field_of_a_type_that_is_not_there() {
+    wrong(
+        "\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"zone\"\ntype = \"Zone\"\ndoc = \"Zone.\"\n",
+        &expect![[r"
+            newer.toml:6:8: extension of `joint_move`, field `zone`: there is no `[[type]]` named `Zone`
+        "]],
+    );
+}
+
+#[test]
+fn a_choice_needs_its_variant() {
+    wrong(
+        r#"
+[[extend]]
+target = "jog"
+[[extend.request]]
+wire = "zone"
+type = "float"
+doc = "Zone."
+
+[[override]]
+target = "jog"
+variant = "Fly"
+request = "jnum"
+max = 6
+"#,
+        &expect![[r"
+            newer.toml:2:1: extension of `jog`: `variant` says which variant is meant: one of Stop, Continuous, Increment, Absolute
+            newer.toml:11:11: override of `jog`: `variant` says which variant is meant: one of Stop, Continuous, Increment, Absolute
+        "]],
+    );
+}
+
+#[test]
+fn an_override_of_a_field_that_is_not_there() {
+    wrong(
+        "\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate\"\nmax = 2\n",
+        &expect![[r"
+        newer.toml:4:11: override of `rapid_rate`: there is no field `rate`; there are rate_value
+    "]],
+    );
+}
+
+#[test]
+fn an_override_of_two_fields() {
+    wrong(
+        "\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nreply = \"rate_value\"\nmax = 2\n",
+        &expect![[r"
+            newer.toml:2:1: override of `rapid_rate`: an override is of one field: `request` or `reply`, not both
+        "]],
+    );
+}
+
+#[test]
+fn an_override_of_a_type_names_a_field() {
+    wrong(
+        "\n[[override]]\ntarget = \"RobotStatus\"\ndoc = \"New.\"\n",
+        &expect![[r"
+        newer.toml:2:1: override of `RobotStatus`: `field` says which field is overridden, and is missing
+    "]],
+    );
+}
+
+#[test]
+fn a_range_upside_down_and_a_range_of_a_text() {
+    wrong(
+        r#"
+[[override]]
+target = "rapid_rate"
+request = "rate_value"
+min = 2
+
+[[override]]
+target = "load_program"
+request = "programName"
+max = 8
+"#,
+        &expect![[r"
+            newer.toml:2:1: override of `rapid_rate`: `min` is greater than `max`
+            newer.toml:7:1: override of `load_program`: `min`, `max` and `advisory` are for numbers
+        "]],
+    );
+}
+
+#[test]
+fn a_disputed_field_needs_evidence() {
+    wrong(
+        r#"
+[[override]]
+target = "set_tio_vout_param"
+request = "tio_vout_vol"
+type = "bool"
+written = [0, 1]
+
+[[override]]
+target = "rapid_rate"
+request = "rate_value"
+max = 2
+settled = "Tried."
+"#,
+        &expect![[r"
+            newer.toml:2:1: override of `set_tio_vout_param`: the meaning is disputed (document 2.0.4: 0 = 12 V, 1 = 24 V; vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V); say in `settled` how you found out
+            newer.toml:12:11: override of `rapid_rate`: `settled` is for a disputed field, and no source disputes this one
+        "]],
+    );
+}
+
+#[test]
+fn keys_that_no_override_has() {
+    wrong(
+        r#"
+[[override]]
+target = "joint_move"
+effect = "query"
+
+[[override]]
+target = "joint_move"
+request = "speed"
+maximum = 3
+"#,
+        &expect![[r"
+            newer.toml:4:1: override of `joint_move`: unknown key `effect`; the keys are deadline_ms, doc, reply, request, requires, since, target, until, variant
+            newer.toml:9:1: override of `joint_move`: unknown key `maximum`; the keys are advisory, ascii, doc, max, min, name, optional, or_raw, reply, request, settled, since, target, type, unit, until, variant
+        "]],
+    );
+}
+
+#[test]
+fn a_command_that_the_spec_has_otherwise() {
+    wrong(
+        "\n[[command]]\nwire = \"power_on\"\neffect = \"power\"\ndoc = \"Powers.\"\n[[command.reply]]\nwire = \"volts\"\ntype = \"float\"\ndoc = \"Volts.\"\n",
+        &expect![[r"
+            newer.toml:2:1: command `power_on`: the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`
+        "]],
+    );
+}
+
+#[test]
+fn names_that_are_taken() {
+    wrong(
+        r#"
+[[command]]
+wire = "jointMove"
+name = "joint_move"
+effect = "motion"
+doc = "Moves."
+
+[[type]]
+name = "Pose"
+kind = "wrapper"
+type = "float"
+doc = "Another pose."
+
+[[error]]
+wire = 2
+name = "Overload"
+doc = "Too heavy."
+"#,
+        &expect![[r"
+            newer.toml:4:8: command `joint_move`: the method name `joint_move` is taken already, by the spec that this adds to
+            newer.toml:4:8: command `joint_move`: the type name `JointMove` is taken already, by the spec that this adds to
+            newer.toml:8:1: type `Pose`: the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`
+            newer.toml:14:1: error code `Overload`: the spec has the code 2 already, as `CallFailed`
+        "]],
+    );
+}
+
+#[test]
+fn a_type_that_comes_to_contain_itself() {
+    wrong(
+        "\n[[extend]]\ntarget = \"RobotStatus\"\n[[extend.field]]\nwire = \"last\"\ntype = \"RobotStatus\"\noptional = true\ndoc = \"Last.\"\n",
+        &expect![[r"
+            newer.toml:6:8: extension of `RobotStatus`, field `last`: the type `RobotStatus` contains itself
+        "]],
+    );
+}
+
+#[test]
+fn a_value_that_an_enum_has_already_and_a_value_of_no_enum() {
+    wrong(
+        r#"
+[[extend]]
+target = "MoveMode"
+[[extend.value]]
+wire = 0
+name = "Target"
+doc = "To a target."
+
+[[extend]]
+target = "RobotStatus"
+[[extend.value]]
+wire = 0
+name = "Target"
+doc = "To a target."
+"#,
+        &expect![[r"
+            newer.toml:4:1: extension of `MoveMode`, value `Target`: the spec has a value of this name or number already
+            newer.toml:11:1: extension of `RobotStatus`, value `Target`: `value` is for an enum
+        "]],
+    );
+}
+
+#[test]
+fn versions_that_are_none() {
+    wrong(
+        "\n[[override]]\ntarget = \"joint_move\"\nsince = \"V1.7\"\n",
+        &expect![[r"
+        newer.toml:4:9: override of `joint_move`: `since` is a version such as 1.5 or 1.6.5
+    "]],
+    );
+}
+
+#[test]
+fn the_method_of_a_changed_command_is_taken() {
+    wrong(
+        r#"
+[[command]]
+wire = "joint_move_newer"
+effect = "motion"
+doc = "Moves."
+
+[[override]]
+target = "joint_move"
+deadline_ms = 10
+"#,
+        &expect![[r"
+            newer.toml:1:1: the method name `joint_move_newer` is that of a changed command in this pack
+        "]],
+    );
+}

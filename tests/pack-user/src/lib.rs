@@ -1,0 +1,31 @@
+//! A program that uses commands of newer firmware, which a pack describes.
+
+use jaka_sync::types::MoveMode;
+use jaka_sync::{Call, Client, Error};
+
+jaka_sync::pack!("newer.toml");
+jaka_sync::pack!("changed.toml");
+
+use changed::ChangedCommands as _;
+use newer::NewerCommands as _;
+
+/// How many motions wait, asked through a client.
+pub fn queued(robot: &mut Client) -> Result<i64, Error> {
+    Ok(robot.get_motion_state()?.queue)
+}
+
+/// Whether the emergency stop is pressed, asked through whatever takes commands.
+pub fn is_stopped(robot: &mut impl Call) -> Result<bool, Error> {
+    Ok(robot.emergency_stop_status()?.emergency_stop)
+}
+
+/// Moves the joints, with the field that newer firmware has.
+pub fn move_with_zone(robot: &mut Client, joints: [f64; 6], zone: f64) -> Result<(), Error> {
+    robot.joint_move_changed(&changed::JointMove {
+        mode: MoveMode::Absolute,
+        joint_position: joints.into(),
+        speed: 20.0,
+        acceleration: None,
+        zone: Some(zone),
+    })
+}

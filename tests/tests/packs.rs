@@ -1,0 +1,148 @@
+//! Packs end to end: a crate that depends on jaka-sync alone, and the simulator that knows the same packs.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use jaka_pack_user::changed::{self, ChangedCommands as _, ToolVoltage};
+use jaka_pack_user::newer::{self, NewerCommands as _};
+use jaka_pack_user::{is_stopped, move_with_zone, queued};
+use jaka_sim::{Controller, Delays};
+use jaka_sync::status::RobotStatus;
+use jaka_sync::{Client, Config, Monitor, Robot};
+use serde_json::{Value, json};
+
+fn pack(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("pack-user").join(name)
+}
+
+fn controller() -> Controller {
+    let builder = Controller::builder().pack(pack("newer.toml")).pack(pack("changed.toml")).delays(Delays::NONE);
+    builder.start().expect("the controller starts")
+}
+
+fn client(controller: &Controller) -> Client {
+    Client::connect(controller.command_addr()).expect("the controller takes the client")
+}
+
+/// The last request that the controller received.
+fn last_request(controller: &Controller) -> Value {
+    let requests = controller.requests();
+    serde_json::from_str(requests.last().expect("something was sent")).expect("requests are JSON")
+}
+
+#[test]
+fn commands_of_a_pack_are_called_and_answered() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    let state = robot.get_motion_state().expect("the pack's example is the answer");
+    let expected = newer::GetMotionStateReply { in_position: true, paused: false, queue: 3, active_queue: 1 };
+    assert_eq!(state, expected);
+    assert_eq!(queued(&mut robot).expect("the same"), 3);
+    assert!(!is_stopped(&mut robot).expect("without an example, the answer is no"));
+    robot.set_status_period(20).expect("the simulator accepts it");
+    assert_eq!(last_request(&controller), json!({"cmdName": "set_port10000_delay_ms", "port10000_delay_ms": 20}));
+}
+
+#[test]
+fn commands_of_a_pack_work_on_a_robot_and_through_references() {
+    let controller = controller();
+    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the port is open");
+    let mut robot = Robot::new(client(&controller), monitor);
+    assert_eq!(robot.get_motion_state().expect("it is answered").queue, 3);
+    assert!(!is_stopped(&mut &mut robot).expect("it is answered"));
+}
+
+#[test]
+fn a_test_decides_what_is_answered() {
+    let controller = controller();
+    controller.set_reply("emergency_stop_status", [("emergency_stop".to_owned(), 1.into())]);
+    assert!(is_stopped(&mut client(&controller)).expect("it is answered"));
+}
+
+#[test]
+fn a_range_of_a_pack_holds_before_anything_is_sent() {
+    let controller = controller();
+    let error = client(&controller).set_status_period(0).expect_err("the pack forbids it");
+    assert_eq!(
+        error.to_string(),
+        "`set_port10000_delay_ms` was not sent: field `period` is 0, allowed is at least 1 ms"
+    );
+    assert_eq!(controller.requests(), Vec::<String>::new());
+}
+
+#[test]
+fn the_simulator_checks_and_refuses_what_a_pack_adds() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    let error = robot.call_raw("set_port10000_delay_ms", &json!({"port10000_delay_ms": 0})).expect_err("out of range");
+    assert!(error.is_refused(), "{error:?}");
+    let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("the arm has no power");
+    assert!(error.is_refused(), "{error:?}");
+}
+
+#[test]
+fn a_changed_command_sends_what_the_pack_adds() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    robot.power_on().expect("it has power at once");
+    robot.enable_robot().expect("it is enabled at once");
+    move_with_zone(&mut robot, [10.0, 90.0, 90.0, 90.0, -90.0, 0.0], 5.0).expect("the motion is accepted");
+    assert_eq!(last_request(&controller)["zone"], 5.0);
+}
+
+#[test]
+fn a_widened_range_holds_in_the_client_and_in_the_simulator() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    assert!(robot.rapid_rate(1.4).is_err_and(|error| error.is_invalid_argument()));
+    robot.rapid_rate_changed(1.4).expect("the pack widens the range, for the simulator too");
+    assert!(robot.rapid_rate_changed(1.6).is_err_and(|error| error.is_invalid_argument()));
+}
+
+#[test]
+fn a_settled_field_is_typed() {
+    let controller = controller();
+    let request = changed::SetTioVoutParam { output_enable: 1, output_voltage: ToolVoltage::V12 };
+    client(&controller).set_tio_vout_param_changed(&request).expect("the simulator accepts it");
+    assert_eq!(last_request(&controller)["tio_vout_vol"], 1);
+}
+
+#[test]
+fn a_status_packet_with_the_pack_s_keys() {
+    let controller = controller();
+    let config = Config::new();
+    let monitor: Monitor<changed::RobotStatus> = config.monitor(controller.status_addr()).expect("the port is open");
+    let plain: Monitor<RobotStatus> = config.monitor(controller.status_addr()).expect("the port is open");
+    let status = monitor.wait_until(|_| true, Duration::from_secs(5)).expect("a packet comes");
+    assert_eq!(status.status.brake_state, None);
+    let plain = plain.wait_until(|_| true, Duration::from_secs(5)).expect("a packet comes");
+    assert_eq!(status.status.digital_inputs, plain.status.digital_inputs);
+    controller.send_status(br#"{"len":19,"brake_state":2}"#);
+    let found = monitor.wait_until(|status| status.brake_state == Some(2), Duration::from_secs(5));
+    found.expect("the packet with the key comes");
+}
+
+#[test]
+fn codes_of_a_pack_have_names() {
+    assert_eq!(changed::meaning(changed::OVERLOAD), Some("The payload is too heavy for the motion."));
+    assert_eq!(changed::meaning(jaka_sync::ErrorCode::CALL_FAILED), jaka_sync::ErrorCode::CALL_FAILED.meaning());
+}
+
+#[test]
+fn a_wrong_pack_is_an_error_at_the_start() {
+    let error = Controller::builder().pack("nowhere.toml").start().expect_err("there is no such file");
+    assert!(error.to_string().starts_with("cannot read the pack `nowhere.toml`: "), "{error}");
+}
+
+#[test]
+fn a_field_that_this_firmware_does_not_have_is_refused_by_its_pack_s_word() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    robot.check_firmware().expect("the controller says its version");
+    let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("firmware 1.6.5 has no zones");
+    assert_eq!(
+        error.to_string(),
+        "`joint_move` was not sent: the controller's firmware 1.6.5 does not have its field `zone`; firmware 1.7.1 and \
+         later has"
+    );
+}

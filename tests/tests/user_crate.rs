@@ -1,0 +1,138 @@
+//! A user's crate with a pack, as cargo builds it: what the compiler says, and that an edit of the TOML file is noticed.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use expect_test::{Expect, expect};
+
+/// A crate in a folder of its own that depends on jaka-sync alone.
+struct UserCrate {
+    folder: PathBuf,
+}
+
+impl UserCrate {
+    fn new(name: &str, code: &str) -> Self {
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace");
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user").join(name);
+        if folder.exists() {
+            fs::remove_dir_all(&folder).expect("the crate of an earlier run can be removed");
+        }
+        let this = Self { folder };
+        // The same versions as here, so that nothing has to be fetched.
+        this.write("Cargo.lock", &fs::read_to_string(workspace.join("Cargo.lock")).expect("the workspace has one"));
+        let sync = workspace.join("jaka-sync").display().to_string();
+        this.write(
+            "Cargo.toml",
+            &format!(
+                "[package]\nname = \"user\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\njaka-sync = {{ path = {sync:?} }}\n"
+            ),
+        );
+        this.write("src/lib.rs", code);
+        this
+    }
+
+    fn write(&self, path: &str, text: &str) {
+        let path = self.folder.join(path);
+        fs::create_dir_all(path.parent().expect("a file is in a folder")).expect("the folder can be made");
+        fs::write(path, text).expect("the file can be written");
+    }
+
+    fn check(&self) -> Output {
+        Command::new(env!("CARGO"))
+            .args(["check", "--offline", "--quiet", "--color=never", "--target-dir"])
+            .arg(self.folder.with_file_name("target"))
+            .current_dir(&self.folder)
+            .output()
+            .expect("cargo runs")
+    }
+
+    /// Compares what the compiler says, without the paths of this machine.
+    fn expect(&self, expected: &Expect) {
+        let output = self.check();
+        let text = String::from_utf8(output.stderr).expect("cargo speaks UTF-8");
+        expected.assert_eq(&text.replace(&self.folder.display().to_string(), "FOLDER"));
+    }
+}
+
+const PACK: &str = r#"
+title = "Test"
+
+[[command]]
+wire = "get_motion_state"
+effect = "query"
+doc = "Reads how the motion stands."
+"#;
+
+#[test]
+fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
+    let code = "jaka_sync::pack!(\"newer.toml\");\n";
+    let user = UserCrate::new("pack", code);
+    user.expect(&expect![[r#"
+        error: cannot read the pack `FOLDER/newer.toml`: No such file or directory (os error 2); the path counts from the folder of the crate's Cargo.toml
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!("newer.toml");
+          |                  ^^^^^^^^^^^^
+
+        error: could not compile `user` (lib) due to 1 previous error
+    "#]]);
+
+    user.write("newer.toml", PACK);
+    user.expect(&expect![[""]]);
+
+    user.write("newer.toml", &PACK.replace("query", "fly").replace("doc", "docs"));
+    user.expect(&expect![[r#"
+        error: newer.toml:4:1: command `get_motion_state`: `doc` is missing
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!("newer.toml");
+          |                  ^^^^^^^^^^^^
+
+        error: newer.toml:6:10: command `get_motion_state`: `effect` is one of query, setting, motion, power, session, not `fly`
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!("newer.toml");
+          |                  ^^^^^^^^^^^^
+
+        error: newer.toml:7:1: command `get_motion_state`: unknown key `docs`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, example, name, reconstructed, refusal, reply, reply_certain, request, requires, section, since, until, wire
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!("newer.toml");
+          |                  ^^^^^^^^^^^^
+
+        error: could not compile `user` (lib) due to 3 previous errors
+    "#]]);
+
+    user.write(
+        "newer.toml",
+        "title = \"Test\"\n\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 1\n",
+    );
+    user.expect(&expect![[r#"
+        warning: use of deprecated constant `_::PACK`: newer.toml:1:1: this pack no longer changes anything: the spec has all of it, so it can be deleted
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!("newer.toml");
+          |                  ^^^^^^^^^^^^
+          |
+          = note: `#[warn(deprecated)]` on by default
+
+        warning: use of deprecated constant `_::PACK`: newer.toml:3:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!("newer.toml");
+          |                  ^^^^^^^^^^^^
+
+    "#]]);
+
+    user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
+    user.expect(&expect![[r"
+        error: expected string literal
+         --> src/lib.rs:1:18
+          |
+        1 | jaka_sync::pack!(newer);
+          |                  ^^^^^
+
+        error: could not compile `user` (lib) due to 1 previous error
+    "]]);
+}
