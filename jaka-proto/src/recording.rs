@@ -40,7 +40,7 @@
 //! | `dropped` | `count`: how many entries of this connection are missing here, since the file could not be written as fast |
 //!
 //! Messages are kept exactly: as the string `text` where they are UTF-8, otherwise as `hex`, two hexadecimal digits for each
-//! byte. White space between messages is not kept. The entries of a connection are in the order in which the program took
+//! byte. White space between messages is not kept, nor what the program never read. The entries of a connection are in the order in which the program took
 //! part in them; a message's time is that of its arrival, which may be earlier than the entry before.
 
 mod answers;

@@ -34,7 +34,7 @@ const BLOCK: usize = 64 << 10;
 /// Given to a [`Config`](crate::Config), it records each client, status stream and monitor that the config connects. The
 /// clones of a recorder write the same recording, in the format of [`recording`](crate::recording).
 ///
-/// A thread of its own writes the file. Calls never wait for it: where it falls behind by 8 MiB, entries are dropped, and a
+/// A thread of its own writes the file, some milliseconds later. Calls never wait for it: where it falls behind by 8 MiB, entries are dropped, and a
 /// `dropped` entry in their place says how many. While recording is on, errors carry the last messages of their
 /// connection: see [`Error::exchanges`](crate::Error::exchanges).
 ///
@@ -49,7 +49,8 @@ const BLOCK: usize = 64 << 10;
 /// fn program(config: &Config, address: impl std::fmt::Display) -> Result<(), Error> {
 ///     let mut robot = config.connect(address)?;
 ///     robot.get_version()?;
-///     robot.enable_robot() // without power
+///     robot.enable_robot()?; // without power
+///     Ok(())
 /// }
 ///
 /// // In the field: record a session that fails.

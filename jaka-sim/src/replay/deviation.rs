@@ -53,7 +53,7 @@ impl fmt::Display for Deviation {
             Self::NoReplyLeft { received } => write!(f, "the recording has no reply left to `{received}`"),
             Self::Gap { count } => write!(f, "{count} entries are missing in the recording at this place"),
             Self::Connection { port, recorded } => {
-                write!(f, "the recording has {recorded} connections to the {} port, and another was made", port.word())
+                write!(f, "a connection to the {} port beyond the {recorded} of the recording", port.word())
             }
         }
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::outlet::LEAST_PERIOD;
 use crate::replay::{Script, Stage, Step};
 
 /// The packets of one connection of a recording, each with its time.
@@ -24,7 +25,7 @@ pub(super) enum Turn {
 
 impl Packets {
     pub(super) fn new(script: Arc<Script>, period: Duration) -> Self {
-        Self { script, place: 0, number: 0, last: Duration::ZERO, period }
+        Self { script, place: 0, number: 0, last: Duration::ZERO, period: period.max(LEAST_PERIOD) }
     }
 
     /// What comes next, and how long after the beginning of the connection; `None` if nothing ever does.

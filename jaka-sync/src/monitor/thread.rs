@@ -56,6 +56,7 @@ impl<S> Worker<S> {
     /// Reads until the connection ends, and says why it did.
     fn read(&mut self, stream: &TcpStream, decode: fn(&str) -> Result<S, DecodeError>) -> Disconnect {
         let mut framer = Framer::new(self.config.max_frame);
+        self.is_lost = false;
         let cause = self.read_into(&mut framer, stream, decode);
         self.tap.stray(framer.partial());
         cause

@@ -4,10 +4,14 @@ use std::collections::VecDeque;
 use std::io;
 use std::mem;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use jaka_proto::recording::{Entry, Event};
 
 use super::RecorderReport;
+
+/// How long entries are gathered before they are written, so that the writer is not woken for each of them.
+const GATHERING: Duration = Duration::from_millis(5);
 
 /// What an entry takes beside its message, in bytes.
 const OVERHEAD: usize = 128;
@@ -61,7 +65,7 @@ impl Queue {
         }
     }
 
-    /// All entries that wait, as soon as there are any; `None` once the recording has ended.
+    /// All entries that wait, some milliseconds after the first of them; `None` once the recording has ended.
     pub(super) fn next_batch(&self) -> Option<VecDeque<Arc<Entry>>> {
         let mut state = self.lock();
         while state.waiting.is_empty() {
@@ -72,6 +76,8 @@ impl Queue {
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
             state.writer_sleeps = false;
         }
+        let gathered = self.changed.wait_timeout_while(state, GATHERING, |state| !state.closed);
+        state = gathered.unwrap_or_else(PoisonError::into_inner).0;
         state.bytes = 0;
         let batch = mem::take(&mut state.waiting);
         let written = batch.iter().filter(|entry| !matches!(entry.event, Event::Dropped { .. })).count();
@@ -146,8 +152,6 @@ impl Drop for End<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
-
     use jaka_proto::recording::{Message, Port};
 
     use super::*;

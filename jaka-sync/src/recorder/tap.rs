@@ -84,7 +84,8 @@ impl Tap {
     /// A message was found in the bytes that came.
     pub(crate) fn received(&self, message: &[u8]) {
         if let Some(connection) = &self.0 {
-            connection.message(connection.lock_arrived(), Event::Received(Message::new(message)));
+            let time = connection.lock().arrived;
+            connection.message(time, Event::Received(Message::new(message)));
         }
     }
 
@@ -154,10 +155,6 @@ impl Connection {
     fn lock(&self) -> MutexGuard<'_, State> {
         // Every change is made whole before the lock is left.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn lock_arrived(&self) -> Duration {
-        self.lock().arrived
     }
 
     fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {
