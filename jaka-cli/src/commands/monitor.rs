@@ -41,6 +41,7 @@ impl Monitor {
         let mut view = View::new(target.title());
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);
+        // Where the terminal is gone, the wait for keys never ends, and `on_interrupt` ends the program.
         on_interrupt(move || end.store(true, Ordering::Relaxed))?;
         // Also has a panic restore the terminal.
         let mut terminal = ratatui::try_init().map_err(no_terminal)?;
