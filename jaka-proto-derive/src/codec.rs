@@ -1,6 +1,6 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Choice, Field, Spec, Topic, Type, TypeKind, Variant};
+use jaka_spec::{Choice, Field, Spec, Topic, Type, Variant};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -71,26 +71,6 @@ impl Scope<'_> {
             quote!(#docs #vis #name: #ty)
         });
         quote!(#(#fields),*)
-    }
-
-    /// True if the type can be `Copy`.
-    pub(crate) fn is_copy(self, ty: &Type) -> bool {
-        match ty {
-            Type::Bool { .. } | Type::Int | Type::Float => true,
-            Type::Text | Type::Json | Type::List(_) => false,
-            Type::Array(inner, _) | Type::Python(inner) => self.is_copy(inner),
-            Type::Named(name) => self.spec.type_def(name).is_some_and(|def| match &def.kind {
-                TypeKind::IntEnum(_) => true,
-                TypeKind::Wrapper(ty, _) => self.is_copy(ty),
-                TypeKind::Object(fields) | TypeKind::Array { fields, .. } => self.all_copy(fields),
-                TypeKind::TextEnum(_) | TypeKind::Choice(_) => false,
-            }),
-        }
-    }
-
-    /// True if all the fields can be `Copy`.
-    pub(crate) fn all_copy(self, fields: &[Field]) -> bool {
-        fields.iter().all(|field| !field.or_raw && self.is_copy(&field.ty))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The documentation of the generated items.
 
-use jaka_spec::{Command, Effect, Field, Range, Requirement, Topic};
+use jaka_spec::words::{self, first_sentence};
+use jaka_spec::{Command, Effect, Field, Range, Topic};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -56,12 +57,7 @@ pub(crate) fn field(field: &Field) -> TokenStream {
 
 /// `In deg/s, at least 0.`
 fn measure(unit: Option<&str>, range: Range) -> Option<String> {
-    let range = match (range.min, range.max) {
-        (Some(min), Some(max)) => Some(format!("{min} to {max}")),
-        (Some(min), None) => Some(format!("at least {min}")),
-        (None, Some(max)) => Some(format!("at most {max}")),
-        (None, None) => None,
-    };
+    let range = words::range(range);
     match (unit, range) {
         (Some(unit), Some(range)) => Some(format!("In {unit}, {range}.")),
         (Some(unit), None) => Some(format!("In {unit}.")),
@@ -75,19 +71,8 @@ fn capitalised(text: &str) -> String {
     chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }
 
-/// The first sentence with its full stop, and all behind it.
-pub(crate) fn first_sentence(text: &str) -> (&str, &str) {
-    let end = ["\n\n", ". ", ".\n"].iter().filter_map(|end| Some(text.find(end)? + usize::from(end.starts_with('.'))));
-    end.min().map_or((text, ""), |end| text.split_at(end))
-}
-
 fn versions(versions: &jaka_spec::Versions) -> String {
-    match (&versions.since, &versions.until) {
-        (Some(since), Some(until)) => format!("\n\nKnown to firmware {since} to {until}."),
-        (Some(since), None) => format!("\n\nKnown to firmware {since} and later."),
-        (None, Some(until)) => format!("\n\nKnown to firmware up to {until}."),
-        (None, None) => String::new(),
-    }
+    words::versions(versions).map(|known| format!("\n\nKnown to firmware {known}.")).unwrap_or_default()
 }
 
 /// The text of a request: what it does, what is sent, what it needs.
@@ -98,8 +83,8 @@ pub(crate) fn request(command: &Command) -> String {
     if command.effect == Effect::Query {
         text += " Changes nothing on the robot.";
     }
-    if let Some(needs) = requirements(&command.requires) {
-        text = format!("{text} {needs}");
+    if let Some(needs) = words::requirements(&command.requires) {
+        text = format!("{text} The robot must be {needs}.");
     }
     text += &versions(&command.versions);
     if let Some(instead) = &command.deprecated {
@@ -131,21 +116,5 @@ fn refusal(command: &Command) -> String {
             " In another state than the one it needs, the controller refuses with code {}, `{}`.",
             refusal.code, refusal.message
         ),
-    }
-}
-
-fn requirements(requires: &[Requirement]) -> Option<String> {
-    let words: Vec<_> = requires.iter().map(|requirement| requirement_words(*requirement)).collect();
-    let (last, others) = words.split_last()?;
-    let others = if others.is_empty() { String::new() } else { others.join(", ") + " and " };
-    Some(format!("The robot must be {others}{last}."))
-}
-
-fn requirement_words(requirement: Requirement) -> &'static str {
-    match requirement {
-        Requirement::Powered => "powered",
-        Requirement::Enabled => "enabled",
-        Requirement::ServoMode => "in servo mode",
-        Requirement::NotServoMode => "outside servo mode",
     }
 }

@@ -1,6 +1,7 @@
 //! Named types.
 
-use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeKind, Variant};
+use jaka_spec::words::first_sentence;
+use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeKind, Variant, is_floats};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -28,7 +29,7 @@ pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
 
 /// Derives for a struct: `Copy` where all fields are; `Default` where all may be absent.
 pub(crate) fn derives(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
-    let copy = scope.all_copy(fields).then(|| quote!(Copy,));
+    let copy = scope.spec.all_copy(fields).then(|| quote!(Copy,));
     let default = fields.iter().all(|field| field.optional).then(|| quote!(Default,));
     quote!(#[derive(Debug, Clone, #copy PartialEq, #default)])
 }
@@ -88,11 +89,6 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
     }
 }
 
-/// True for a struct of nothing but floats, which converts from and into an array of them.
-fn is_floats(fields: &[Field]) -> bool {
-    fields.iter().all(|field| field.ty == Type::Float && !field.optional && !field.or_raw)
-}
-
 fn float_conversions(name: &Ident, fields: &[Field]) -> TokenStream {
     let names = names(fields);
     let len = Literal::usize_unsuffixed(fields.len());
@@ -121,11 +117,11 @@ pub(crate) fn converts(def: &TypeDef) -> bool {
 }
 
 fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Option<&str>) -> TokenStream {
-    let (first, rest) = docs::first_sentence(&def.doc);
+    let (first, rest) = first_sentence(&def.doc);
     let unit = unit.map(|unit| format!(" In {unit}.")).unwrap_or_default();
     let docs = docs::attributes(&format!("{first}{unit}{rest}"));
     let inner = scope.rust_type(ty);
-    let copy = scope.is_copy(ty).then(|| quote!(Copy,));
+    let copy = scope.spec.is_copy(ty).then(|| quote!(Copy,));
     quote! {
         #docs
         #[derive(Debug, Clone, #copy PartialEq)]
@@ -295,7 +291,7 @@ fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Cho
 /// A choice whose tag and fields stand in a JSON object: a request.
 pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Choice) -> TokenStream {
     let variants = declare_variants(scope, choice);
-    let all_copy = choice.variants.iter().all(|variant| scope.all_copy(&variant.fields));
+    let all_copy = choice.variants.iter().all(|variant| scope.spec.all_copy(&variant.fields));
     let copy = all_copy.then(|| quote!(Copy,));
     let tag_key = &choice.tag;
     let key = format!("\"{tag_key}\":");

@@ -1,5 +1,6 @@
 //! The checks of requests, and of the types inside them.
 
+use jaka_spec::words;
 use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -107,10 +108,7 @@ pub(crate) fn firmware(versions: &Versions) -> TokenStream {
 
 fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {
     let listed: Vec<_> = values.iter().filter(|value| !value.advisory).map(text).collect();
-    match listed.split_last() {
-        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
-        _ => listed.join(""),
-    }
+    words::list(&listed, "or")
 }
 
 fn enum_body<T>(values: &[EnumValue<T>], allowed: &str, wire: &TokenStream) -> TokenStream {

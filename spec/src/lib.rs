@@ -10,10 +10,12 @@ mod pack;
 mod read;
 mod report;
 mod resolve;
+mod shape;
 #[cfg(feature = "tools")]
 pub mod tools;
 mod type_text;
 mod version;
+pub mod words;
 
 pub use builtin::{BUILTIN, builtin};
 pub use model::{
@@ -23,6 +25,7 @@ pub use model::{
 pub use names::to_camel;
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
+pub use shape::is_floats;
 pub use version::{Version, Versions};
 
 /// A TOML file: the path that errors name, and its text.

@@ -15,7 +15,6 @@
 mod diff;
 mod reference;
 mod schema;
-mod words;
 
 pub use diff::{Change, Impact, diff, impact};
 pub use reference::reference;

@@ -1,5 +1,6 @@
 //! What a value may be.
 
+use crate::words;
 use crate::{EnumValue, Field, Range, Spec, Type, TypeKind, Variant};
 
 /// Whether ranges and enum values are enforced that newer firmware has widened.
@@ -90,12 +91,7 @@ impl<'s> Limits<'s> {
 
     /// The range in words, such as `0 to 1` or `at least 0 deg/s`.
     pub(super) fn range_words(&self) -> Option<String> {
-        let range = match (self.range.min, self.range.max) {
-            (Some(min), Some(max)) => format!("{min} to {max}"),
-            (Some(min), None) => format!("at least {min}"),
-            (None, Some(max)) => format!("at most {max}"),
-            (None, None) => return None,
-        };
+        let range = words::range(self.range)?;
         Some(self.unit.map(|unit| format!("{range} {unit}")).unwrap_or(range))
     }
 
@@ -125,10 +121,6 @@ fn named(wire: i64, name: &str) -> String {
     format!("{wire} ({name})")
 }
 
-fn either(words: impl Iterator<Item = String>) -> String {
-    let words: Vec<_> = words.collect();
-    match words.split_last() {
-        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
-        _ => words.concat(),
-    }
+fn either(items: impl Iterator<Item = String>) -> String {
+    words::list(&items.collect::<Vec<_>>(), "or")
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::words::first_sentence;
+use crate::words::{self, first_sentence};
 use crate::{Command, ErrorCode, Spec, Topic};
 
 mod command;
@@ -56,7 +56,7 @@ fn index_by_section(out: &mut String, spec: &Spec) {
     let mut table = Table::new(&["section", "command", "topic", "effect"]);
     for (topic, command) in commands {
         let section = command.section.clone().unwrap_or_default();
-        let effect = super::words::effect(command.effect).to_owned();
+        let effect = words::effect(command.effect).to_owned();
         table.row([section, command_link(command), link(&topic.title, &topic.title), effect]);
     }
     table.render(out);

@@ -3,7 +3,7 @@
 use super::collect::Differ;
 use super::field::{Holder, fields};
 use super::{Impact, rust, types};
-use crate::tools::words;
+use crate::words;
 use crate::{Command, Request};
 
 /// Compares one command of both specs.

@@ -3,8 +3,8 @@
 use super::collect::{Differ, pairs};
 use super::command::versions;
 use super::{Impact, rust};
-use crate::tools::words;
-use crate::{Field, Range, Type};
+use crate::words;
+use crate::{Field, Range, Type, is_floats};
 
 /// What holds the fields, as far as that decides what their changes mean.
 pub(super) struct Holder {
@@ -72,7 +72,7 @@ impl Holder {
     /// An array that had these fields.
     pub(super) fn array(old: &[Field]) -> Self {
         // The conversion from an array of numbers goes by place.
-        let order = if rust::converts_from_floats(old) { Impact::Major } else { Impact::Minor };
+        let order = if is_floats(old) { Impact::Major } else { Impact::Minor };
         Self { order, ..Self::FIXED }
     }
 }

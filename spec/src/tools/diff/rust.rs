@@ -9,37 +9,19 @@ impl Interface<'_> {
     /// True if the struct or enum of the command's request is `Copy`.
     pub(super) fn request_is_copy(&self, command: &str) -> bool {
         self.0.command(command).is_some_and(|command| match &command.request {
-            Request::Fields(fields) => self.all_copy(fields),
-            Request::Choice(choice) => choice.variants.iter().all(|variant| self.all_copy(&variant.fields)),
+            Request::Fields(fields) => self.0.all_copy(fields),
+            Request::Choice(choice) => choice.variants.iter().all(|variant| self.0.all_copy(&variant.fields)),
         })
     }
 
     /// True if the command has a reply struct, and that is `Copy`.
     pub(super) fn reply_is_copy(&self, command: &str) -> bool {
-        self.0.command(command).is_some_and(|command| self.all_copy(&command.reply))
+        self.0.command(command).is_some_and(|command| self.0.all_copy(&command.reply))
     }
 
     /// True if the named type is `Copy`.
     pub(super) fn named_is_copy(&self, name: &str) -> bool {
-        self.0.type_def(name).is_some_and(|def| match &def.kind {
-            TypeKind::IntEnum(_) => true,
-            TypeKind::TextEnum(_) | TypeKind::Choice(_) => false,
-            TypeKind::Wrapper(ty, _) => self.is_copy(ty),
-            TypeKind::Object(fields) | TypeKind::Array { fields, .. } => self.all_copy(fields),
-        })
-    }
-
-    fn all_copy(&self, fields: &[Field]) -> bool {
-        fields.iter().all(|field| !field.or_raw && self.is_copy(&field.ty))
-    }
-
-    fn is_copy(&self, ty: &Type) -> bool {
-        match ty {
-            Type::Bool { .. } | Type::Int | Type::Float => true,
-            Type::Text | Type::Json | Type::List(_) => false,
-            Type::Array(inner, _) | Type::Python(inner) => self.is_copy(inner),
-            Type::Named(name) => self.named_is_copy(name),
-        }
+        self.0.is_copy(&Type::Named(name.to_owned()))
     }
 }
 
@@ -53,11 +35,6 @@ pub(super) fn same_type(a: &Type, b: &Type) -> bool {
         (Type::Array(a, a_len), Type::Array(b, b_len)) => a_len == b_len && same_type(a, b),
         (a, b) => a == b,
     }
-}
-
-/// True for a struct of nothing but floats, which converts from and into an array of them.
-pub(super) fn converts_from_floats(fields: &[Field]) -> bool {
-    fields.iter().all(|field| field.ty == Type::Float && !field.optional && !field.or_raw)
 }
 
 /// True if both commands have a request struct, or a reply struct, to compare.
@@ -77,7 +54,7 @@ fn sent_fields(command: &Command) -> Vec<&Field> {
     }
 }
 
-/// True if the check of `ty` checks the type `name`. It passes over choices inside arrays, as no request sends one.
+/// True if the check of `ty` checks the type `name`.
 fn reaches(spec: &Spec, ty: &Type, name: &str) -> bool {
     let reach = |ty| reaches(spec, ty, name);
     match ty {
@@ -85,8 +62,9 @@ fn reaches(spec: &Spec, ty: &Type, name: &str) -> bool {
         Type::Named(named) if named == name => true,
         Type::Named(named) => spec.type_def(named).is_some_and(|def| match &def.kind {
             TypeKind::Object(fields) | TypeKind::Array { fields, .. } => fields.iter().any(|field| reach(&field.ty)),
+            TypeKind::Choice(choice) => choice.variants.iter().flat_map(|v| &v.fields).any(|field| reach(&field.ty)),
             TypeKind::Wrapper(ty, _) => reach(ty),
-            _ => false,
+            TypeKind::IntEnum(_) | TypeKind::TextEnum(_) => false,
         }),
         _ => false,
     }

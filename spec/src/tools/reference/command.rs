@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::markdown::{code, escape};
 use super::{command_heading, fields};
-use crate::tools::words;
+use crate::words;
 use crate::{Command, Request, Spec};
 
 /// All there is to know about a command.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::markdown::{Table, code, escape};
 use super::types;
-use crate::tools::words::{self, first_sentence};
+use crate::words::{self, first_sentence};
 use crate::{Choice, Field, Spec};
 
 /// A table of the fields, and below it what does not fit into its rows. `first` is the place of the first element, where
@@ -44,7 +44,7 @@ pub(super) fn variants(out: &mut String, spec: &Spec, choice: &Choice) {
 pub(super) fn longer_docs<'d>(out: &mut String, docs: impl Iterator<Item = (String, &'d str)>) {
     let mut any = false;
     for (label, doc) in docs {
-        let rest = first_sentence(doc).1;
+        let rest = first_sentence(doc).1.trim();
         if !rest.is_empty() {
             any = true;
             let _ = writeln!(out, "- `{label}`: {}", escape(rest).replace('\n', "\n  ").replace("\n  \n", "\n\n"));

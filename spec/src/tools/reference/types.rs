@@ -4,7 +4,7 @@ use std::fmt::{Display, Write as _};
 
 use super::fields;
 use super::markdown::{Table, code, escape, link};
-use crate::tools::words::first_sentence;
+use crate::words::first_sentence;
 use crate::{EnumValue, Spec, Type, TypeDef, TypeKind};
 
 /// The type in words, with a link to a named one.

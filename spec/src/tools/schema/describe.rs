@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::tools::words;
+use crate::words;
 use crate::{Command, EnumValue, Field, Type};
 
 /// The texts that are not empty, as paragraphs.
@@ -44,13 +44,13 @@ pub(super) fn request(command: &Command) -> String {
 /// The values that only newer firmware takes.
 pub(super) fn newer_values<T: Display>(values: &[EnumValue<T>]) -> String {
     let newer: Vec<_> = values.iter().filter(|value| value.advisory).map(named).collect();
-    if newer.is_empty() { String::new() } else { format!("Newer firmware also takes {}.", words::list(&newer)) }
+    if newer.is_empty() { String::new() } else { format!("Newer firmware also takes {}.", words::list(&newer, "and")) }
 }
 
 /// The values that the spec lists, where others are read too.
 pub(super) fn known_values<T: Display>(values: &[EnumValue<T>]) -> String {
     let known: Vec<_> = values.iter().map(named).collect();
-    format!("Known are {}; others are read too.", words::list(&known))
+    format!("Known are {}; others are read too.", words::list(&known, "and"))
 }
 
 fn named<T: Display>(value: &EnumValue<T>) -> String {

@@ -1,16 +1,15 @@
-//! Parts of the model in words.
+//! Parts of the model in words, for docs and for messages.
 
 use crate::{Effect, Range, Requirement, Type, Versions};
 
 /// The first sentence with its full stop, and all behind it.
-pub(super) fn first_sentence(text: &str) -> (&str, &str) {
+pub fn first_sentence(text: &str) -> (&str, &str) {
     let end = ["\n\n", ". ", ".\n"].iter().filter_map(|end| Some(text.find(end)? + usize::from(end.starts_with('.'))));
-    let (first, rest) = end.min().map_or((text, ""), |end| text.split_at(end));
-    (first, rest.trim())
+    end.min().map_or((text, ""), |end| text.split_at(end))
 }
 
 /// `0 to 5`, `at least 0`; nothing for a range without ends.
-pub(super) fn range(range: Range) -> Option<String> {
+pub fn range(range: Range) -> Option<String> {
     match (range.min, range.max) {
         (Some(min), Some(max)) => Some(format!("{min} to {max}")),
         (Some(min), None) => Some(format!("at least {min}")),
@@ -20,7 +19,7 @@ pub(super) fn range(range: Range) -> Option<String> {
 }
 
 /// `1.5 and later`; nothing where every firmware has it.
-pub(super) fn versions(versions: &Versions) -> Option<String> {
+pub fn versions(versions: &Versions) -> Option<String> {
     match (&versions.since, &versions.until) {
         (Some(since), Some(until)) => Some(format!("{since} to {until}")),
         (Some(since), None) => Some(format!("{since} and later")),
@@ -30,7 +29,7 @@ pub(super) fn versions(versions: &Versions) -> Option<String> {
 }
 
 /// The word of the TOML files.
-pub(super) fn effect(effect: Effect) -> &'static str {
+pub fn effect(effect: Effect) -> &'static str {
     match effect {
         Effect::Query => "query",
         Effect::Setting => "setting",
@@ -41,9 +40,9 @@ pub(super) fn effect(effect: Effect) -> &'static str {
 }
 
 /// `powered, enabled and outside servo mode`; nothing where the robot may be in any state.
-pub(super) fn requirements(requires: &[Requirement]) -> Option<String> {
-    let words: Vec<_> = requires.iter().map(|requirement| self::requirement(*requirement).to_owned()).collect();
-    (!words.is_empty()).then(|| list(&words))
+pub fn requirements(requires: &[Requirement]) -> Option<String> {
+    let words: Vec<_> = requires.iter().map(|requirement| self::requirement(*requirement)).collect();
+    (!words.is_empty()).then(|| list(&words, "and"))
 }
 
 fn requirement(requirement: Requirement) -> &'static str {
@@ -55,16 +54,17 @@ fn requirement(requirement: Requirement) -> &'static str {
     }
 }
 
-/// `a, b and c`.
-pub(super) fn list(items: &[String]) -> String {
+/// `a, b and c`, with the conjunction given.
+pub fn list(items: &[impl AsRef<str>], conjunction: &str) -> String {
+    let items: Vec<_> = items.iter().map(AsRef::as_ref).collect();
     match items.split_last() {
-        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        Some((last, others)) if !others.is_empty() => format!("{} {conjunction} {last}", others.join(", ")),
         _ => items.concat(),
     }
 }
 
 /// The notation of the TOML files, such as `float[6]`.
-pub(super) fn notation(ty: &Type) -> String {
+pub fn notation(ty: &Type) -> String {
     match ty {
         Type::Bool { .. } => "bool".to_owned(),
         Type::Int => "int".to_owned(),
