@@ -69,7 +69,7 @@ fn vacate(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
 /// Serves a client to the end of its connection.
 fn attend(line: &Arc<Line>, shared: &Shared) {
     let end = match &shared.stage {
-        Some(stage) if stage.mode == Replay::Strict => replayed::serve(line, stage, &shared.tape),
+        Some(stage) if stage.mode == Replay::Strict => replayed::serve(line, stage, shared),
         _ => serve(line, shared),
     };
     log::trace!(target: "jaka_sim", "command client leaves");

@@ -1,18 +1,20 @@
 //! Replay of a recording in place of the simulated arm.
 
 mod canonical;
+mod cues;
 mod deviation;
 mod script;
 
 use std::collections::{HashMap, VecDeque};
 use std::fmt;
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_proto::recording::{Answer, Port, Recording};
 
 use self::canonical::canonical;
 pub(crate) use self::canonical::is_same;
+use self::cues::{Cue, Cues};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, Step};
 use crate::lock::lock;
@@ -24,7 +26,8 @@ pub enum Replay {
     /// order and be equal as JSON, and the controller sends what it sent then, also what was late, unasked or garbage, and
     /// ends the connection where it did then.
     ///
-    /// Anything else is a [`Deviation`], and ends the connection.
+    /// Status packets wait for the requests that were sent before them, so that a program that is slower, or faster, sees the
+    /// same. Anything else is a [`Deviation`], and ends the connection.
     Strict,
     /// Each request gets the reply to the first equal request of the recording, of whatever connection, that has not been
     /// used yet. Where none came then, none comes now.
@@ -57,6 +60,8 @@ pub(crate) struct Stage {
     timing: ReplayTiming,
     commands: Vec<Arc<Script>>,
     readers: Vec<Arc<Script>>,
+    /// What status packets of a strict replay wait for.
+    cues: Option<Cues>,
     progress: Mutex<Progress>,
 }
 
@@ -84,6 +89,7 @@ impl Stage {
             timing,
             commands: script::scripts(recording, Port::Command),
             readers: script::scripts(recording, Port::Status),
+            cues: (*mode == Replay::Strict).then(|| Cues::new(recording)),
             progress: Mutex::new(progress),
         }
     }
@@ -132,11 +138,25 @@ impl Stage {
         }
     }
 
-    /// How long after the beginning of its connection the n-th packet is sent, counted from 0.
-    pub(crate) fn packet_time(&self, recorded: Duration, number: u32, period: Duration) -> Duration {
+    /// A request of the script has come, or never will: status packets that were recorded after it can go out.
+    pub(crate) fn request_came(&self, script: &Script, at: Duration) {
+        if let Some(cues) = &self.cues {
+            cues.came(script.start.saturating_add(at));
+        }
+    }
+
+    /// When a packet of a connection that began then is due: as long after the last request before it as in the recording, or
+    /// at `next`; `None` while a request is awaited.
+    pub(crate) fn packet_due(&self, script: &Script, at: Duration, began: Instant, next: Instant) -> Option<Instant> {
+        let recorded = script.start.saturating_add(at);
+        let (since, delay) = match self.cues.as_ref().map_or(Cue::None, |cues| cues.before(recorded)) {
+            Cue::Awaited => return None,
+            Cue::Came(since, then) if then >= script.start => (since, recorded.saturating_sub(then)),
+            Cue::Came(..) | Cue::None => (began, at),
+        };
         match self.timing {
-            ReplayTiming::Recorded => recorded,
-            ReplayTiming::Immediate => period.saturating_mul(number),
+            ReplayTiming::Recorded => since.checked_add(delay),
+            ReplayTiming::Immediate => Some(since.max(next)),
         }
     }
 

@@ -112,6 +112,11 @@ impl Readers {
         }
     }
 
+    /// Has all look anew when their next packet is due.
+    pub(crate) fn wake(&self) {
+        lock(&self.room).list.iter().for_each(|(reader, _)| reader.wake());
+    }
+
     /// Closes all connections, and waits for their threads.
     pub(crate) fn close(&self) {
         let readers = std::mem::take(&mut lock(&self.room).list);

@@ -11,14 +11,19 @@ use super::line::{Flow, Line};
 use crate::Fault;
 use crate::answer::Sequel;
 use crate::replay::{Deviation, Script, Stage, Step, is_same};
+use crate::shared::Shared;
 use crate::tape::Tape;
 
 /// Plays the next connection of the recording, message by message.
-pub(super) fn serve(line: &Line, stage: &Stage, tape: &Tape) -> Flow {
+pub(super) fn serve(line: &Line, stage: &Stage, shared: &Shared) -> Flow {
     let Some(script) = stage.next_commands() else { return Flow::Close };
     let feed = Feed::new(line.stream());
-    let mut player = Player { line, stage, tape, feed, since: (Instant::now(), Duration::ZERO) };
-    player.play(&script).unwrap_or_else(|deviation| {
+    let mut player = Player { line, stage, shared, feed, since: (Instant::now(), Duration::ZERO), came: 0 };
+    let end = player.play(&script);
+    // Status packets wait no longer for requests that will not come.
+    script.requests().skip(player.came).for_each(|at| stage.request_came(&script, at));
+    shared.readers.wake();
+    end.unwrap_or_else(|deviation| {
         stage.deviates(deviation);
         Flow::Close
     })
@@ -27,17 +32,24 @@ pub(super) fn serve(line: &Line, stage: &Stage, tape: &Tape) -> Flow {
 struct Player<'p> {
     line: &'p Line,
     stage: &'p Stage,
-    tape: &'p Tape,
+    shared: &'p Shared,
     feed: Feed<'p>,
     /// When the last request came, or the connection began, and when it did in the recording.
     since: (Instant, Duration),
+    /// How many requests have come.
+    came: usize,
 }
 
 impl Player<'_> {
     fn play(&mut self, script: &Script) -> Result<Flow, Deviation> {
         for step in &script.steps {
             match step {
-                Step::Expect { request, at } => self.expect(request, *at)?,
+                Step::Expect { request, at } => {
+                    self.expect(request, *at)?;
+                    self.came += 1;
+                    self.stage.request_came(script, *at);
+                    self.shared.readers.wake();
+                }
                 Step::Send { bytes, at } => {
                     if self.wait_until(*at) {
                         return Ok(Flow::Close);
@@ -72,7 +84,7 @@ impl Player<'_> {
     fn next_request(&mut self) -> Option<String> {
         let Ok(Next::Incoming(incoming)) = self.feed.next(None) else { return None };
         if let Incoming::Request(text) | Incoming::NoText(text) = &incoming {
-            self.tape.record(text.clone());
+            self.shared.tape.record(text.clone());
         }
         Some(incoming.to_string())
     }

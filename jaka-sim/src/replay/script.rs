@@ -9,6 +9,8 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port, Recording};
 /// What happens on one connection of a recording, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Script {
+    /// When the connection began in the recording.
+    pub(crate) start: Duration,
     pub(crate) steps: Vec<Step>,
     /// The last of the messages that are JSON objects: the status that stays.
     pub(crate) last: Option<Message>,
@@ -42,16 +44,22 @@ pub(super) fn scripts(recording: &Recording, port: Port) -> Vec<Arc<Script>> {
 }
 
 fn script<'e>(entries: impl Iterator<Item = &'e Entry>) -> Script {
-    let mut script = Script::default();
-    let mut start = None;
-    for entry in entries {
-        let start = *start.get_or_insert(entry.time);
-        script.add(&entry.event, entry.time.saturating_sub(start));
-    }
+    let mut entries = entries.peekable();
+    let start = entries.peek().map_or(Duration::ZERO, |entry| entry.time);
+    let mut script = Script { start, ..Script::default() };
+    entries.for_each(|entry| script.add(&entry.event, entry.time.saturating_sub(start)));
     script
 }
 
 impl Script {
+    /// The times of the requests.
+    pub(crate) fn requests(&self) -> impl Iterator<Item = Duration> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Expect { at, .. } => Some(*at),
+            _ => None,
+        })
+    }
+
     fn add(&mut self, event: &Event, at: Duration) {
         match event {
             Event::Sent(request) => self.steps.push(Step::Expect { request: request.to_string(), at }),

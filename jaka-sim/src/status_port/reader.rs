@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::io;
+use std::mem;
 use std::net::{Shutdown, TcpStream};
 use std::ops::ControlFlow;
 use std::sync::{Arc, Condvar, Mutex};
@@ -32,6 +33,7 @@ struct Mail {
     letters: VecDeque<Letter>,
     posted: u64,
     written: u64,
+    woken: bool,
     closed: bool,
 }
 
@@ -48,6 +50,8 @@ enum Job {
     Fault(StatusFault),
     Letter(Letter),
     Packet,
+    /// The time of the next packet may have changed.
+    LookAnew,
     End,
 }
 
@@ -77,18 +81,13 @@ impl Reader {
     }
 
     fn write_recorded(&self, mut packets: Packets, stage: &Stage) -> io::Result<()> {
-        let start = Instant::now();
         let mut outlet = self.first_outlet();
-        let mut next = packets.next(stage);
         loop {
-            let due = next.as_ref().and_then(|(time, _)| start.checked_add(*time));
-            match self.next_job(due) {
-                Job::Packet => match next {
-                    Some((_, Turn::Packet(packet))) => {
-                        outlet.send_packet(&packet)?;
-                        next = packets.next(stage);
-                    }
-                    Some((_, Turn::End)) | None => return Ok(()),
+            match self.next_job(packets.due(stage)) {
+                Job::Packet => match packets.take() {
+                    Some(Turn::Packet(packet)) => outlet.send_packet(&packet)?,
+                    Some(Turn::End) => return Ok(()),
+                    None => {}
                 },
                 job => {
                     if self.do_job(job, &mut outlet)?.is_break() {
@@ -116,7 +115,7 @@ impl Reader {
                 lock(&self.mail).written += 1;
                 self.changed.notify_all();
             }
-            Job::Packet => {}
+            Job::Packet | Job::LookAnew => {}
             Job::End => return Ok(ControlFlow::Break(())),
         }
         Ok(ControlFlow::Continue(()))
@@ -146,7 +145,7 @@ impl Reader {
 
     fn next_job(&self, due: Option<Instant>) -> Job {
         let left = due.map_or(Duration::MAX, |due| due.saturating_duration_since(Instant::now()));
-        let ready = |mail: &Mail| mail.closed || mail.fault.is_some() || !mail.letters.is_empty();
+        let ready = |mail: &Mail| mail.closed || mail.woken || mail.fault.is_some() || !mail.letters.is_empty();
         let mut mail = wait(&self.changed, lock(&self.mail), left, ready);
         if mail.closed {
             return Job::End;
@@ -154,7 +153,16 @@ impl Reader {
         if let Some(fault) = mail.fault.take() {
             return Job::Fault(fault);
         }
+        if mem::take(&mut mail.woken) {
+            return Job::LookAnew;
+        }
         mail.letters.pop_front().map_or(Job::Packet, Job::Letter)
+    }
+
+    /// Has the time of the next packet looked at anew.
+    pub(super) fn wake(&self) {
+        lock(&self.mail).woken = true;
+        self.changed.notify_all();
     }
 
     /// Sets what is wrong with the packets from now on.

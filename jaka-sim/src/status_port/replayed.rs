@@ -1,7 +1,7 @@
 //! Packets from a recording.
 
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::outlet::LEAST_PERIOD;
 use crate::replay::{Script, Stage, Step};
@@ -11,8 +11,8 @@ use crate::replay::{Script, Stage, Step};
 pub(super) struct Packets {
     script: Arc<Script>,
     place: usize,
-    number: u32,
-    last: Duration,
+    began: Instant,
+    last: Option<Instant>,
     period: Duration,
 }
 
@@ -25,26 +25,34 @@ pub(super) enum Turn {
 
 impl Packets {
     pub(super) fn new(script: Arc<Script>, period: Duration) -> Self {
-        Self { script, place: 0, number: 0, last: Duration::ZERO, period: period.max(LEAST_PERIOD) }
+        Self { script, place: 0, began: Instant::now(), last: None, period: period.max(LEAST_PERIOD) }
     }
 
-    /// What comes next, and how long after the beginning of the connection; `None` if nothing ever does.
-    ///
-    /// Behind the last packet it comes again each period, unless the controller has ended the connection.
-    pub(super) fn next(&mut self, stage: &Stage) -> Option<(Duration, Turn)> {
-        while let Some(step) = self.script.steps.get(self.place) {
-            self.place += 1;
-            let (turn, at) = match step {
-                Step::Send { bytes, at } => (Turn::Packet(bytes.clone()), *at),
-                Step::End { at, .. } => (Turn::End, *at),
-                Step::Expect { .. } | Step::Gap { .. } => continue,
-            };
-            self.last = stage.packet_time(at, self.number, self.period);
-            self.number += 1;
-            return Some((self.last, turn));
+    /// When the next turn is due; `None` where that is not known yet, or there is none.
+    pub(super) fn due(&self, stage: &Stage) -> Option<Instant> {
+        let next = match self.last {
+            Some(last) => last.checked_add(self.period)?,
+            None => self.began,
+        };
+        match self.script.steps.get(self.place) {
+            Some(Step::Send { at, .. } | Step::End { at, .. }) => stage.packet_due(&self.script, *at, self.began, next),
+            Some(Step::Expect { .. } | Step::Gap { .. }) => Some(self.began),
+            // Behind the last packet it comes again each period.
+            None => self.script.last.as_ref().map(|_| next),
         }
-        let stays = self.script.last.as_ref()?;
-        self.last = self.last.checked_add(self.period)?;
-        Some((self.last, Turn::Packet(stays.bytes().to_vec())))
+    }
+
+    /// Takes the turn that is due; `None` if there is nothing to do in it.
+    pub(super) fn take(&mut self) -> Option<Turn> {
+        let step = self.script.steps.get(self.place);
+        self.place += 1;
+        let packet = match step {
+            Some(Step::Send { bytes, .. }) => bytes.clone(),
+            Some(Step::End { .. }) => return Some(Turn::End),
+            Some(Step::Expect { .. } | Step::Gap { .. }) => return None,
+            None => self.script.last.as_ref()?.bytes().to_vec(),
+        };
+        self.last = Some(Instant::now());
+        Some(Turn::Packet(packet))
     }
 }

@@ -1,0 +1,93 @@
+//! Which requests have come: status packets wait for those that were sent before them in the recording.
+
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use jaka_proto::recording::{Event, Port, Recording};
+
+use crate::lock::lock;
+
+/// The requests of all command connections, in the order of their recorded times.
+#[derive(Debug)]
+pub(super) struct Cues {
+    recorded: Vec<Duration>,
+    arrivals: Mutex<Arrivals>,
+}
+
+#[derive(Debug)]
+struct Arrivals {
+    /// When each request came.
+    came: Vec<Option<Instant>>,
+    /// So many have come without one missing between them.
+    whole: usize,
+}
+
+/// What a packet waits for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Cue {
+    /// Nothing: no request was sent before it.
+    None,
+    /// The last request before it has come, then, and was recorded at this time.
+    Came(Instant, Duration),
+    /// A request that has not come yet.
+    Awaited,
+}
+
+impl Cues {
+    pub(super) fn new(recording: &Recording) -> Self {
+        let sent = |event: &Event| matches!(event, Event::Sent(_));
+        let requests = recording.entries.iter().filter(|entry| entry.port == Port::Command && sent(&entry.event));
+        let mut recorded: Vec<_> = requests.map(|entry| entry.time).collect();
+        recorded.sort_unstable();
+        let came = vec![None; recorded.len()];
+        Self { recorded, arrivals: Mutex::new(Arrivals { came, whole: 0 }) }
+    }
+
+    /// The request that was recorded at this time has come, or never will.
+    pub(super) fn came(&self, recorded: Duration) {
+        let first = self.recorded.partition_point(|time| *time < recorded);
+        let mut arrivals = lock(&self.arrivals);
+        if let Some(request) = arrivals.came[first..].iter_mut().find(|request| request.is_none()) {
+            *request = Some(Instant::now());
+        }
+        while arrivals.came.get(arrivals.whole).is_some_and(Option::is_some) {
+            arrivals.whole += 1;
+        }
+    }
+
+    /// What something that was recorded at this time waits for.
+    pub(super) fn before(&self, recorded: Duration) -> Cue {
+        let count = self.recorded.partition_point(|time| *time < recorded);
+        let Some(last) = count.checked_sub(1) else { return Cue::None };
+        let arrivals = lock(&self.arrivals);
+        match arrivals.came[last] {
+            Some(instant) if arrivals.whole >= count => Cue::Came(instant, self.recorded[last]),
+            _ => Cue::Awaited,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use jaka_proto::recording::{Entry, Header, Message};
+
+    use super::*;
+
+    #[test]
+    fn a_packet_waits_for_all_requests_before_it() {
+        let millis = Duration::from_millis;
+        let sent = |at, connection| Entry::new(millis(at), Port::Command, connection, Event::Sent(Message::new("{}")));
+        let entries = vec![sent(10, 1), sent(20, 1), sent(20, 2)];
+        let cues = Cues::new(&Recording::new(Header::new(Duration::ZERO, ""), entries));
+        assert_eq!(cues.before(millis(10)), Cue::None);
+        assert_eq!(cues.before(millis(11)), Cue::Awaited);
+        cues.came(millis(20));
+        assert_eq!(cues.before(millis(30)), Cue::Awaited);
+        cues.came(millis(10));
+        assert!(matches!(cues.before(millis(20)), Cue::Came(_, recorded) if recorded == millis(10)));
+        assert_eq!(cues.before(millis(30)), Cue::Awaited);
+        cues.came(millis(20));
+        assert!(matches!(cues.before(millis(30)), Cue::Came(_, recorded) if recorded == millis(20)));
+        cues.came(millis(99));
+    }
+}
