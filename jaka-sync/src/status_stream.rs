@@ -68,6 +68,14 @@ impl StatusStream {
     /// - [`UnexpectedStatus`](Error::UnexpectedStatus): a packet does not fit the spec; its text is kept.
     /// - [`Disconnected`](Error::Disconnected): the stream is broken for good.
     pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
+        self.next_packet_as()
+    }
+
+    /// The same as another type: a [pack](crate::pack!)'s status packet with keys of newer firmware, or a choice of keys of your own.
+    ///
+    /// # Errors
+    /// As [`next_packet`](Self::next_packet).
+    pub fn next_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
         self.receive()?;
         self.decode()
     }
@@ -77,6 +85,14 @@ impl StatusStream {
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
     pub fn newest_packet(&mut self) -> Result<RobotStatus, Error> {
+        self.newest_packet_as()
+    }
+
+    /// The same as another type: see [`next_packet_as`](Self::next_packet_as).
+    ///
+    /// # Errors
+    /// As [`next_packet`](Self::next_packet).
+    pub fn newest_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
         if !self.drain()? {
             self.receive()?;
         }
@@ -88,8 +104,8 @@ impl StatusStream {
         (!self.packet.is_empty()).then_some(&*self.packet)
     }
 
-    fn decode(&self) -> Result<RobotStatus, Error> {
-        let status = RobotStatus::decode(&mut Reader::new(&self.packet));
+    fn decode<S: Decode>(&self) -> Result<S, Error> {
+        let status = S::decode(&mut Reader::new(&self.packet));
         status.map_err(|source| self.tap.attach(Error::UnexpectedStatus { source, exchanges: Exchanges::default() }))
     }
 

@@ -8,7 +8,7 @@ use jaka_pack_user::newer::{self, NewerCommands as _};
 use jaka_pack_user::{is_stopped, move_with_zone, queued};
 use jaka_sim::{Controller, Delays};
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Client, Config, Monitor, Robot};
+use jaka_sync::{Client, Config, Monitor, Robot, StatusStream};
 use serde_json::{Value, json};
 
 fn pack(name: &str) -> PathBuf {
@@ -120,6 +120,8 @@ fn a_status_packet_with_the_pack_s_keys() {
     controller.send_status(br#"{"len":19,"brake_state":2}"#);
     let found = monitor.wait_until(|status| status.brake_state == Some(2), Duration::from_secs(5));
     found.expect("the packet with the key comes");
+    let mut stream = StatusStream::connect(controller.status_addr()).expect("the port is open");
+    assert_eq!(stream.next_packet_as::<changed::RobotStatus>().expect("a packet comes").brake_state, None);
 }
 
 #[test]
