@@ -1,0 +1,32 @@
+//! The commands, one file each.
+//!
+//! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, a variant of
+//! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
+//! `#[command(flatten)] robot: RobotArgs` and begins with `self.robot.target()?`.
+
+mod completions;
+mod sim;
+mod status;
+
+use clap::Subcommand;
+
+use crate::failure::Failure;
+
+/// What `jaka` is asked to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Status(status::Status),
+    Sim(sim::Sim),
+    Completions(completions::Completions),
+}
+
+impl Command {
+    /// Does it.
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::Status(command) => command.run(),
+            Self::Sim(command) => command.run(),
+            Self::Completions(command) => command.run(),
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! `jaka sim`: a simulated controller for clients in any language.
+
+use std::fs;
+use std::net::IpAddr;
+use std::path::PathBuf;
+use std::thread;
+use std::time::Duration;
+
+use clap::Args;
+use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Model};
+
+use crate::failure::Failure;
+use crate::interrupt::end_on_interrupt;
+use crate::target::model;
+use crate::{output, wire_log};
+
+/// Run a simulated controller until it is interrupted.
+///
+/// Anyone who can reach the ports can move the simulated arm, and nothing else.
+#[derive(Debug, Args)]
+pub(crate) struct Sim {
+    /// Address to listen at
+    #[arg(long, default_value = "127.0.0.1")]
+    address: IpAddr,
+    /// Port for commands, 0 for a free one
+    #[arg(long, value_name = "PORT", default_value_t = jaka_sync::COMMAND_PORT)]
+    commands: u16,
+    /// Port for status packets, 0 for a free one
+    #[arg(long, value_name = "PORT", default_value_t = jaka_sync::STATUS_PORT)]
+    status: u16,
+    /// The arm, such as zu5; `list` for all [default: zu5]
+    #[arg(long, value_name = "NAME")]
+    model: Option<String>,
+    /// Shape of packets and replies: document, 1.5.14 or newer
+    #[arg(long, value_name = "SHAPE", default_value = "document", value_parser = firmware)]
+    firmware: Firmware,
+    /// Milliseconds between two status packets [default: that of the firmware]
+    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(1..))]
+    period: Option<u64>,
+    /// Folder of programs to load: files of requests, one a line
+    #[arg(long, value_name = "FOLDER")]
+    programs: Option<PathBuf>,
+    /// What goes wrong with replies, such as `drop, delay 200ms`; @FILE reads it from a file
+    #[arg(long, value_name = "TEXT", value_parser = faults)]
+    faults: Option<FaultPlan>,
+    /// Switch power and enable at once, instead of after some seconds
+    #[arg(long)]
+    fast: bool,
+    /// Print each message that comes and goes
+    #[arg(long)]
+    log: bool,
+}
+
+impl Sim {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        if self.model.as_deref() == Some("list") {
+            return Model::published().iter().try_for_each(|model| output::line(model.name()));
+        }
+        if self.log {
+            wire_log::print_all("jaka_sim");
+        }
+        end_on_interrupt()?;
+        let started = self.builder()?.start();
+        let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
+        output::line(&format!("commands at {}, status at {}", controller.command_addr(), controller.status_addr()))?;
+        loop {
+            thread::park();
+        }
+    }
+
+    fn builder(self) -> Result<Builder, Failure> {
+        let mut builder = Controller::builder();
+        builder = builder.address(self.address).ports(self.commands, self.status).firmware(self.firmware);
+        if let Some(name) = self.model {
+            let model = model(&name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;
+            builder = builder.model(model.clone());
+        }
+        if let Some(ms) = self.period {
+            builder = builder.status_period(Duration::from_millis(ms));
+        }
+        if let Some(folder) = self.programs {
+            builder = builder.programs_from(folder);
+        }
+        if let Some(plan) = self.faults {
+            builder = builder.faults(plan);
+        }
+        Ok(if self.fast { builder.delays(Delays::NONE) } else { builder })
+    }
+}
+
+fn firmware(name: &str) -> Result<Firmware, String> {
+    let found = Firmware::ALL.iter().find(|firmware| firmware.name() == name).copied();
+    found.ok_or_else(|| {
+        let names: Vec<_> = Firmware::ALL.iter().map(|firmware| firmware.name()).collect();
+        format!("there are {}", names.join(", "))
+    })
+}
+
+fn faults(text: &str) -> Result<FaultPlan, String> {
+    let read = |path| fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"));
+    let text = text.strip_prefix('@').map_or_else(|| Ok(text.to_owned()), read)?;
+    text.parse().map_err(|error| format!("{error}"))
+}

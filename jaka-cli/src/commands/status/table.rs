@@ -1,0 +1,137 @@
+//! Packets as a table.
+
+use std::io::{IsTerminal, stdout};
+
+use serde_json::Value;
+
+use crate::fields::{Field, Shape};
+use crate::number::fixed;
+
+/// What stands for a value that the packet does not have.
+const ABSENT: &str = "–";
+/// Lists with more values than this are told in short.
+const SHORT: usize = 8;
+
+/// A table of these fields.
+#[derive(Debug)]
+pub(super) struct Table {
+    fields: Vec<Field>,
+    /// What comes before and behind each table.
+    around: (&'static str, &'static str),
+}
+
+impl Table {
+    /// Tables that follow each other replace each other on a terminal.
+    pub(super) fn new(fields: Vec<Field>, repeats: bool) -> Self {
+        let around = match (repeats, stdout().is_terminal()) {
+            (false, _) => ("", ""),
+            (true, true) => ("\x1b[H\x1b[J", ""),
+            (true, false) => ("", "\n"),
+        };
+        Self { fields, around }
+    }
+
+    /// The table of a packet.
+    pub(super) fn text(&self, packet: &Value) -> String {
+        let mut rows = Vec::new();
+        for field in &self.fields {
+            add(field, packet, &mut rows);
+        }
+        let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
+        let lines: String = rows.iter().map(|(name, value)| format!("{name:width$}  {value}\n")).collect();
+        format!("{}{lines}{}", self.around.0, self.around.1)
+    }
+}
+
+/// Adds a row for the field, or for each of its parts.
+fn add(field: &Field, packet: &Value, rows: &mut Vec<(String, String)>) {
+    let parts = field.parts(packet);
+    if field.shape() != Shape::Nested || field.value(packet).is_none() || parts.is_empty() {
+        rows.push((field.name.clone(), with_unit(field, packet)));
+        return;
+    }
+    for part in &parts {
+        add(part, packet, rows);
+    }
+}
+
+fn with_unit(field: &Field, packet: &Value) -> String {
+    let text = text(field, packet);
+    match &field.unit {
+        Some(unit) if text != ABSENT => format!("{text} {unit}"),
+        _ => text,
+    }
+}
+
+fn text(field: &Field, packet: &Value) -> String {
+    match (field.named_value(packet), field.shape()) {
+        (None, _) => ABSENT.to_owned(),
+        (Some(Value::Array(values)), Shape::List) if values.len() > SHORT || values.iter().all(Value::is_boolean) => {
+            in_short(&values)
+        }
+        (Some(Value::Array(_)), Shape::List) => {
+            let parts: Vec<_> = field.parts(packet).iter().map(|part| text(part, packet)).collect();
+            parts.join("  ")
+        }
+        (Some(value), _) => single(field, &value),
+    }
+}
+
+fn single(field: &Field, value: &Value) -> String {
+    match value {
+        Value::Number(number) if field.is_float() => {
+            number.as_f64().map_or_else(|| number.to_string(), |number| fixed(number, 3))
+        }
+        // A terminal would act on control characters.
+        Value::String(text) if text.is_empty() || text.contains(char::is_control) => format!("{text:?}"),
+        Value::String(text) => text.clone(),
+        _ => field.value_name(value).map_or_else(|| value.to_string(), |name| format!("{name} ({value})")),
+    }
+}
+
+/// A list in short: which of its values are something.
+fn in_short(values: &[Value]) -> String {
+    let count = values.len();
+    if count == 0 {
+        return "none".to_owned();
+    }
+    if values.iter().all(Value::is_boolean) {
+        let on = values.iter().enumerate().filter(|(_, value)| **value == Value::Bool(true));
+        let on: Vec<_> = on.map(|(index, _)| index.to_string()).collect();
+        return if on.is_empty() { format!("{count}, all off") } else { format!("{count}, on: {}", on.join(" ")) };
+    }
+    let other = values.iter().enumerate().filter(|(_, value)| value.as_f64() != Some(0.0));
+    let other: Vec<_> = other.map(|(index, value)| format!("[{index}] {value}")).collect();
+    if other.is_empty() { format!("{count}, all 0") } else { format!("{count}, not 0: {}", other.join(" ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn what_a_packet_does_not_have_is_no_zero() {
+        let packet = json!({
+            "din": [0, 1, 0, 1], "dout": [], "ain": [0, 0, 0, 0, 0, 0, 0, 0, 2.5], "errmsg": "a\u{1b}b",
+            "torqsensor": 5, "curr_tcp_trans_vel": -0.0001, "task_mode": 9,
+        });
+        let names = ["din", "dout", "ain", "aout", "errmsg", "torqsensor", "enabled", "tcp_speed", "task_mode"];
+        let fields = names.map(|name| Field::find(name).unwrap()).to_vec();
+        expect![[r#"
+            digital_inputs          4, on: 1 3
+            digital_outputs         none
+            analog_inputs           9, not 0: [8] 2.5
+            analog_outputs          –
+            error_message           "a\u{1b}b"
+            torque_sensor.settings  –
+            torque_sensor.state     –
+            enabled                 –
+            tcp_speed               0.000 mm/s
+            task_mode               9
+        "#]]
+        .assert_eq(&Table::new(fields, false).text(&packet));
+    }
+}

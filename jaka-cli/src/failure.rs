@@ -1,0 +1,88 @@
+//! Why a command failed, and how that is told.
+
+use std::error::Error as StdError;
+use std::fmt;
+use std::io::{self, ErrorKind};
+use std::process::ExitCode;
+
+use crate::exit;
+
+/// Why a command failed.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The command line, an argument or the config file is wrong.
+    Usage(String),
+    /// The robot, or the way to it.
+    Robot(jaka_sync::Error),
+    /// Something on this machine.
+    Local {
+        /// What cannot be done, such as "cannot start the simulated controller".
+        what: String,
+        /// Why not.
+        source: io::Error,
+    },
+    /// Who reads the output has seen enough: no failure to anybody.
+    OutputClosed,
+}
+
+impl Failure {
+    /// The output cannot be written.
+    pub(crate) fn output(source: io::Error) -> Self {
+        if source.kind() == ErrorKind::BrokenPipe {
+            return Self::OutputClosed;
+        }
+        Self::local("cannot write the output", source)
+    }
+
+    /// Something on this machine does not work: what cannot be done, and why.
+    pub(crate) fn local(what: impl Into<String>, source: io::Error) -> Self {
+        Self::Local { what: what.into(), source }
+    }
+
+    /// Tells the failure on standard error, with its causes, and gives the exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        let code = match self {
+            Self::Usage(_) => exit::USAGE,
+            Self::Robot(error) => exit::exit_code(error),
+            Self::Local { .. } => exit::LOCAL,
+            Self::OutputClosed => return ExitCode::SUCCESS,
+        };
+        eprintln!("jaka: {}", chain(self));
+        ExitCode::from(code)
+    }
+}
+
+/// An error's text, and that of its causes behind it.
+fn chain(error: &(dyn StdError + 'static)) -> String {
+    let errors = std::iter::successors(Some(error), |&error| error.source());
+    let texts: Vec<_> = errors.map(ToString::to_string).collect();
+    texts.join(": ")
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Usage(text) => f.write_str(text),
+            Self::Robot(error) => error.fmt(f),
+            Self::Local { what, .. } => f.write_str(what),
+            Self::OutputClosed => f.write_str("the output is closed"),
+        }
+    }
+}
+
+impl StdError for Failure {
+    fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        match self {
+            // Its text is this one's own.
+            Self::Robot(error) => error.source(),
+            Self::Local { source, .. } => Some(source),
+            _ => None,
+        }
+    }
+}
+
+impl From<jaka_sync::Error> for Failure {
+    fn from(error: jaka_sync::Error) -> Self {
+        Self::Robot(error)
+    }
+}

@@ -1,0 +1,235 @@
+//! The fields of status packets: found by name, as the spec has them, in a packet's JSON.
+
+mod near;
+mod path;
+
+use std::sync::LazyLock;
+
+use jaka_spec::{Spec, Type, TypeKind};
+use serde_json::{Map, Value};
+
+static SPEC: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
+
+/// A field of the status packet, or a part of one.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Field {
+    /// Where it is, by the names of Rust, such as `actual_position.x`.
+    pub(crate) name: String,
+    /// Unit of its number or numbers, where the spec states one.
+    pub(crate) unit: Option<String>,
+    ty: Type,
+    steps: Vec<Step>,
+}
+
+/// A step into a packet's JSON.
+#[derive(Debug, Clone, PartialEq)]
+enum Step {
+    Key(String),
+    Index(usize),
+}
+
+/// What a field's value is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Shape {
+    /// One value.
+    Single,
+    /// A list of single values.
+    List,
+    /// Parts with names, or a list of such.
+    Nested,
+}
+
+impl Field {
+    /// The packet as a whole.
+    fn packet() -> Self {
+        let ty = Type::Named("RobotStatus".to_owned());
+        Self { name: String::new(), unit: None, ty, steps: Vec::new() }
+    }
+
+    /// All fields of the packet, in the order of the spec.
+    pub(crate) fn all() -> Vec<Self> {
+        Self::packet().members()
+    }
+
+    /// The field at a path of names, in Rust or on the wire, and indices: `joint_actual_position[0]`.
+    ///
+    /// # Errors
+    /// There is none; says which are near.
+    pub(crate) fn find(path: &str) -> Result<Self, String> {
+        path::find(Self::packet(), path)
+    }
+
+    /// Its value in a packet's JSON; `None` where the packet has none, or one of another shape.
+    pub(crate) fn value<'v>(&self, packet: &'v Value) -> Option<&'v Value> {
+        let step = |value: &'v Value, step: &Step| match step {
+            Step::Key(key) => value.get(key),
+            Step::Index(index) => value.get(index),
+        };
+        self.steps.iter().try_fold(packet, step).filter(|value| !value.is_null())
+    }
+
+    /// What its value is made of.
+    pub(crate) fn shape(&self) -> Shape {
+        if !self.members().is_empty() {
+            return Shape::Nested;
+        }
+        match &self.ty {
+            Type::List(_) | Type::Array(..) if self.element(0).shape() == Shape::Single => Shape::List,
+            Type::List(_) | Type::Array(..) => Shape::Nested,
+            _ => Shape::Single,
+        }
+    }
+
+    /// Its parts: those of its type, and as many elements as the packet has where the type leaves that open.
+    pub(crate) fn parts(&self, packet: &Value) -> Vec<Self> {
+        let count = match &self.ty {
+            Type::Array(_, count) => *count,
+            Type::List(_) => self.value(packet).and_then(Value::as_array).map_or(0, Vec::len),
+            _ => return self.members(),
+        };
+        (0..count).map(|index| self.element(index)).collect()
+    }
+
+    /// Its parts all the way down.
+    pub(crate) fn leaves(self, packet: &Value) -> Vec<Self> {
+        let parts = self.parts(packet);
+        if parts.is_empty() {
+            return vec![self];
+        }
+        parts.into_iter().flat_map(|part| part.leaves(packet)).collect()
+    }
+
+    /// Its value in a packet's JSON with the names of Rust, and truth values as such.
+    pub(crate) fn named_value(&self, packet: &Value) -> Option<Value> {
+        let value = self.value(packet)?;
+        let members = self.members();
+        if !members.is_empty() && (value.is_object() || value.is_array()) {
+            let prefix = self.name.len() + 1;
+            let entries =
+                members.iter().filter_map(|part| Some((part.name[prefix..].to_owned(), part.named_value(packet)?)));
+            return Some(Value::Object(entries.collect::<Map<_, _>>()));
+        }
+        match &self.ty {
+            Type::List(_) | Type::Array(..) if value.is_array() => {
+                let elements = self.parts(packet).into_iter();
+                Some(elements.map(|part| part.named_value(packet).unwrap_or_default()).collect())
+            }
+            Type::Bool { on, off } => {
+                let text = value.to_string();
+                Some(if text == *on {
+                    true.into()
+                } else if text == *off {
+                    false.into()
+                } else {
+                    value.clone()
+                })
+            }
+            _ => Some(value.clone()),
+        }
+    }
+
+    /// The name of its value, if its type is an enum that knows it.
+    pub(crate) fn value_name(&self, value: &Value) -> Option<&'static str> {
+        match self.kind()? {
+            TypeKind::IntEnum(values) => {
+                values.iter().find(|known| Some(known.wire) == value.as_i64()).map(|known| &*known.name)
+            }
+            TypeKind::TextEnum(values) => {
+                values.iter().find(|known| Some(&*known.wire) == value.as_str()).map(|known| &*known.name)
+            }
+            _ => None,
+        }
+    }
+
+    /// True for floating-point numbers.
+    pub(crate) fn is_float(&self) -> bool {
+        self.ty == Type::Float
+    }
+
+    fn kind(&self) -> Option<&'static TypeKind> {
+        match &self.ty {
+            Type::Named(name) => SPEC.type_def(name).map(|def| &def.kind),
+            _ => None,
+        }
+    }
+
+    /// The parts that its type names.
+    fn members(&self) -> Vec<Self> {
+        match self.kind() {
+            Some(TypeKind::Object(fields)) => {
+                fields.iter().map(|field| self.member(field, Step::Key(field.wire.clone()))).collect()
+            }
+            Some(TypeKind::Array { fields, .. }) => {
+                fields.iter().enumerate().map(|(index, field)| self.member(field, Step::Index(index))).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn member(&self, field: &jaka_spec::Field, step: Step) -> Self {
+        let dot = if self.name.is_empty() { "" } else { "." };
+        let name = format!("{}{dot}{}", self.name, field.name);
+        let unit = field.unit.clone();
+        Self { name, unit, ty: field.ty.clone(), steps: self.after(step) }.unwrapped()
+    }
+
+    /// An element of a list.
+    fn element(&self, index: usize) -> Self {
+        let (Type::List(inner) | Type::Array(inner, _)) = &self.ty else { return self.clone() };
+        let name = format!("{}[{index}]", self.name);
+        Self { name, unit: self.unit.clone(), ty: (**inner).clone(), steps: self.after(Step::Index(index)) }.unwrapped()
+    }
+
+    fn after(&self, step: Step) -> Vec<Step> {
+        self.steps.iter().cloned().chain([step]).collect()
+    }
+
+    /// Types that only wrap another are passed over: they do not show in the JSON.
+    fn unwrapped(mut self) -> Self {
+        while let Some(TypeKind::Wrapper(inner, unit)) = self.kind() {
+            self.ty = inner.clone();
+            self.unit = self.unit.or_else(|| unit.clone());
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn values_are_found_by_either_name() {
+        let packet = json!({"joint_actual_position": [1.5, 2, 3, 4, 5, 6], "din": [0, 1], "task_state": 4});
+        let value = |path| Field::find(path).unwrap().named_value(&packet);
+        assert_eq!(value("joint_actual_position[0]"), Some(json!(1.5)));
+        assert_eq!(value("din[1]"), Some(json!(true)));
+        assert_eq!(value("digital_inputs"), Some(json!([false, true])));
+        assert_eq!(value("digital_inputs[2]"), None);
+        assert_eq!(value("actual_position.x"), None);
+        let state = Field::find("task_state").unwrap();
+        assert_eq!(state.value(&packet).and_then(|value| state.value_name(value)), Some("Enabled4"));
+    }
+
+    #[test]
+    fn structs_have_their_names_whatever_their_json() {
+        let packet = json!({"actual_position": [1, 2, 3, 4, 5, 6]});
+        let pose = Field::find("actual_position").unwrap();
+        expect![[r#"{"rx":4,"ry":5,"rz":6,"x":1,"y":2,"z":3}"#]]
+            .assert_eq(&pose.named_value(&packet).unwrap().to_string());
+        let leaves: Vec<_> = pose.leaves(&packet).iter().map(|leaf| (leaf.name.clone(), leaf.unit.clone())).collect();
+        assert_eq!(leaves[0], ("actual_position.x".to_owned(), Some("mm".to_owned())));
+        assert_eq!(leaves.len(), 6);
+    }
+
+    #[test]
+    fn a_value_of_another_shape_is_passed_on() {
+        let packet = json!({"monitor_data": "none", "powered_on": 7});
+        assert_eq!(Field::find("monitor_data").unwrap().named_value(&packet), Some(json!("none")));
+        assert_eq!(Field::find("monitor_data.joints").unwrap().named_value(&packet), None);
+        assert_eq!(Field::find("powered_on").unwrap().named_value(&packet), Some(json!(7)));
+    }
+}

@@ -1,0 +1,114 @@
+//! Paths to fields, as people type them.
+
+use jaka_spec::Type;
+
+use super::{Field, Step, near};
+
+/// Follows a path from the packet.
+pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
+    let mut found = packet;
+    for segment in path.trim().split('.') {
+        let (name, indices) = segment.split_at(segment.find('[').unwrap_or(segment.len()));
+        found = named(&found, name)?;
+        for index in
+            parse_indices(indices).ok_or_else(|| format!("`{segment}` is no name with indices like `name[0]`"))?
+        {
+            found = at(&found, index)?;
+        }
+    }
+    Ok(found)
+}
+
+/// The part of this name, in Rust or on the wire.
+fn named(parent: &Field, name: &str) -> Result<Field, String> {
+    let members = parent.members();
+    if members.is_empty() {
+        return Err(format!(
+            "the status field `{}` has no parts with names, so there is no `{name}` in it",
+            parent.name
+        ));
+    }
+    let found = members.iter().find(|member| own_name(parent, member) == name);
+    let found = found.or_else(|| members.iter().find(|member| wire_key(member) == Some(name)));
+    found.cloned().ok_or_else(|| {
+        let names = members.iter().flat_map(|member| [Some(own_name(parent, member)), wire_key(member)]).flatten();
+        let of = if parent.name.is_empty() { String::new() } else { format!(" in `{}`", parent.name) };
+        format!("there is no status field `{name}`{of}; {}", near::hint(name, names))
+    })
+}
+
+fn own_name<'m>(parent: &Field, member: &'m Field) -> &'m str {
+    member.name[parent.name.len()..].trim_start_matches('.')
+}
+
+fn wire_key(member: &Field) -> Option<&str> {
+    match member.steps.last() {
+        Some(Step::Key(key)) => Some(key),
+        _ => None,
+    }
+}
+
+/// The element at an index.
+fn at(list: &Field, index: usize) -> Result<Field, String> {
+    match list.ty {
+        Type::Array(_, count) if index >= count => {
+            Err(format!("the status field `{}` has {count} elements, 0 to {}", list.name, count - 1))
+        }
+        Type::Array(..) | Type::List(_) => Ok(list.element(index)),
+        _ => Err(format!("the status field `{}` is no list", list.name)),
+    }
+}
+
+/// The numbers of `[1][2]`.
+fn parse_indices(text: &str) -> Option<Vec<usize>> {
+    if text.is_empty() {
+        return Some(Vec::new());
+    }
+    let inner = text.strip_prefix('[')?.strip_suffix(']')?;
+    inner.split("][").map(|index| index.parse().ok()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+
+    fn check(path: &str, expected: &Expect) {
+        let found = find(Field::packet(), path);
+        expected.assert_eq(&found.map_or_else(|error| error, |field| field.name));
+    }
+
+    #[test]
+    fn names_of_the_wire_become_those_of_rust() {
+        check("inpos", &expect!["in_position"]);
+        check("monitor_data.joints[2].torque", &expect!["monitor_data.joints[2].torque"]);
+        check("torqsensor.state.contact_force[5]", &expect!["torque_sensor.state.contact_force[5]"]);
+    }
+
+    #[test]
+    fn errors_name_what_is_near() {
+        check(
+            "joint_actul_position",
+            &expect![
+                "there is no status field `joint_actul_position`; near it: `joint_actual_position`, `joint_position`"
+            ],
+        );
+        check(
+            "digital",
+            &expect![
+                "there is no status field `digital`; near it: `digital_inputs`, `digital_outputs`, `tool_digital_inputs`"
+            ],
+        );
+        check("zzzzzz", &expect!["there is no status field `zzzzzz`; `jaka status --fields all` shows them all"]);
+        check(
+            "actual_position.w",
+            &expect!["there is no status field `w` in `actual_position`; near it: `x`, `y`, `z`"],
+        );
+        check("joint_actual_position[6]", &expect!["the status field `joint_actual_position` has 6 elements, 0 to 5"]);
+        check("enabled[0]", &expect!["the status field `enabled` is no list"]);
+        check("enabled.x", &expect!["the status field `enabled` has no parts with names, so there is no `x` in it"]);
+        check("din[x]", &expect!["`din[x]` is no name with indices like `name[0]`"]);
+        check("", &expect!["there is no status field ``; `jaka status --fields all` shows them all"]);
+    }
+}

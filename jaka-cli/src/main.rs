@@ -1,0 +1,49 @@
+//! The `jaka` command: see the crate's README.
+
+mod commands;
+mod exit;
+mod failure;
+mod fields;
+mod interrupt;
+mod number;
+mod output;
+mod seconds;
+mod target;
+mod wire_log;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::commands::Command;
+
+/// What `jaka --help` says behind the list of commands.
+const NOTES: &str = "\
+The robot:
+  Commands that talk to a robot take its address from, in this order: --sim, --robot, the environment's
+  JAKA_ROBOT, and `robot = \"NAME\"` in the config file. Each may be an address or the name of a [robots.NAME]
+  in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
+
+Exit codes:
+  0  done; also when a reader of the output has seen enough, and on Ctrl-C where a command runs until then
+  1  the controller refused the command, which did not run
+  2  the command line, the config file or an argument is wrong; nothing was sent
+  3  no connection could be made; nothing was sent
+  4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
+  5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
+  6  something on this machine: a file, a port, the terminal";
+
+/// Status, live dashboard and simulated controller for JAKA robots.
+#[derive(Debug, Parser)]
+#[command(name = "jaka", version, after_long_help = NOTES, after_help = "`jaka --help` also explains exit codes.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+fn main() -> ExitCode {
+    match Cli::parse().command.run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,0 +1,44 @@
+//! Times as people type them: seconds, with or without a fraction.
+
+use std::time::Duration;
+
+/// Seconds, 0 or more.
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
+    let number = text.parse::<f64>().map_err(|_| "not a number of seconds".to_owned())?;
+    from_number(number)
+}
+
+/// Seconds, more than 0.
+pub(crate) fn some_seconds(text: &str) -> Result<Duration, String> {
+    seconds(text).and_then(not_zero)
+}
+
+/// The same, of a config file's number.
+pub(crate) fn from_file<'de, D: serde::Deserializer<'de>>(source: D) -> Result<Option<Duration>, D::Error> {
+    use serde::{Deserialize, de::Error};
+    let number = f64::deserialize(source)?;
+    from_number(number).and_then(not_zero).map(Some).map_err(D::Error::custom)
+}
+
+fn from_number(number: f64) -> Result<Duration, String> {
+    Duration::try_from_secs_f64(number).map_err(|_| format!("{number} is no number of seconds from 0 on"))
+}
+
+fn not_zero(time: Duration) -> Result<Duration, String> {
+    if time.is_zero() { Err("must be more than 0 seconds".to_owned()) } else { Ok(time) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_finite_and_not_negative() {
+        assert_eq!(seconds("0.25"), Ok(Duration::from_millis(250)));
+        assert_eq!(seconds("0"), Ok(Duration::ZERO));
+        for bad in ["-1", "nan", "inf", "1e300", "2s", ""] {
+            assert!(seconds(bad).is_err(), "{bad}");
+        }
+        assert!(some_seconds("0").is_err());
+    }
+}

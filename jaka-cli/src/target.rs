@@ -1,0 +1,133 @@
+//! The robot that a command talks to, or a simulated one.
+
+mod config_file;
+mod environment;
+mod place;
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use jaka_sim::{Controller, Delays, Model};
+use jaka_sync::{Client, Config, Monitor, Reconnect};
+
+use self::environment::Environment;
+use self::place::Place;
+use crate::failure::Failure;
+use crate::seconds::some_seconds;
+
+/// The options by which a command finds its robot.
+#[derive(Debug, Default, Args)]
+#[command(next_help_heading = "Robot")]
+pub(crate) struct RobotArgs {
+    /// Its address, or its name in the config file.
+    #[arg(
+        long,
+        short,
+        help = "Address of the robot, or its name in the config file [env: JAKA_ROBOT]",
+        value_name = "ADDRESS",
+        conflicts_with = "sim"
+    )]
+    robot: Option<String>,
+    /// Port for commands [default: 10001]
+    #[arg(long, value_name = "PORT", conflicts_with = "sim")]
+    command_port: Option<u16>,
+    /// Port for status packets [default: 10000]
+    #[arg(long, value_name = "PORT", conflicts_with = "sim")]
+    status_port: Option<u16>,
+    /// How long connecting, each reply and each status packet may take [default: 5]
+    ///
+    /// Commands for which the protocol names a longer time, such as motions, get that longer time.
+    #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
+    timeout: Option<Duration>,
+    /// The config file.
+    #[arg(
+        long,
+        help = "The config file [env: JAKA_CONFIG] [default: ~/.config/jaka/config.toml]",
+        value_name = "FILE"
+    )]
+    config: Option<PathBuf>,
+    /// Start a simulated controller for this one command, a Zu 5 or another model
+    ///
+    /// It has no power unless --sim-powered is given, and switches power and enabling at once.
+    #[arg(long, value_name = "MODEL", num_args = 0..=1, require_equals = true, default_missing_value = "Zu 5", value_parser = model)]
+    sim: Option<&'static Model>,
+    /// The simulated arm has power and is enabled from the start
+    #[arg(long, requires = "sim")]
+    sim_powered: bool,
+}
+
+/// The arm of this name.
+pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
+    Model::named(name).ok_or_else(|| {
+        let names: Vec<_> = Model::published().iter().map(Model::name).collect();
+        format!("there are {}", names.join(", "))
+    })
+}
+
+impl RobotArgs {
+    /// Finds the robot, or starts the simulated controller. Connects to nothing yet.
+    pub(crate) fn target(&self) -> Result<Target, Failure> {
+        if let Some(model) = self.sim {
+            return self.simulated(model);
+        }
+        let place = Place::find(self, &Environment::read())?;
+        Ok(Target {
+            title: place.title(),
+            commands: place.address(place.command_port),
+            status: place.address(place.status_port),
+            config: place.config(),
+            controller: None,
+        })
+    }
+
+    fn simulated(&self, model: &Model) -> Result<Target, Failure> {
+        // A controller that lives for one command is not waited for.
+        let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
+        let started = builder.start();
+        let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
+        if self.sim_powered {
+            controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+        }
+        Ok(Target {
+            title: format!("simulated {}", model.name()),
+            commands: controller.command_addr().to_string(),
+            status: controller.status_addr().to_string(),
+            config: place::config(self.timeout, self.timeout),
+            controller: Some(controller),
+        })
+    }
+}
+
+/// A robot's addresses and how to connect to them.
+#[derive(Debug)]
+pub(crate) struct Target {
+    title: String,
+    commands: String,
+    status: String,
+    config: Config,
+    /// Kept for as long as the command talks to it.
+    #[expect(dead_code, reason = "it is dropped with the target")]
+    controller: Option<Controller>,
+}
+
+impl Target {
+    /// What people call the robot: its name and address.
+    pub(crate) fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Connects to the command port, which has one seat.
+    #[expect(dead_code, reason = "for the commands that send something")]
+    pub(crate) fn client(&self) -> Result<Client, Failure> {
+        Ok(self.config.connect(&self.commands)?)
+    }
+
+    /// Connects to the status port, which serves any number of readers.
+    pub(crate) fn monitor<S>(&self, reconnect: Reconnect) -> Result<Monitor<S>, Failure>
+    where
+        S: jaka_sync::proto::wire::Decode + Send + Sync + 'static,
+    {
+        Ok(self.config.clone().reconnect(reconnect).monitor(&self.status)?)
+    }
+}

@@ -1,0 +1,35 @@
+//! What the environment says.
+
+use std::env::var_os;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// The variables that `jaka` reads. One that is empty counts as not set.
+#[derive(Debug, Default)]
+pub(crate) struct Environment {
+    /// `JAKA_ROBOT`.
+    pub(crate) robot: Option<OsString>,
+    /// `JAKA_CONFIG`.
+    pub(crate) config: Option<PathBuf>,
+    /// The folder of the user's config files.
+    pub(crate) config_folder: Option<PathBuf>,
+}
+
+impl Environment {
+    /// The present one.
+    pub(crate) fn read() -> Self {
+        let get = |name| var_os(name).filter(|value| !value.is_empty());
+        let folder = |name| get(name).map(PathBuf::from);
+        let below_home = || folder("HOME").map(|home| home.join(".config"));
+        Self {
+            robot: get("JAKA_ROBOT"),
+            config: folder("JAKA_CONFIG"),
+            config_folder: folder("XDG_CONFIG_HOME").or_else(|| folder("APPDATA")).or_else(below_home),
+        }
+    }
+
+    /// Where the config file is if nothing else is said.
+    pub(crate) fn usual_config(&self) -> Option<PathBuf> {
+        self.config_folder.as_ref().map(|folder| folder.join(Path::new("jaka").join("config.toml")))
+    }
+}

@@ -1,0 +1,150 @@
+//! Where the robot is: the order in which arguments, environment and config file count.
+
+use std::net::IpAddr;
+use std::path::Path;
+use std::time::Duration;
+
+use jaka_sync::{COMMAND_PORT, Config, STATUS_PORT};
+
+use super::RobotArgs;
+use super::config_file::{ConfigFile, Entry};
+use super::environment::Environment;
+use crate::failure::Failure;
+
+/// What to say where nothing tells the robot's address.
+const NO_ROBOT: &str = "no robot is given; name its address by `--robot ADDRESS`, by the environment's JAKA_ROBOT, or by \
+                        `robot = \"NAME\"` in the config file; or try a simulated one with `--sim`";
+
+/// A robot's address and how to connect to it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Place {
+    /// Its name in the config file, if it has one.
+    name: Option<String>,
+    host: String,
+    pub(super) command_port: u16,
+    pub(super) status_port: u16,
+    timeout: Option<Duration>,
+    connect_timeout: Option<Duration>,
+}
+
+impl Place {
+    /// Finds the robot: what the command line says counts more than the environment, and that more than the config file.
+    pub(super) fn find(args: &RobotArgs, environment: &Environment) -> Result<Self, Failure> {
+        let file = config_file(args.config.as_deref(), environment)?;
+        let named = match (&args.robot, &environment.robot, &file.robot) {
+            (Some(robot), ..) | (None, None, Some(robot)) => robot.clone(),
+            (None, Some(robot), _) => {
+                let robot = robot.to_str().ok_or_else(|| Failure::Usage("JAKA_ROBOT is no UTF-8".to_owned()))?;
+                robot.to_owned()
+            }
+            (None, None, None) => return Err(Failure::Usage(NO_ROBOT.to_owned())),
+        };
+        let known = file.robots.get(&named);
+        let name = known.map(|_| named.clone());
+        let entry = known.cloned().unwrap_or_else(|| Entry::at(named));
+        Ok(Self {
+            name,
+            host: host(&entry.address)?,
+            command_port: args.command_port.or(entry.command_port).unwrap_or(COMMAND_PORT),
+            status_port: args.status_port.or(entry.status_port).unwrap_or(STATUS_PORT),
+            timeout: args.timeout.or(entry.timeout),
+            connect_timeout: args.timeout.or(entry.connect_timeout),
+        })
+    }
+
+    /// What people call the robot.
+    pub(super) fn title(&self) -> String {
+        self.name.as_ref().map_or_else(|| self.host.clone(), |name| format!("{name} ({})", self.host))
+    }
+
+    /// The address of one of its ports.
+    pub(super) fn address(&self, port: u16) -> String {
+        if self.host.contains(':') { format!("[{}]:{port}", self.host) } else { format!("{}:{port}", self.host) }
+    }
+
+    /// How to connect.
+    pub(super) fn config(&self) -> Config {
+        config(self.timeout, self.connect_timeout)
+    }
+}
+
+/// How to connect, with these times where they are given.
+pub(super) fn config(timeout: Option<Duration>, connect_timeout: Option<Duration>) -> Config {
+    let mut config = Config::new();
+    if let Some(timeout) = timeout {
+        config = config.reply_timeout(timeout);
+    }
+    if let Some(timeout) = connect_timeout {
+        config = config.connect_timeout(timeout);
+    }
+    config
+}
+
+/// The config file that is meant; an empty one if it is the usual one and is not there.
+fn config_file(path: Option<&Path>, environment: &Environment) -> Result<ConfigFile, Failure> {
+    if let Some(path) = path.or(environment.config.as_deref()) {
+        return ConfigFile::read(path);
+    }
+    let usual = environment.usual_config();
+    let found = usual.map_or(Ok(None), |path| ConfigFile::read_if_there(&path))?;
+    Ok(found.unwrap_or_default())
+}
+
+/// The host of an address, which must have no port: a controller has two.
+fn host(address: &str) -> Result<String, Failure> {
+    let bare = address.trim_start_matches('[').trim_end_matches(']');
+    if bare.parse::<IpAddr>().is_ok() {
+        return Ok(bare.to_owned());
+    }
+    if address.is_empty() || address.contains(|c: char| c.is_whitespace() || c == '/') {
+        return Err(Failure::Usage(format!(
+            "`{address}` is no address, and the config file has no robot of that name"
+        )));
+    }
+    if address.contains(':') {
+        return Err(Failure::Usage(format!(
+            "the address `{address}` has a port, but a controller has two: use --command-port and --status-port"
+        )));
+    }
+    Ok(address.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn args(robot: Option<&str>) -> RobotArgs {
+        RobotArgs { robot: robot.map(str::to_owned), ..RobotArgs::default() }
+    }
+
+    fn environment(robot: &str) -> Environment {
+        Environment { robot: Some(robot.into()), ..Environment::default() }
+    }
+
+    #[test]
+    fn the_command_line_counts_more_than_the_environment() {
+        let found = Place::find(&args(Some("10.0.0.1")), &environment("10.0.0.2")).unwrap();
+        assert_eq!(found.address(found.command_port), "10.0.0.1:10001");
+        let found = Place::find(&args(None), &environment("10.0.0.2")).unwrap();
+        assert_eq!(found.address(found.status_port), "10.0.0.2:10000");
+    }
+
+    #[test]
+    fn without_an_address_the_ways_to_give_one_are_named() {
+        let failure = Place::find(&args(None), &Environment::default()).unwrap_err().to_string();
+        for way in ["--robot", "JAKA_ROBOT", "config file", "--sim"] {
+            assert!(failure.contains(way), "{failure}");
+        }
+    }
+
+    #[test]
+    fn addresses_have_no_port() {
+        let address = |text| Place::find(&args(Some(text)), &Environment::default()).map(|place| place.address(1));
+        assert_eq!(address("arm.local").unwrap(), "arm.local:1");
+        assert_eq!(address("fe80::1").unwrap(), "[fe80::1]:1");
+        assert_eq!(address("[::1]").unwrap(), "[::1]:1");
+        for bad in ["10.5.5.100:10001", "[::1]:10001", "", "cell 1", "http://arm"] {
+            assert!(matches!(address(bad), Err(Failure::Usage(_))), "{bad}");
+        }
+    }
+}
