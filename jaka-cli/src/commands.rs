@@ -4,7 +4,9 @@
 //! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
 //! `#[command(flatten)] robot: RobotArgs` and begins with `self.robot.target()?`.
 
+mod call;
 mod completions;
+mod probe;
 mod sim;
 mod status;
 
@@ -16,6 +18,8 @@ use crate::failure::Failure;
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Status(status::Status),
+    Call(call::Call),
+    Probe(probe::Probe),
     Sim(sim::Sim),
     Completions(completions::Completions),
 }
@@ -25,6 +29,8 @@ impl Command {
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
             Self::Status(command) => command.run(),
+            Self::Call(command) => command.run(),
+            Self::Probe(command) => command.run(),
             Self::Sim(command) => command.run(),
             Self::Completions(command) => command.run(),
         }

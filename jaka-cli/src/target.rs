@@ -4,12 +4,12 @@ mod config_file;
 mod environment;
 mod place;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Controller, Delays, Model};
-use jaka_sync::{Client, Config, Monitor, Reconnect};
+use jaka_sync::{Client, Config, Monitor, Reconnect, StatusStream};
 
 use self::environment::Environment;
 use self::place::Place;
@@ -65,11 +65,31 @@ pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
     })
 }
 
+/// The packs that the environment names, or else the config file.
+pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure> {
+    place::packs(config, &Environment::read())
+}
+
 impl RobotArgs {
+    /// The config file that is named.
+    pub(crate) fn config(&self) -> Option<&Path> {
+        self.config.as_deref()
+    }
+
+    /// True if the robot is a simulated one.
+    pub(crate) fn is_simulated(&self) -> bool {
+        self.sim.is_some()
+    }
+
     /// Finds the robot, or starts the simulated controller. Connects to nothing yet.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
+        self.target_with_packs(&[])
+    }
+
+    /// The same, with a simulated controller that knows these packs.
+    pub(crate) fn target_with_packs(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         if let Some(model) = self.sim {
-            return self.simulated(model);
+            return self.simulated(model, packs);
         }
         let place = Place::find(self, &Environment::read())?;
         Ok(Target {
@@ -81,9 +101,10 @@ impl RobotArgs {
         })
     }
 
-    fn simulated(&self, model: &Model) -> Result<Target, Failure> {
+    fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Target, Failure> {
         // A controller that lives for one command is not waited for.
         let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
+        let builder = packs.iter().fold(builder, |builder, pack| builder.pack(pack));
         let started = builder.start();
         let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
         if self.sim_powered {
@@ -118,9 +139,13 @@ impl Target {
     }
 
     /// Connects to the command port, which has one seat.
-    #[expect(dead_code, reason = "for the commands that send something")]
     pub(crate) fn client(&self) -> Result<Client, Failure> {
         Ok(self.config.connect(&self.commands)?)
+    }
+
+    /// Connects to the status port, for packets one by one.
+    pub(crate) fn status_stream(&self) -> Result<StatusStream, Failure> {
+        Ok(self.config.connect_status(&self.status)?)
     }
 
     /// Connects to the status port, which serves any number of readers.

@@ -1,6 +1,6 @@
 //! The documentation of the generated items.
 
-use jaka_spec::{Command, Effect, Field, Range, Requirement, Topic};
+use jaka_spec::{Command, Effect, Field, Range, Requirement, Topic, first_sentence};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -73,12 +73,6 @@ fn measure(unit: Option<&str>, range: Range) -> Option<String> {
 fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
-}
-
-/// The first sentence with its full stop, and all behind it.
-pub(crate) fn first_sentence(text: &str) -> (&str, &str) {
-    let end = ["\n\n", ". ", ".\n"].iter().filter_map(|end| Some(text.find(end)? + usize::from(end.starts_with('.'))));
-    end.min().map_or((text, ""), |end| text.split_at(end))
 }
 
 fn versions(versions: &jaka_spec::Versions) -> String {

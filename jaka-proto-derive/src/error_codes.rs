@@ -1,6 +1,6 @@
 //! The error codes that sources name.
 
-use jaka_spec::{ErrorCode, Spec};
+use jaka_spec::{ErrorCode, Spec, first_sentence};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -16,7 +16,7 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
         quote!(#docs pub const #name: Self = Self(#wire);)
     });
     let wires = spec.errors().map(|code| code.wire);
-    let meanings = spec.errors().map(|code| docs::first_sentence(&code.doc).0);
+    let meanings = spec.errors().map(|code| first_sentence(&code.doc).0);
     quote! {
         impl ::jaka_proto::ErrorCode {
             #(#consts)*
@@ -41,7 +41,7 @@ pub(crate) fn in_pack(codes: &[ErrorCode]) -> Option<TokenStream> {
         quote!(#docs pub const #name: proto::ErrorCode = proto::ErrorCode(#wire);)
     });
     let wires = codes.iter().map(|code| code.wire);
-    let meanings = codes.iter().map(|code| docs::first_sentence(&code.doc).0);
+    let meanings = codes.iter().map(|code| first_sentence(&code.doc).0);
     (!codes.is_empty()).then(|| {
         quote! {
             #(#consts)*

@@ -1,6 +1,6 @@
 //! Named types.
 
-use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeKind, Variant};
+use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeKind, Variant, first_sentence};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -121,7 +121,7 @@ pub(crate) fn converts(def: &TypeDef) -> bool {
 }
 
 fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Option<&str>) -> TokenStream {
-    let (first, rest) = docs::first_sentence(&def.doc);
+    let (first, rest) = first_sentence(&def.doc);
     let unit = unit.map(|unit| format!(" In {unit}.")).unwrap_or_default();
     let docs = docs::attributes(&format!("{first}{unit}{rest}"));
     let inner = scope.rust_type(ty);

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod builtin;
+mod doc;
 mod item;
 #[cfg(feature = "json")]
 pub mod json;
@@ -14,6 +15,7 @@ mod type_text;
 mod version;
 
 pub use builtin::{BUILTIN, builtin};
+pub use doc::first_sentence;
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
     Type, TypeDef, TypeKind, Variant,

@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::limits::Limits;
 use super::names::{kebab, same};
 use super::value::value;
-use crate::{Choice, Command, EnumValue, Field, Request, Spec, Type, TypeKind};
+use crate::{Choice, Command, EnumValue, Field, Request, Spec, Type, TypeKind, first_sentence};
 
 /// One argument of a command: a field of its request, or the tag that tells which fields there are.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,7 +143,7 @@ fn listed<T>(values: &[EnumValue<T>], wire: impl Fn(&T) -> Value) -> Vec<Possibl
 }
 
 fn possible(name: &str, wire: Value, doc: &str) -> PossibleValue {
-    PossibleValue { name: kebab(name), wire, help: first_sentence(doc).to_owned() }
+    PossibleValue { name: kebab(name), wire, help: first_sentence(doc).0.to_owned() }
 }
 
 fn alternatives(values: &[PossibleValue]) -> String {
@@ -172,7 +172,7 @@ fn hint(spec: &Spec, ty: &Type) -> String {
 }
 
 fn help(spec: &Spec, field: &Field) -> String {
-    let mut help = first_sentence(&field.doc).to_owned();
+    let mut help = first_sentence(&field.doc).0.to_owned();
     if let Some(unit) = field.unit.as_deref().or_else(|| wrapped_unit(spec, &field.ty)) {
         help = format!("{help} In {unit}.");
     }
@@ -194,10 +194,4 @@ fn wrapped_unit<'s>(spec: &'s Spec, ty: &Type) -> Option<&'s str> {
         TypeKind::Wrapper(_, unit) => unit.as_deref(),
         _ => None,
     }
-}
-
-/// The first sentence, with its full stop.
-fn first_sentence(doc: &str) -> &str {
-    let ends = ["\n\n", ". ", ".\n"].iter().filter_map(|end| Some(doc.find(end)? + usize::from(end.starts_with('.'))));
-    ends.min().map_or(doc, |end| &doc[..end])
 }
