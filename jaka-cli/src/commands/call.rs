@@ -27,6 +27,7 @@ use crate::output;
 use crate::packs::SpecArgs;
 
 pub(crate) use self::parser::all;
+pub(crate) use self::reply::json as reply_json;
 
 /// Send one command of the protocol, and print the reply.
 ///

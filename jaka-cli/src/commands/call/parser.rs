@@ -5,7 +5,7 @@ use std::ffi::{OsStr, OsString};
 use std::iter;
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
-use clap::{Arg, ArgMatches, Args, FromArgMatches};
+use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches};
 use jaka_spec::json::{Argument, arguments};
 use jaka_spec::{Command, Spec};
 use serde_json::{Map, Value};
@@ -36,9 +36,16 @@ pub(super) struct Line {
 /// The parser of a line without fields.
 pub(super) fn bare() -> clap::Command {
     let about = "Send one command of the protocol, and print the reply";
-    Options::augment_args(clap::Command::new("jaka call").about(about).override_usage(USAGE)).after_help(
+    with_options(clap::Command::new("jaka call")).about(about).override_usage(USAGE).after_help(
         "`jaka call --list` lists the commands, `jaka call COMMAND --help` says what one does and what it takes.",
     )
+}
+
+/// Adds the options that every command has, behind what is there.
+fn with_options(parser: clap::Command) -> clap::Command {
+    let help = Arg::new("help").short('h').long("help").action(ArgAction::Help);
+    let help = help.help("Print help; -h for a summary").help_heading("Options");
+    Options::augment_args(parser.disable_help_flag(true).next_help_heading("Options")).arg(help)
 }
 
 /// A description of all commands as subcommands, for the scripts of shells.
@@ -93,22 +100,21 @@ fn id(argument: &Argument) -> String {
 
 fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Command {
     let mut taken: BTreeSet<String> = bare().get_arguments().filter_map(Arg::get_long).map(str::to_owned).collect();
-    taken.insert("help".to_owned());
     let longs: Vec<_> = arguments.iter().map(|argument| long(&argument.name, &mut taken)).collect();
     let mut parser = clap::Command::new("jaka call").next_help_heading("Fields");
     for (argument, long) in arguments.iter().zip(&longs) {
-        let names = [&argument.wire, &argument.field];
-        let is_shared =
-            |name: &str| arguments.iter().filter(|other| [&*other.wire, &*other.field].contains(&name)).count() > 1;
-        let aliases =
-            names.into_iter().filter(|name| is_option_name(name) && !is_shared(name) && taken.insert((*name).clone()));
-        parser = parser.arg(field(argument, long).visible_aliases(aliases.cloned().collect::<Vec<_>>()));
+        let mut alias = |name: &String, all: fn(&Argument) -> &String| {
+            let is_shared = arguments.iter().filter(|argument| all(argument) == name).count() > 1;
+            (is_option_name(name) && !is_shared && taken.insert(name.clone())).then(|| name.clone())
+        };
+        let wire = alias(&argument.wire, |argument| &argument.wire);
+        let field_name = alias(&argument.field, |argument| &argument.field);
+        parser = parser.arg(field(argument, long).visible_aliases(wire).aliases(field_name));
     }
-    let usage = help::usage(command, arguments, &longs);
-    let parser = Options::augment_args(parser.next_help_heading(None::<&str>));
-    parser
+    with_options(parser)
         .mut_args(|arg| if is_field(&arg) { arg } else { arg.hide_short_help(true) })
-        .override_usage(usage)
+        .mut_arg("list", |arg| arg.hide(true))
+        .override_usage(help::usage(command, arguments, &longs))
         .about(help::about(command).to_owned())
         .long_about(help::long_about(command))
         .after_long_help(help::notes(spec, command))

@@ -5,6 +5,8 @@ use jaka_spec::{Choice, Command, EnumValue, Field, Spec, Type, TypeKind};
 use jaka_sync::proto::python;
 use serde_json::{Map, Value};
 
+use crate::number::fixed;
+
 /// A reply's JSON; its text as a JSON string where it is none, as a bare Python tuple.
 pub(crate) fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|_| text.trim().into())
@@ -141,6 +143,9 @@ impl Table<'_> {
             return text;
         }
         let Ok(value) = read(self.spec, ty, value.as_str().unwrap_or(&text)) else { return text };
+        if let (true, Some(number)) = (value.is_f64(), value.as_f64()) {
+            return decimals(number);
+        }
         self.value_name(ty, &value).map_or_else(|| plain(&value), |name| format!("{name} ({})", plain(&value)))
     }
 
@@ -166,6 +171,12 @@ fn member(outer: &str, name: &str) -> String {
 
 fn with_unit(text: String, unit: Option<&str>) -> String {
     unit.map_or(text.clone(), |unit| format!("{text} {unit}"))
+}
+
+/// A number for people, with up to six decimals.
+fn decimals(number: f64) -> String {
+    let text = fixed(number, 6);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A value as it came. A terminal would act on control characters.
