@@ -66,7 +66,7 @@ impl Failure {
 }
 
 /// An error's text, and that of its causes behind it.
-fn chain(error: &(dyn StdError + 'static)) -> String {
+pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
     let errors = std::iter::successors(Some(error), |&error| error.source());
     let texts: Vec<_> = errors.map(ToString::to_string).collect();
     texts.join(": ")

@@ -12,11 +12,12 @@ use crate::target::usual_packs;
 /// The option by which a command learns of packs.
 #[derive(Debug, Default, Args)]
 pub(crate) struct SpecArgs {
-    /// Command pack: a TOML file that adds to the protocol; repeat it for more [env: JAKA_PACK]
-    ///
-    /// Each adds to those before it. Without the option, those of JAKA_PACK count, and without that `packs = ["FILE"]` in the
-    /// config file.
-    #[arg(long = "pack", value_name = "FILE")]
+    /// The files, in order.
+    #[arg(
+        long = "pack",
+        help = "Command pack: a TOML file that adds to the protocol; repeat it for more [env: JAKA_PACK]",
+        value_name = "FILE"
+    )]
     packs: Vec<PathBuf>,
 }
 

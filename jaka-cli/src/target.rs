@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
-use jaka_sim::{Controller, Delays, Model};
+use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::{Client, Config, Monitor, Reconnect, StatusStream};
 
 use self::environment::Environment;
@@ -104,7 +104,7 @@ impl RobotArgs {
     fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Target, Failure> {
         // A controller that lives for one command is not waited for.
         let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
-        let builder = packs.iter().fold(builder, |builder, pack| builder.pack(pack));
+        let builder = packs.iter().fold(builder, Builder::pack);
         let started = builder.start();
         let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
         if self.sim_powered {

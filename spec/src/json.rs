@@ -41,9 +41,9 @@ mod value;
 
 pub use arguments::{Argument, PossibleValue, arguments};
 pub use check::check_request;
+pub use decode::notation;
 pub use departure::{Departure, DepartureKind, Reading};
 pub use encode::request;
-pub use decode::notation;
 pub use envelope::{COMMAND_NAME, ENVELOPE, departures, status_departures};
 pub use limits::AdvisoryRanges;
 pub use problem::{Problem, ProblemKind};

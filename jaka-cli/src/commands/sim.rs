@@ -74,7 +74,7 @@ impl Sim {
     fn builder(self) -> Result<Builder, Failure> {
         let mut builder = Controller::builder();
         let packs = self.spec.load(None)?.packs;
-        builder = packs.iter().fold(builder, |builder, pack| builder.pack(pack));
+        builder = packs.iter().fold(builder, Builder::pack);
         builder = builder.address(self.address).ports(self.commands, self.status).firmware(self.firmware);
         if let Some(name) = self.model {
             let model = model(&name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::envelope::{ENVELOPE, is_success};
+use super::text;
 use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
 
 /// The fields of a successful reply, without the three keys that every reply has.
@@ -29,7 +30,8 @@ fn member(spec: &Spec, field: &Field) -> Value {
     let mut sample = of_type(spec, &field.ty);
     if sample == 0 {
         let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
-        sample = 0_f64.max(min).min(max).into();
+        // As the wire has it: whole numbers have no fraction.
+        sample = serde_json::from_str(&text::float(0_f64.max(min).min(max))).unwrap_or(sample);
     }
     sample
 }
@@ -87,5 +89,33 @@ fn literal(value: &Value) -> String {
             format!("{{{}}}", members.collect::<Vec<_>>().join(", "))
         }
         Value::Number(_) | Value::String(_) => value.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::sample_reply;
+    use crate::{Source, load_pack};
+
+    /// A field of a reply: its type and what else is said of it, with what is answered.
+    fn check(field: &str, expected: &serde_json::Value) {
+        let text = format!(
+            "title = 'T'\n[[command]]\nwire = 'c'\neffect = 'query'\ndoc = 'D.'\n[[command.reply]]\nwire = 'f'\ndoc = 'D.'\n{field}"
+        );
+        let base = crate::builtin().expect("the spec is correct");
+        let pack = load_pack(&base, Source { path: "t.toml", text: &text }).expect("the pack is correct");
+        let reply = sample_reply(&pack.spec, pack.spec.command("c").expect("it is added"));
+        assert_eq!(reply["f"].to_string(), expected.to_string(), "{field}");
+    }
+
+    #[test]
+    fn values_are_zero_or_what_is_nearest_in_range() {
+        check("type = 'bool'\nwritten = [0, 1]", &json!(0));
+        check("type = 'int'", &json!(0));
+        check("type = 'int'\nmin = 2", &json!(2));
+        check("type = 'float'\nmax = -0.5", &json!(-0.5));
+        check("type = 'float[2]'", &json!([0, 0]));
     }
 }

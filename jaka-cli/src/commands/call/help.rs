@@ -75,7 +75,7 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
 pub(super) fn field(argument: &Argument) -> String {
     let mut help = argument.help.replace('\n', " ");
     if !argument.variants.is_empty() {
-        help += &format!(" [with {}]", argument.variants.join(", "));
+        help = format!("{help} [with {}]", argument.variants.join(", "));
     }
     if argument.required { help + " [required]" } else { help }
 }
@@ -85,7 +85,7 @@ pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String])
     let mut usage = format!("jaka call {}", command.wire);
     for (argument, long) in arguments.iter().zip(longs) {
         if argument.required && argument.variants.is_empty() {
-            usage += &format!(" --{long} <{}>", argument.hint);
+            usage = format!("{usage} --{long} <{}>", argument.hint);
         }
     }
     let has_more = arguments.iter().any(|argument| !argument.required || !argument.variants.is_empty());

@@ -7,6 +7,7 @@ use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
 
 /// The options that every command has.
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 #[derive(Debug, Args)]
 pub(super) struct Options {
     /// List the commands, or those of a topic

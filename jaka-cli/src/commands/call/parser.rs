@@ -22,7 +22,7 @@ pub(super) const USAGE: &str = "jaka call [OPTIONS] <COMMAND> [--FIELD <VALUE>].
 pub(super) struct Parser<'s> {
     spec: &'s Spec,
     arguments: Vec<Argument>,
-    parser: clap::Command,
+    clap: clap::Command,
 }
 
 /// A line that has been read.
@@ -61,8 +61,8 @@ impl<'s> Parser<'s> {
     /// The parser of a command's lines; without a command, of options alone.
     pub(super) fn of(spec: &'s Spec, command: Option<&Command>) -> Self {
         let arguments = command.map(|command| arguments(spec, command)).unwrap_or_default();
-        let parser = command.map_or_else(bare, |command| described(spec, command, &arguments));
-        Self { spec, arguments, parser }
+        let clap = command.map_or_else(bare, |command| described(spec, command, &arguments));
+        Self { spec, arguments, clap }
     }
 
     /// Reads a line without its command. Ends the program with clap's own message where clap finds something wrong, and
@@ -71,8 +71,8 @@ impl<'s> Parser<'s> {
     /// # Errors
     /// Every value that is none of its field's type.
     pub(super) fn parse(self, words: Vec<OsString>) -> Result<Line, Failure> {
-        let Self { spec, arguments, parser } = self;
-        let matches = parser.get_matches_from(iter::once("jaka call".into()).chain(words));
+        let Self { spec, arguments, clap } = self;
+        let matches = clap.get_matches_from(iter::once("jaka call".into()).chain(words));
         let options = Options::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
         Ok(Line { options, fields: fields(spec, &arguments, &matches)? })
     }

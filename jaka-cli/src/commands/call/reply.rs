@@ -43,7 +43,8 @@ impl Table<'_> {
             return "accepted\n".to_owned();
         }
         let width = self.rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
-        self.rows.iter().map(|(name, value)| format!("{name:width$}  {value}\n")).collect()
+        let lines: Vec<_> = self.rows.iter().map(|(name, value)| format!("{name:width$}  {value}")).collect();
+        lines.join("\n") + "\n"
     }
 
     fn add(&mut self, name: impl Into<String>, value: String) {
@@ -88,12 +89,13 @@ impl Table<'_> {
             }
             (Type::List(element) | Type::Array(element, _), Value::Array(items)) => {
                 let texts: Vec<_> = items.iter().map(|item| self.scalar(element, item)).collect();
-                self.add(place, if texts.is_empty() { "none".to_owned() } else { with_unit(texts.join(", "), unit) });
+                self.add(place, if texts.is_empty() { "none".to_owned() } else { with_unit(&texts.join(", "), unit) });
             }
             (Type::Named(name), _) => self.named(place, name, unit, value),
             _ => {
                 let text = self.scalar(ty, value);
-                self.add(place, with_unit(text, unit));
+                // What is no number has no unit, such as a word in place of a list.
+                self.add(place, with_unit(&text, unit.filter(|_| matches!(ty, Type::Int | Type::Float))));
             }
         }
     }
@@ -107,7 +109,7 @@ impl Table<'_> {
             (Some(TypeKind::Wrapper(ty, own)), _) => self.value(place, ty, own.as_deref().or(unit), value),
             _ => {
                 let text = self.scalar(&Type::Named(name.to_owned()), value);
-                self.add(place, with_unit(text, unit));
+                self.add(place, text);
             }
         }
     }
@@ -169,8 +171,8 @@ fn member(outer: &str, name: &str) -> String {
     if outer.is_empty() { name.to_owned() } else { format!("{outer}.{name}") }
 }
 
-fn with_unit(text: String, unit: Option<&str>) -> String {
-    unit.map_or(text.clone(), |unit| format!("{text} {unit}"))
+fn with_unit(text: &str, unit: Option<&str>) -> String {
+    unit.map_or_else(|| text.to_owned(), |unit| format!("{text} {unit}"))
 }
 
 /// A number for people, with up to six decimals.

@@ -86,6 +86,7 @@ impl Draft<'_> {
             DepartureKind::Missing => "optional = true".to_owned(),
             _ => format!("type = \"{}\"", guess(&departure.found)),
         };
+        self.suggestions.push('\n');
         let lines = [
             format!("{}: {departure}", finding.name),
             "[[override]]".to_owned(),
@@ -93,8 +94,9 @@ impl Draft<'_> {
             format!("{} = {}", place.part, quoted(&place.key)),
             change,
         ];
-        let comment: String = lines.iter().map(|line| format!("# {}\n", line.replace(char::is_control, " "))).collect();
-        self.suggestions += &format!("\n{comment}");
+        for line in lines {
+            self.suggestions.extend(["# ", &line.replace(char::is_control, " "), "\n"]);
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use serde_json::Map;
 
 use super::finding::{Finding, Outcome};
 use crate::commands::call::reply_json;
-use crate::failure::Failure;
+use crate::failure::{Failure, chain};
 use crate::target::Target;
 
 /// How often a connection that broke is made anew: a controller that ends it on every query is not pestered.
@@ -76,7 +76,9 @@ impl Line<'_> {
             Err(format!("the connection broke {} times, the last time at `{command}`", self.reconnects))
         } else {
             let again = self.target.client();
-            again.map_err(|failure| format!("the connection broke at `{command}`, and there is no new one: {failure}"))
+            again.map_err(|failure| {
+                format!("the connection broke at `{command}`, and there is no new one: {}", chain(&failure))
+            })
         };
     }
 }
@@ -92,10 +94,10 @@ fn unanswered(error: &Error) -> Outcome {
         Error::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),
         Error::Disconnected { cause, .. } => match &**cause {
             Disconnect::Frame(_) | Disconnect::NotUtf8 | Disconnect::NotJson(_) | Disconnect::Mistrust(_) => {
-                Outcome::Unreadable(cause.to_string())
+                Outcome::Unreadable(chain(&**cause))
             }
-            _ => Outcome::NoReply(cause.to_string()),
+            _ => Outcome::NoReply(chain(&**cause)),
         },
-        other => Outcome::NoReply(other.to_string()),
+        other => Outcome::NoReply(chain(other)),
     }
 }

@@ -6,6 +6,7 @@ use jaka_sync::{Error, StatusStream};
 
 use super::finding::{Finding, Outcome};
 use crate::commands::call::reply_json;
+use crate::failure::chain;
 use crate::target::Target;
 
 /// What the finding is called.
@@ -15,7 +16,7 @@ const NAME: &str = "status packet";
 pub(super) fn take(spec: &Spec, target: &Target, count: u32) -> Finding {
     let mut stream = match target.status_stream() {
         Ok(stream) => stream,
-        Err(failure) => return Finding::without(NAME, Outcome::NoReply(failure.to_string())),
+        Err(failure) => return Finding::without(NAME, Outcome::NoReply(chain(&failure))),
     };
     let mut found: Option<Finding> = None;
     for _ in 0..count {
@@ -43,8 +44,8 @@ fn none() -> Outcome {
 fn next(stream: &mut StatusStream) -> Result<String, Outcome> {
     match stream.next_packet() {
         Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(stream.last_packet().unwrap_or_default().to_owned()),
-        Err(Error::Disconnected { cause, .. }) => Err(Outcome::Unreadable(cause.to_string())),
-        Err(error) => Err(Outcome::NoReply(error.to_string())),
+        Err(Error::Disconnected { cause, .. }) => Err(Outcome::Unreadable(chain(&*cause))),
+        Err(error) => Err(Outcome::NoReply(chain(&error))),
     }
 }
 
