@@ -32,7 +32,8 @@ Command packs:
 Exit codes:
   0  done; also when a reader of the output has seen enough, and on Ctrl-C where a command runs until then
   1  the controller refused the command, which did not run
-  2  the command line, the config file or an argument is wrong; nothing was sent
+  2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
+     nothing was sent
   3  no connection could be made; nothing was sent
   4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
   5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time

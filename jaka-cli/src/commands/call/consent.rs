@@ -69,3 +69,59 @@ fn ask(question: &str, input: &mut impl BufRead, output: &mut impl Write) -> io:
     input.read_line(&mut answer)?;
     Ok(matches!(answer.trim().to_ascii_lowercase().as_str(), "y" | "yes"))
 }
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use jaka_spec::{Command, Spec};
+
+    use super::*;
+
+    fn spec() -> Spec {
+        jaka_spec::builtin().expect("the spec's own tests load it")
+    }
+
+    fn request<'s>(command: &'s Command, text: &str) -> Request<'s> {
+        Request { command: Some(command), name: command.wire.clone(), text: text.to_owned() }
+    }
+
+    #[test]
+    fn what_changes_something_is_asked_about_unless_it_stops() {
+        let spec = spec();
+        let mut at_once = Vec::new();
+        for command in spec.commands().filter(|command| !matches!(command.effect, Effect::Query | Effect::Session)) {
+            for example in command.examples.iter().filter_map(|example| example.request.as_deref()) {
+                at_once.extend(is_harmless(&request(command, example)).then_some(example));
+            }
+        }
+        expect![[r#"
+            {"cmdName": "jog", "jog_mode": 0, "coord_map": 1, "jnum": 1}
+            {"cmdName": "pause_program"}
+            {"cmdName": "stop_program"}"#]]
+        .assert_eq(&at_once.join("\n"));
+    }
+
+    #[test]
+    fn the_question_says_what_will_happen() {
+        let spec = spec();
+        let command = spec.command("power_off").expect("the protocol has it");
+        let asked = question(&request(command, "{\"cmdName\":\"power_off\"}"), "cell1 (10.5.5.100)");
+        expect![[r#"
+            To cell1 (10.5.5.100):
+              {"cmdName":"power_off"}
+            `power_off` switches power, brakes or the controller itself. Switches the arm's power off.
+            Send it? [y/N] "#]]
+        .assert_eq(&asked);
+    }
+
+    #[test]
+    fn only_a_yes_is_one() {
+        for (answer, expected) in
+            [("y\n", true), (" Yes \n", true), ("", false), ("\n", false), ("n\n", false), ("yy\n", false)]
+        {
+            let mut shown = Vec::new();
+            let found = ask("Send it? ", &mut answer.as_bytes(), &mut shown).expect("both are in memory");
+            assert_eq!((found, shown.as_slice()), (expected, b"Send it? ".as_slice()), "{answer:?}");
+        }
+    }
+}

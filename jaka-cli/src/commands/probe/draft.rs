@@ -15,7 +15,8 @@ const STATUS: &str = "RobotStatus";
 /// It loads as it is. What its author has to find out says `TODO`.
 pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
-    let mut draft = Draft { spec, version, text: head(version), added: Vec::new(), suggestions: String::new() };
+    let mut draft =
+        Draft { spec, version, text: head(version, &findings.packs), added: Vec::new(), suggestions: String::new() };
     for finding in &findings.commands {
         let fields = spec.command(&finding.name).map_or(&[][..], |command| &command.reply);
         draft.take(finding, |path| place::find(spec, &finding.name, "reply", fields, path));
@@ -26,10 +27,12 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
     (!draft.added.is_empty()).then(|| draft.text + &draft.suggestions)
 }
 
-fn head(version: &str) -> String {
+fn head(version: &str, packs: &[String]) -> String {
     let title = quoted(&format!("What {version} sends beyond the spec"));
+    let behind = if packs.is_empty() { String::new() } else { format!("# It stands behind {}.\n", packs.join(", ")) };
     format!(
-        "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\ntitle = {title}\n"
+        "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\n\
+         {behind}title = {title}\n"
     )
 }
 
