@@ -37,9 +37,9 @@ fn what_changes_something_wants_a_yes_where_nobody_can_be_asked() {
     let (code, error, sent) = call(&controller, "power_off --yes", "");
     assert_eq!((code, sent), (Some(0), 1), "{error}");
     assert!(!controller.state().powered);
-    expect![[r#"
+    expect![[r"
         jaka: `power_on` was not sent: it switches power, brakes or the controller itself, and nobody can be asked here; say --yes to send it all the same
-    "#]].assert_eq(&call(&controller, "power_on", "").1);
+    "]].assert_eq(&call(&controller, "power_on", "").1);
 }
 
 #[test]

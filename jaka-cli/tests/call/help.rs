@@ -28,24 +28,24 @@ fn the_list_has_all_commands() {
 
 #[test]
 fn the_list_of_one_topic() {
-    expect![[r#"
+    expect![[r"
         payload: Payload
           set_payload  Sets the mass and the centroid of the payload.
           get_payload  Reads the mass and the centroid of the payload.
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&jaka(["call", "--list", "payload"]).text());
-    expect![[r#"
+    expect![[r"
         jaka: there is no topic `joints`; there are power, motion, servo, program, io, frames, variables, payload, collision, kinematics, trajectory, force, network, session
         exit code 2
-    "#]].assert_eq(&jaka(["call", "--list", "joints"]).text());
-    expect![[r#"
+    "]].assert_eq(&jaka(["call", "--list", "joints"]).text());
+    expect![[r"
         newer: What newer firmware adds
           get_motion_state                           Reads how the motion stands.
           emergency_stop_status                      Reads whether the emergency stop is pressed.
           set_port10000_delay_ms, set_status_period  Sets the time between two status packets.
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&jaka(["call", "--list", "newer", "--pack", &pack("newer.toml")]).text());
 }
 

@@ -14,38 +14,38 @@ fn new_commands_are_called_by_either_name() {
     check(
         "newer.toml",
         "get_motion_state",
-        &expect![[r#"
+        &expect![[r"
         in_position   true
         paused        false
         queue         3
         active_queue  1
         exit code 0
-    "#]],
+    "]],
     );
     check(
         "newer.toml",
         "emergency_stop_status",
-        &expect![[r#"
+        &expect![[r"
         emergency_stop  false
         exit code 0
-    "#]],
+    "]],
     );
     check(
         "newer.toml",
         "set_status_period --period 20",
-        &expect![[r#"
+        &expect![[r"
         accepted
         exit code 0
-    "#]],
+    "]],
     );
     check(
         "newer.toml",
         "set_port10000_delay_ms --period 0",
-        &expect![[r#"
+        &expect![[r"
         jaka: `set_port10000_delay_ms` was not sent:
           field `period` is 0; allowed is a whole number, at least 1 ms
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -54,10 +54,10 @@ fn changed_commands_take_what_the_pack_says() {
     check(
         "changed.toml",
         "rapid_rate --rate 1.4",
-        &expect![[r#"
+        &expect![[r"
         accepted
         exit code 0
-    "#]],
+    "]],
     );
     check(
         "changed.toml",
@@ -70,9 +70,9 @@ fn changed_commands_take_what_the_pack_says() {
     check(
         "changed.toml",
         "joint_move --mode relative --joint-position 0,0,0,0,0,0 --speed 1 --zone 5 --sim-powered",
-        &expect![[r#"
+        &expect![[r"
             accepted
             exit code 0
-        "#]],
+        "]],
     );
 }

@@ -22,7 +22,7 @@ fn call(controller: &Controller, line: &str) -> Run {
 fn fields_have_names_and_units() {
     simulated(
         "get_tcp_pos",
-        &expect![[r#"
+        &expect![[r"
         pose.x   -482 mm
         pose.y   114 mm
         pose.z   443.15 mm
@@ -30,33 +30,33 @@ fn fields_have_names_and_units() {
         pose.ry  0 deg
         pose.rz  90 deg
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "get_joint_pos",
-        &expect![[r#"
+        &expect![[r"
         joint_position  0, 90, 90, 90, -90, 0 deg
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "get_robot_state",
-        &expect![[r#"
+        &expect![[r"
         enabled     false
         powered_on  false
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "get_program_state",
-        &expect![[r#"
+        &expect![[r"
         program_state  Idle (idle)
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "get_extio_status",
-        &expect![[r#"
+        &expect![[r"
         extio_status.count                                        1
         extio_status.modules[0].setup                             Tcp (1)
         extio_status.modules[0].setup.name                        modbusIoName
@@ -77,28 +77,28 @@ fn fields_have_names_and_units() {
         extio_status.state.running                                false
         extio_status.state.digital_inputs                         false, false, false, false, false, false, false, false, false
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "disable_robot",
-        &expect![[r#"
+        &expect![[r"
         accepted
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "shutdown",
-        &expect![[r#"
+        &expect![[r"
         accepted
         exit code 0
-    "#]],
+    "]],
     );
     simulated(
         "quit",
-        &expect![[r#"
+        &expect![[r"
         accepted
         exit code 0
-    "#]],
+    "]],
     );
 }
 
@@ -120,10 +120,10 @@ fn a_reply_is_there_as_it_came() {
     );
     simulated(
         "get_version --raw",
-        &expect![[r#"
+        &expect![[r"
         version  1.6.5_01_X86 (not in the spec)
         exit code 0
-    "#]],
+    "]],
     );
 }
 
@@ -131,11 +131,11 @@ fn a_reply_is_there_as_it_came() {
 fn refusals_have_code_message_and_meaning() {
     simulated(
         "enable_robot",
-        &expect![[r#"
+        &expect![[r"
         jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
         The code's meaning: The command failed; the message says more.
         exit code 1
-    "#]],
+    "]],
     );
     simulated(
         "enable_robot --json",
@@ -148,20 +148,20 @@ fn refusals_have_code_message_and_meaning() {
     );
     simulated(
         "no_such_command --raw",
-        &expect![[r#"
+        &expect![[r"
         jaka: the controller refused `no_such_command` with code 1: Exception:function call failed
         The code's meaning: An exception arose in the controller's program.
         exit code 1
-    "#]],
+    "]],
     );
     let controller = controller();
     let reply = br#"{"errorCode": "77", "errorMsg": "hot", "cmdName": "get_version"}"#;
     controller.inject(Fault::Instead(reply.to_vec()));
-    expect![[r#"
+    expect![[r"
         jaka: the controller refused `get_version` with code 77: hot
         The spec does not know the code.
         exit code 1
-    "#]]
+    "]]
     .assert_eq(&call(&controller, "get_version").text());
 }
 
@@ -169,14 +169,14 @@ fn refusals_have_code_message_and_meaning() {
 fn what_the_spec_does_not_have_is_shown_too() {
     let controller = controller();
     controller.set_reply("get_payload", [("inertia".to_owned(), json!([1, 2]))]);
-    expect![[r#"
+    expect![[r"
         centroid.x  0 mm
         centroid.y  0 mm
         centroid.z  1 mm
         mass        1 kg
         inertia     [1,2] (not in the spec)
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&call(&controller, "get_payload").text());
 }
 
@@ -196,12 +196,12 @@ fn a_reply_that_cannot_be_read_says_where() {
 fn a_bare_tuple_is_read_as_the_field_that_it_stands_for() {
     let controller = controller();
     controller.inject(Fault::Instead(b"(0, [], {'state': 0})".to_vec()));
-    expect![[r#"
+    expect![[r"
         extio_status.count          0
         extio_status.modules        none
         extio_status.state.running  false
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&call(&controller, "get_extio_status").text());
 }
 
@@ -209,26 +209,26 @@ fn a_bare_tuple_is_read_as_the_field_that_it_stands_for() {
 fn a_silent_controller_may_have_carried_out_the_command() {
     let controller = controller();
     controller.inject(Fault::Drop);
-    expect![[r#"
+    expect![[r"
         jaka: no reply to `get_version` within 200ms; it may have run
         exit code 4
-    "#]]
+    "]]
     .assert_eq(&call(&controller, "get_version --timeout 0.2").text());
     controller.inject(Fault::Close);
-    expect![[r#"
+    expect![[r"
         jaka: the connection broke during `get_version`, which may have run: the controller closed the connection; it may have shut down, or another client may have taken the command port
         exit code 4
-    "#]].assert_eq(&call(&controller, "get_version").text());
+    "]].assert_eq(&call(&controller, "get_version").text());
 }
 
 #[test]
 fn a_controller_that_goes_down_need_not_reply() {
     let controller = controller();
     controller.inject(Fault::Close);
-    expect![[r#"
+    expect![[r"
         sent; the controller closed the connection instead of replying
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&call(&controller, "shutdown --yes").text());
 }
 
@@ -244,14 +244,14 @@ fn the_firmware_is_asked_first() {
         file.display()
     );
     let controller = controller();
-    expect![[r#"
+    expect![[r"
         jaka: `joint_move` was not sent: the controller's firmware 1.6.5 does not have its field `zone`; firmware 1.7.1 and later has
         exit code 2
-    "#]].assert_eq(&call(&controller, &motion).text());
-    expect![[r#"
+    "]].assert_eq(&call(&controller, &motion).text());
+    expect![[r"
         jaka: `new_query` was not sent: the controller's firmware 1.6.5 does not have it; firmware up to 1.5 has
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&call(&controller, &format!("new_query --check-firmware --pack {}", file.display())).text());
     assert_eq!(controller.requests(), [r#"{"cmdName":"get_version"}"#; 2]);
     controller.set_reply("get_version", [("version".to_owned(), json!("V1.7.2"))]);

@@ -12,19 +12,19 @@ fn check(line: &str, expected: &Expect) {
 fn unknown_commands_suggest_the_nearest() {
     check(
         "joint_mov --speed 1",
-        &expect![[r#"
+        &expect![[r"
         jaka: there is no command `joint_mov`; did you mean `joint_move`?
         `jaka call --list` lists those that there are; --pack adds to them, and --raw sends what is none of them
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "zzzzzzzz",
-        &expect![[r#"
+        &expect![[r"
         jaka: there is no command `zzzzzzzz`
         `jaka call --list` lists those that there are; --pack adds to them, and --raw sends what is none of them
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -32,28 +32,28 @@ fn unknown_commands_suggest_the_nearest() {
 fn everything_that_is_wrong_is_told_at_once() {
     check(
         "joint_move --mode abs --speed fast --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: --mode: `abs` is not absolute|relative
         --speed: `fast` is not a number
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "joint_move --mode absolute --joint-position -1,2 --speed -10",
-        &expect![[r#"
+        &expect![[r"
         jaka: `joint_move` was not sent:
           field `joint_position` is [-1.0,2.0]; allowed is an array of 6
           field `speed` is -10.0; allowed is a number, at least 0 deg/s
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "jog --jog-mode stop --frame joint --axis 0 --velocity 1 --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: `jog` was not sent:
           there is no field `velocity`; there are `frame`, `axis`
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -61,7 +61,7 @@ fn everything_that_is_wrong_is_told_at_once() {
 fn clap_tells_what_is_no_option() {
     check(
         "joint_move --sped 1",
-        &expect![[r#"
+        &expect![[r"
         error: unexpected argument '--sped' found
 
           tip: a similar argument exists: '--speed'
@@ -70,27 +70,27 @@ fn clap_tells_what_is_no_option() {
 
         For more information, try '--help'.
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "joint_move --speed",
-        &expect![[r#"
+        &expect![[r"
         error: a value is required for '--speed <NUMBER>' but none was supplied
 
         For more information, try '--help'.
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "joint_move --speed 1 --params {}",
-        &expect![[r#"
+        &expect![[r"
         error: the argument '--speed <NUMBER>' cannot be used with '--params <JSON>'
 
         Usage: jaka call joint_move --mode <absolute|relative> --joint-position <[NUMBER; 6]> --speed <NUMBER> [FIELDS] [OPTIONS]
 
         For more information, try '--help'.
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -123,12 +123,12 @@ fn negative_numbers_are_values() {
 fn advisory_ranges_may_be_left_to_the_controller() {
     check(
         "set_digital_output --kind relay --index 0 --value on --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: `set_digital_output` was not sent:
           field `kind` is 3; allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension); newer firmware may take it
         `--advisory-ranges ignore` leaves it to the controller
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "set_digital_output --kind relay --index 0 --value on --dry-run --advisory-ranges ignore",
@@ -139,11 +139,11 @@ fn advisory_ranges_may_be_left_to_the_controller() {
     );
     check(
         "rapid_rate --rate 1.2 --dry-run --advisory-ranges ignore",
-        &expect![[r#"
+        &expect![[r"
         jaka: `rapid_rate` was not sent:
           field `rate` is 1.2; allowed is a number, 0 to 1
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -158,40 +158,40 @@ fn whole_requests_are_checked_too() {
     );
     check(
         r#"rapid_rate --params {"rate_value":7} --dry-run"#,
-        &expect![[r#"
+        &expect![[r"
         jaka: `rapid_rate` was not sent:
           field `rate` is 7; allowed is a number, 0 to 1
         exit code 2
-    "#]],
+    "]],
     );
     check(
         r#"--params {"cmdName":"power_of"} --dry-run"#,
-        &expect![[r#"
+        &expect![[r"
         jaka: there is no command `power_of`; did you mean `power_off`?
         `jaka call --list` lists those that there are; --pack adds to them, and --raw sends what is none of them
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "--params {} --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: no command is named: name it on the line, or as `cmdName` in the request of --params
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "power_on --params [1] --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: the request of --params is no JSON object: invalid type: sequence, expected a map at line 1 column 0
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "power_on --params @no/such/file --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: cannot read the request in no/such/file: No such file or directory (os error 2)
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -230,21 +230,21 @@ fn raw_requests_go_out_as_they_are() {
     );
     check(
         "joint_move --raw --params {} --speed 1 --dry-run",
-        &expect![[r#"
+        &expect![[r"
         error: unexpected argument '--speed' found
 
         Usage: jaka call [OPTIONS] <COMMAND> [--FIELD <VALUE>]...
 
         For more information, try '--help'.
         exit code 2
-    "#]],
+    "]],
     );
     check(
         "--raw --dry-run",
-        &expect![[r#"
+        &expect![[r"
         jaka: no command is named: name it on the line, or as `cmdName` in the request of --params
         exit code 2
-    "#]],
+    "]],
     );
 }
 
@@ -256,11 +256,11 @@ fn packs_with_errors_show_all_of_them() {
     let run = jaka(["call".as_ref(), "--pack".as_ref(), file.as_os_str()]);
     assert_eq!(run.code, Some(2));
     let lines: Vec<_> = run.err.lines().map(|line| line.replace(&file.display().to_string(), "wrong.toml")).collect();
-    expect![[r#"
+    expect![[r"
         jaka: the pack wrong.toml has errors:
         wrong.toml:3:10: extension of `joint_mve`: the spec has no command and no type `joint_mve`; there is `joint_move`
         wrong.toml:4:1: command `x`: `doc` is missing
-        wrong.toml:6:10: command `x`: `effect` is one of query, setting, motion, power, session, not `none`"#]].assert_eq(&lines.join("\n"));
+        wrong.toml:6:10: command `x`: `effect` is one of query, setting, motion, power, session, not `none`"]].assert_eq(&lines.join("\n"));
 }
 
 #[test]

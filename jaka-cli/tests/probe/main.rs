@@ -132,7 +132,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
     });
     assert_eq!(run.code, Some(7), "{}", run.text());
     let text = fs::read_to_string(&draft).expect("the draft is written");
-    expect![[r##"
+    expect![[r#"
         # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
         title = "What 1.6.5_01_X86 sends beyond the spec"
 
@@ -155,7 +155,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
         type = "bool"
         optional = true
         doc = "TODO: what it means is not known yet. 1.6.5_01_X86 sends true."
-    "##]]
+    "#]]
     .assert_eq(&text);
     load_pack(&spec(), Source { path: "status.toml", text: &text }).expect("the draft loads");
 }
@@ -165,9 +165,9 @@ fn nothing_to_draft_is_said() {
     let draft = scratch("none.toml");
     let run = probe(&controller(Firmware::Document), &["--draft", &draft.display().to_string()]);
     assert_eq!(run.code, Some(0));
-    expect![[r#"
+    expect![[r"
         jaka: no draft is written: no message has a key that the spec does not know
-    "#]]
+    "]]
     .assert_eq(&run.err);
     assert!(!draft.exists());
 }
