@@ -5,8 +5,10 @@
 //! `#[command(flatten)] robot: RobotArgs`, the last so that its options stand below their own heading, and begins with
 //! `self.robot.target()?`.
 
+mod call;
 mod completions;
 mod monitor;
+mod probe;
 mod sim;
 mod status;
 
@@ -19,6 +21,8 @@ use crate::failure::Failure;
 pub(crate) enum Command {
     Status(status::Status),
     Monitor(monitor::Monitor),
+    Call(call::Call),
+    Probe(probe::Probe),
     Sim(sim::Sim),
     Completions(completions::Completions),
 }
@@ -29,6 +33,8 @@ impl Command {
         match self {
             Self::Status(command) => command.run(),
             Self::Monitor(command) => command.run(),
+            Self::Call(command) => command.run(),
+            Self::Probe(command) => command.run(),
             Self::Sim(command) => command.run(),
             Self::Completions(command) => command.run(),
         }

@@ -15,13 +15,16 @@ pub(crate) const LOST: u8 = 5;
 /// Something on this machine.
 pub(crate) const LOCAL: u8 = 6;
 
+/// `jaka probe` found what is not as the spec has it.
+pub(crate) const DEPARTS: u8 = 7;
+
 /// The exit code that tells what a script can do about an error of the robot's.
 pub(crate) fn exit_code(error: &Error) -> u8 {
     if error.may_have_run() {
         MAY_HAVE_RUN
     } else if error.is_refused() {
         REFUSED
-    } else if error.is_invalid_argument() {
+    } else if error.is_invalid_argument() || error.is_not_in_firmware() {
         USAGE
     } else if error.is_connect() {
         NO_CONNECTION

@@ -5,6 +5,8 @@ use std::fmt;
 use std::io::{self, ErrorKind, Write, stderr};
 use std::process::ExitCode;
 
+use jaka_sync::Refusal;
+
 use crate::exit;
 
 /// Why a command failed.
@@ -14,6 +16,15 @@ pub(crate) enum Failure {
     Usage(String),
     /// The robot, or the way to it.
     Robot(jaka_sync::Error),
+    /// The controller refused the command.
+    Refused {
+        /// Its own words.
+        refusal: Refusal,
+        /// What the code means, where the spec knows it.
+        meaning: Option<String>,
+    },
+    /// What the controller says is not as the spec has it: how much of it.
+    Departs(String),
     /// Something on this machine.
     Local {
         /// What cannot be done, such as "cannot start the simulated controller".
@@ -44,6 +55,8 @@ impl Failure {
         let code = match self {
             Self::Usage(_) => exit::USAGE,
             Self::Robot(error) => exit::exit_code(error),
+            Self::Refused { .. } => exit::REFUSED,
+            Self::Departs(_) => exit::DEPARTS,
             Self::Local { .. } => exit::LOCAL,
             Self::OutputClosed => return ExitCode::SUCCESS,
         };
@@ -54,7 +67,7 @@ impl Failure {
 }
 
 /// An error's text, and that of its causes behind it.
-fn chain(error: &(dyn StdError + 'static)) -> String {
+pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
     let errors = std::iter::successors(Some(error), |&error| error.source());
     let texts: Vec<_> = errors.map(ToString::to_string).collect();
     texts.join(": ")
@@ -63,8 +76,10 @@ fn chain(error: &(dyn StdError + 'static)) -> String {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Usage(text) => f.write_str(text),
+            Self::Usage(text) | Self::Departs(text) => f.write_str(text),
             Self::Robot(error) => error.fmt(f),
+            Self::Refused { refusal, meaning: None } => write!(f, "{refusal}\nThe spec does not know the code."),
+            Self::Refused { refusal, meaning: Some(meaning) } => write!(f, "{refusal}\nThe code's meaning: {meaning}"),
             Self::Local { what, .. } => f.write_str(what),
             Self::OutputClosed => f.write_str("the output is closed"),
         }

@@ -4,11 +4,11 @@ mod config_file;
 mod environment;
 mod place;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
-use jaka_sim::{Controller, Delays, Model};
+use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::{Client, Config, Monitor, Reconnect, StatusStream};
 
 use self::environment::Environment;
@@ -65,11 +65,31 @@ pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
     })
 }
 
+/// The packs that the environment names, or else the config file.
+pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure> {
+    place::packs(config, &Environment::read())
+}
+
 impl RobotArgs {
+    /// The config file that is named.
+    pub(crate) fn config(&self) -> Option<&Path> {
+        self.config.as_deref()
+    }
+
+    /// True if the robot is a simulated one.
+    pub(crate) fn is_simulated(&self) -> bool {
+        self.sim.is_some()
+    }
+
     /// Finds the robot, or starts the simulated controller. Connects to nothing yet.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
+        self.target_with_packs(&[])
+    }
+
+    /// The same, with a simulated controller that knows these packs.
+    pub(crate) fn target_with_packs(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         if let Some(model) = self.sim {
-            return self.simulated(model);
+            return self.simulated(model, packs);
         }
         let place = Place::find(self, &Environment::read())?;
         Ok(Target {
@@ -81,9 +101,10 @@ impl RobotArgs {
         })
     }
 
-    fn simulated(&self, model: &Model) -> Result<Target, Failure> {
+    fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Target, Failure> {
         // A controller that lives for one command is not waited for.
         let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
+        let builder = packs.iter().fold(builder, Builder::pack);
         let started = builder.start();
         let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
         if self.sim_powered {
@@ -118,7 +139,6 @@ impl Target {
     }
 
     /// Connects to the command port, which has one seat.
-    #[expect(dead_code, reason = "for the commands that send something")]
     pub(crate) fn client(&self) -> Result<Client, Failure> {
         Ok(self.config.connect(&self.commands)?)
     }

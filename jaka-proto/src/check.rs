@@ -188,7 +188,7 @@ impl<'p> Place<'p> {
             return Ok(());
         };
         let field = Some(self.path()).filter(|path| !path.is_empty());
-        Err(NotSent::NotInFirmware(NotInFirmware { command: self.command.to_owned(), field, firmware, range: *range }))
+        Err(NotSent::NotInFirmware(NotInFirmware::new(self.command, field, firmware, *range)))
     }
 
     fn inner(&'p self, name: PlaceName) -> Place<'p> {

@@ -144,6 +144,18 @@ pub struct NotInFirmware {
     pub range: FirmwareRange,
 }
 
+impl NotInFirmware {
+    /// A request for this command with something that firmware has only in this range: the command itself, or a field.
+    pub fn new(
+        command: impl Into<String>,
+        field: Option<String>,
+        firmware: FirmwareVersion,
+        range: FirmwareRange,
+    ) -> Self {
+        Self { command: command.into(), field, firmware, range }
+    }
+}
+
 impl fmt::Display for NotInFirmware {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { command, field, firmware, range } = self;

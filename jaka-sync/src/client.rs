@@ -203,6 +203,12 @@ impl Client {
         (!self.reply.is_empty()).then_some(&*self.reply)
     }
 
+    /// How long a reply may take where the spec names no longer time: see
+    /// [`Config::reply_timeout`](Config::reply_timeout).
+    pub fn reply_timeout(&self) -> Duration {
+        self.config.reply_timeout
+    }
+
     /// What broke the connection, if something did.
     pub fn disconnect(&self) -> Option<Arc<Disconnect>> {
         self.link.broken()

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::names::to_camel;
+use crate::names::{nearest, to_camel};
 use crate::version::Versions;
 
 /// A whole protocol: the topics in the order they were given.
@@ -31,6 +31,17 @@ impl Spec {
     /// The command with this `cmdName`.
     pub fn command(&self, wire: &str) -> Option<&Command> {
         self.commands().find(|command| command.wire == wire)
+    }
+
+    /// The command with this `cmdName`, or else with this name in Rust.
+    pub fn command_called(&self, name: &str) -> Option<&Command> {
+        self.command(name).or_else(|| self.commands().find(|command| command.name == name))
+    }
+
+    /// The command whose `cmdName` or name in Rust is most like this one, if any is at all.
+    pub fn command_like(&self, name: &str) -> Option<&Command> {
+        let names = self.commands().flat_map(|command| [&*command.wire, &*command.name]);
+        nearest(name, names).and_then(|name| self.command_called(name))
     }
 
     /// The topic in which the type with this name is defined.

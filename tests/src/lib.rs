@@ -34,6 +34,19 @@ pub fn printed() -> Vec<Printed> {
     include_str!("../data/examples.jsonl").lines().map(line).collect()
 }
 
+/// The text without white space outside strings.
+pub fn compact(json: &str) -> String {
+    let mut in_string = false;
+    let mut escaped = false;
+    let outside = |c: &char| {
+        let keep = in_string || !c.is_whitespace();
+        in_string ^= *c == '"' && !escaped;
+        escaped = *c == '\\' && !escaped;
+        keep
+    };
+    json.chars().filter(outside).collect()
+}
+
 /// A simulated controller that switches power and enables at once.
 ///
 /// # Panics

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, Envelope, ErrorCode, Request, Visit, read_payload, write_refusal, write_reply};
-use jaka_tests::{Printed, printed, same, spec};
+use jaka_tests::{Printed, compact, printed, same, spec};
 use serde_json::Value;
 
 /// Replies that come out in another form than the document prints, and why.
@@ -16,19 +16,6 @@ const EXCEPTIONS: &[(&str, &str)] = &[
 
 fn is_exception(section: &str) -> bool {
     EXCEPTIONS.iter().any(|(exception, _)| *exception == section)
-}
-
-/// The text without white space outside strings.
-fn compact(json: &str) -> String {
-    let mut in_string = false;
-    let mut escaped = false;
-    let outside = |c: &char| {
-        let keep = in_string || !c.is_whitespace();
-        in_string ^= *c == '"' && !escaped;
-        escaped = *c == '\\' && !escaped;
-        keep
-    };
-    json.chars().filter(outside).collect()
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
 
+use super::call;
 use crate::failure::Failure;
 use crate::output;
 
@@ -17,8 +18,11 @@ pub(crate) struct Completions {
 
 impl Completions {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        // Those of `jaka call` come from the spec when it runs.
+        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
+        let mut command = crate::Cli::command().mut_subcommand("call", |_| call::all(&spec));
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut crate::Cli::command(), "jaka", &mut script);
+        clap_complete::generate(self.shell, &mut command, "jaka", &mut script);
         output::write(&script)
     }
 }

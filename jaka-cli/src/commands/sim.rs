@@ -11,6 +11,7 @@ use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Model};
 
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
+use crate::packs::SpecArgs;
 use crate::target::model;
 use crate::{output, wire_log};
 
@@ -40,6 +41,8 @@ pub(crate) struct Sim {
     /// Folder of programs to load: files of requests, one a line
     #[arg(long, value_name = "FOLDER")]
     programs: Option<PathBuf>,
+    #[command(flatten)]
+    spec: SpecArgs,
     /// What goes wrong with replies, such as `drop, delay 200ms`; @FILE reads it from a file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
@@ -70,6 +73,8 @@ impl Sim {
 
     fn builder(self) -> Result<Builder, Failure> {
         let mut builder = Controller::builder();
+        let packs = self.spec.load(None)?.packs;
+        builder = packs.iter().fold(builder, Builder::pack);
         builder = builder.address(self.address).ports(self.commands, self.status).firmware(self.firmware);
         if let Some(name) = self.model {
             let model = model(&name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use serde::Deserialize;
@@ -17,6 +17,9 @@ use crate::seconds;
 pub(crate) struct ConfigFile {
     /// The robot that is meant where none is named.
     pub(crate) robot: Option<String>,
+    /// Command packs: paths, from the config file's folder.
+    #[serde(default)]
+    pub(crate) packs: Vec<PathBuf>,
     /// Robots by name.
     #[serde(default)]
     pub(crate) robots: BTreeMap<String, Entry>,
@@ -57,10 +60,13 @@ impl ConfigFile {
     }
 
     fn parse(text: &str, path: &Path) -> Result<Self, Failure> {
-        toml::from_str(text).map_err(|error| {
+        let mut file: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             Failure::Usage(format!("{}:{line}: {}", path.display(), error.message().trim_end()))
-        })
+        })?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        file.packs.iter_mut().for_each(|pack| *pack = folder.join(&pack));
+        Ok(file)
     }
 }
 
@@ -97,9 +103,15 @@ mod tests {
         check(
             text,
             &expect![[
-                r#"ConfigFile { robot: Some("cell1"), robots: {"cell 2": Entry { address: "arm.local", command_port: None, status_port: Some(20000), timeout: None, connect_timeout: None }, "cell1": Entry { address: "10.5.5.100", command_port: None, status_port: None, timeout: Some(2s), connect_timeout: Some(500ms) }} }"#
+                r#"ConfigFile { robot: Some("cell1"), packs: [], robots: {"cell 2": Entry { address: "arm.local", command_port: None, status_port: Some(20000), timeout: None, connect_timeout: None }, "cell1": Entry { address: "10.5.5.100", command_port: None, status_port: None, timeout: Some(2s), connect_timeout: Some(500ms) }} }"#
             ]],
         );
+    }
+
+    #[test]
+    fn packs_lie_beside_the_file() {
+        let file = ConfigFile::parse("packs = ['a.toml', '/b.toml']", Path::new("folder/config.toml"));
+        assert_eq!(file.unwrap().packs, [Path::new("folder/a.toml"), Path::new("/b.toml")]);
     }
 
     #[test]

@@ -11,6 +11,8 @@ pub(crate) struct Environment {
     pub(crate) robot: Option<OsString>,
     /// `JAKA_CONFIG`.
     pub(crate) config: Option<PathBuf>,
+    /// `JAKA_PACK`: paths of packs, between the signs that `PATH` has.
+    pub(crate) packs: Option<OsString>,
     /// The folder of the user's config files.
     pub(crate) config_folder: Option<PathBuf>,
 }
@@ -24,6 +26,7 @@ impl Environment {
         Self {
             robot: get("JAKA_ROBOT"),
             config: folder("JAKA_CONFIG"),
+            packs: get("JAKA_PACK"),
             config_folder: folder("XDG_CONFIG_HOME").or_else(|| folder("APPDATA")).or_else(below_home),
         }
     }

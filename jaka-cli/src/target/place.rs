@@ -1,7 +1,8 @@
 //! Where the robot is: the order in which arguments, environment and config file count.
 
+use std::env::split_paths;
 use std::net::IpAddr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use jaka_sync::{COMMAND_PORT, Config, STATUS_PORT};
@@ -78,6 +79,14 @@ pub(super) fn config(timeout: Option<Duration>, connect_timeout: Option<Duration
         config = config.connect_timeout(timeout);
     }
     config
+}
+
+/// The packs that the environment names, or else the config file.
+pub(super) fn packs(config: Option<&Path>, environment: &Environment) -> Result<Vec<PathBuf>, Failure> {
+    match &environment.packs {
+        Some(paths) => Ok(split_paths(paths).filter(|path| !path.as_os_str().is_empty()).collect()),
+        None => Ok(config_file(config, environment)?.packs),
+    }
 }
 
 /// The config file that is meant; an empty one if it is the usual one and is not there.

@@ -8,12 +8,12 @@ use super::scalar::{self, Form};
 use crate::{Command, Spec, TypeKind};
 
 /// The key under which messages name their command.
-pub(super) const COMMAND_NAME: &str = "cmdName";
+pub const COMMAND_NAME: &str = "cmdName";
 const ERROR_CODE: &str = "errorCode";
 const ERROR_MESSAGE: &str = "errorMsg";
 
 /// The three keys that every reply has.
-pub(super) const ENVELOPE: &[&str] = &[COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE];
+pub const ENVELOPE: &[&str] = &[COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE];
 
 /// The type of the packets of port 10000.
 const STATUS_TYPE: &str = "RobotStatus";

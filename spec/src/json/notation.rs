@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 /// The type that a value looks like, in the spec's notation.
-pub(super) fn notation(value: &Value) -> String {
+pub fn notation(value: &Value) -> String {
     match value {
         Value::Bool(_) => "bool".to_owned(),
         Value::Number(number) if number.is_f64() => "float".to_owned(),

@@ -76,3 +76,31 @@ fn elements(spec: &Spec, fields: &[Field]) -> impl Iterator<Item = Value> {
 fn first<T>(values: &[EnumValue<T>], wire: impl Fn(&EnumValue<T>) -> Value) -> Value {
     values.first().map(wire).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::sample_reply;
+    use crate::{Source, load_pack};
+
+    /// A field of a reply: its type and what else is said of it, with what is answered.
+    fn check(field: &str, expected: &serde_json::Value) {
+        let text = format!(
+            "title = 'T'\n[[command]]\nwire = 'c'\neffect = 'query'\ndoc = 'D.'\n[[command.reply]]\nwire = 'f'\ndoc = 'D.'\n{field}"
+        );
+        let base = crate::builtin().expect("the spec is correct");
+        let pack = load_pack(&base, Source { path: "t.toml", text: &text }).expect("the pack is correct");
+        let reply = sample_reply(&pack.spec, pack.spec.command("c").expect("it is added"));
+        assert_eq!(reply["f"].to_string(), expected.to_string(), "{field}");
+    }
+
+    #[test]
+    fn values_are_zero_or_what_is_nearest_in_range() {
+        check("type = 'bool'\nwritten = [0, 1]", &json!(0));
+        check("type = 'int'", &json!(0));
+        check("type = 'int'\nmin = 2", &json!(2));
+        check("type = 'float'\nmax = -0.5", &json!(-0.5));
+        check("type = 'float[2]'", &json!([0, 0]));
+    }
+}

@@ -1,0 +1,73 @@
+//! `jaka call`: any command of the protocol, with arguments that come from the spec.
+//!
+//! Which arguments there are depends on the command and on the packs, so the line is read in two steps: [`outline`]
+//! finds the command and the packs, [`parser`] makes clap's description of that command and reads the rest.
+
+mod consent;
+mod exchange;
+mod firmware;
+mod help;
+mod list;
+mod options;
+mod outline;
+mod parser;
+mod reply;
+mod request;
+
+use std::ffi::OsString;
+
+use clap::Args;
+use jaka_spec::{Command, Spec};
+
+use self::outline::Outline;
+use self::parser::Parser;
+use self::request::Request;
+use crate::failure::Failure;
+use crate::output;
+use crate::packs::SpecArgs;
+
+pub(crate) use self::parser::all;
+pub(crate) use self::reply::json as reply_json;
+
+/// Send one command of the protocol, and print the reply.
+///
+/// `jaka call --list` lists the commands, `jaka call COMMAND --help` says what one does and what it takes, and
+/// `jaka call --help` explains the options that all have.
+#[derive(Debug, Args)]
+#[command(disable_help_flag = true, override_usage = parser::USAGE)]
+pub(crate) struct Call {
+    /// A command by its `cmdName` or its name in Rust, its fields, and options
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "WORDS")]
+    words: Vec<OsString>,
+}
+
+impl Call {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let outline = Outline::of(self.words);
+        let protocol = SpecArgs::of(outline.packs).load(outline.config.as_deref())?;
+        let spec = &protocol.spec;
+        let name = outline.command.as_deref();
+        let command = match name {
+            Some(name) if !outline.raw => Some(find(spec, name)?),
+            _ => None,
+        };
+        let line = Parser::of(spec, command).parse(outline.rest)?;
+        if let Some(topic) = &line.options.list {
+            return output::write(list::text(spec, topic)?.as_bytes());
+        }
+        match Request::of(spec, command, name, &line)? {
+            Some(request) => exchange::carry_out(&protocol, &line.options, &request),
+            None => output::write(list::text(spec, "")?.as_bytes()),
+        }
+    }
+}
+
+fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {
+    spec.command_called(name).ok_or_else(|| {
+        let near = spec.command_like(name).map(|near| format!("; did you mean `{}`?", near.wire)).unwrap_or_default();
+        Failure::Usage(format!(
+            "there is no command `{name}`{near}\n`jaka call --list` lists those that there are; --pack adds to them, and \
+             --raw sends what is none of them"
+        ))
+    })
+}

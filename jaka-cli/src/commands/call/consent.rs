@@ -1,0 +1,128 @@
+//! Asking before something happens to the robot.
+
+use std::io::{self, BufRead, IsTerminal, Write, stderr, stdin};
+
+use jaka_spec::Effect;
+use jaka_spec::words::first_sentence;
+use jaka_sync::motion::Jog;
+use jaka_sync::proto;
+
+use super::help;
+use super::options::Options;
+use super::request::Request;
+use crate::failure::Failure;
+
+/// Makes sure that the user wants the request to be sent to the robot of this title.
+///
+/// # Errors
+/// The user does not, or cannot be asked.
+pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> Result<(), Failure> {
+    if options.yes || options.robot.is_simulated() || is_harmless(request) {
+        return Ok(());
+    }
+    if options.raw {
+        return Err(Failure::Usage(format!(
+            "`{}` was not sent: what it does is not known when it is sent unchecked; say --yes if you know",
+            request.name
+        )));
+    }
+    if !stdin().is_terminal() {
+        return Err(Failure::Usage(format!(
+            "`{}` was not sent: it {}, and nobody can be asked here; say --yes to send it all the same",
+            request.name,
+            effect(request)
+        )));
+    }
+    let question = question(request, title);
+    match ask(&question, &mut stdin().lock(), &mut stderr()) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(Failure::Usage(format!("`{}` was not sent", request.name))),
+        Err(error) => Err(Failure::local("cannot ask", error)),
+    }
+}
+
+/// True for what is sent without a question: what only reads, what concerns the connection alone, and what stops the arm, for
+/// a stop must not wait.
+fn is_harmless(request: &Request<'_>) -> bool {
+    let effect = request.command.map(|command| command.effect);
+    matches!(effect, Some(Effect::Query | Effect::Session)) || request.command.is_some() && stops(&request.text)
+}
+
+fn stops(request: &str) -> bool {
+    use proto::Request::{Jog as JogRequest, PauseProgram, StopProgram};
+    matches!(proto::Request::read(request), Ok(StopProgram(_) | PauseProgram(_) | JogRequest(Jog::Stop { .. })))
+}
+
+fn effect(request: &Request<'_>) -> &'static str {
+    request.command.map_or("is not known", |command| help::effect(command.effect))
+}
+
+fn question(request: &Request<'_>, title: &str) -> String {
+    let about = request.command.map_or("", |command| first_sentence(&command.doc).0);
+    format!("To {title}:\n  {}\n`{}` {}. {about}\nSend it? [y/N] ", request.text, request.name, effect(request))
+}
+
+/// True if the answer is yes.
+fn ask(question: &str, input: &mut impl BufRead, output: &mut impl Write) -> io::Result<bool> {
+    output.write_all(question.as_bytes())?;
+    output.flush()?;
+    let mut answer = String::new();
+    input.read_line(&mut answer)?;
+    Ok(matches!(answer.trim().to_ascii_lowercase().as_str(), "y" | "yes"))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use jaka_spec::{Command, Spec};
+
+    use super::*;
+
+    fn spec() -> Spec {
+        jaka_spec::builtin().expect("the spec's own tests load it")
+    }
+
+    fn request<'s>(command: &'s Command, text: &str) -> Request<'s> {
+        Request { command: Some(command), name: command.wire.clone(), text: text.to_owned() }
+    }
+
+    #[test]
+    fn what_changes_something_is_asked_about_unless_it_stops() {
+        let spec = spec();
+        let mut at_once = Vec::new();
+        for command in spec.commands().filter(|command| !matches!(command.effect, Effect::Query | Effect::Session)) {
+            for example in command.examples.iter().filter_map(|example| example.request.as_deref()) {
+                at_once.extend(is_harmless(&request(command, example)).then_some(example));
+            }
+        }
+        expect![[r#"
+            {"cmdName": "jog", "jog_mode": 0, "coord_map": 1, "jnum": 1}
+            {"cmdName": "pause_program"}
+            {"cmdName": "stop_program"}"#]]
+        .assert_eq(&at_once.join("\n"));
+    }
+
+    #[test]
+    fn the_question_says_what_will_happen() {
+        let spec = spec();
+        let command = spec.command("power_off").expect("the protocol has it");
+        let asked = question(&request(command, "{\"cmdName\":\"power_off\"}"), "cell1 (10.5.5.100)");
+        expect![[r#"
+            To cell1 (10.5.5.100):
+              {"cmdName":"power_off"}
+            `power_off` switches power, brakes or the controller itself. Switches the arm's power off.
+            Send it? [y/N] "#]]
+        .assert_eq(&asked);
+    }
+
+    #[test]
+    fn only_a_yes_is_one() {
+        for (answer, expected) in
+            [("y\n", true), (" Yes \n", true), ("", false), ("\n", false), ("n\n", false), ("yy\n", false)]
+        {
+            let mut shown = Vec::new();
+            let found = ask("Send it? ", &mut answer.as_bytes(), &mut shown).expect("both are in memory");
+            assert_eq!((found, shown.as_slice()), (expected, b"Send it? ".as_slice()), "{answer:?}");
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Sending a request, and showing what comes back.
+
+use std::time::Duration;
+
+use jaka_spec::json::{Reading, departures};
+use jaka_spec::words::first_sentence;
+use jaka_spec::{Command, Spec};
+use jaka_sync::proto::wire::DecodeError;
+use jaka_sync::{Client, Disconnect, Error, Exchanges};
+
+use super::options::Options;
+use super::request::Request;
+use super::{consent, firmware, reply};
+use crate::failure::Failure;
+use crate::output;
+use crate::packs::Protocol;
+
+/// Sends the request, unless the bytes alone are wanted, and prints the reply.
+pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
+    if options.dry_run {
+        return output::line(&request.text);
+    }
+    let target = options.robot.target_with_packs(&protocol.packs)?;
+    consent::obtain(request, options, target.title())?;
+    let mut client = target.client()?;
+    if options.check_firmware {
+        firmware::check(&mut client, &protocol.spec, request)?;
+    }
+    let timeout = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
+    match send(&mut client, request, timeout) {
+        Ok(Some(text)) => show(&protocol.spec, options, request, &text),
+        Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
+        Err(error) => {
+            let raw = client.last_reply().filter(|_| options.json && answered(&error));
+            raw.map_or(Ok(()), output::line)?;
+            Err(explained(&protocol.spec, error))
+        }
+    }
+}
+
+/// The reply's text; none where the controller may go away instead of replying, and did.
+fn send(client: &mut Client, request: &Request<'_>, timeout: Duration) -> Result<Option<String>, Error> {
+    let reply = client.call_text(&request.text, timeout).map(str::to_owned);
+    match reply {
+        Err(Error::Disconnected { sent: true, cause, .. })
+            if request.command.is_some_and(|command| !command.reply_certain)
+                && matches!(*cause, Disconnect::Closed { .. } | Disconnect::Read(_)) =>
+        {
+            Ok(None)
+        }
+        other => other.map(Some),
+    }
+}
+
+/// True if the error is about a reply that came.
+fn answered(error: &Error) -> bool {
+    matches!(error, Error::Refused { .. } | Error::UnexpectedReply { .. })
+}
+
+/// The error with what the spec or a pack says about the controller's code.
+fn explained(spec: &Spec, error: Error) -> Failure {
+    let Error::Refused { refusal, .. } = error else { return error.into() };
+    let known = spec.errors().find(|known| known.wire == refusal.code.0);
+    let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
+    Failure::Refused { refusal, meaning }
+}
+
+fn show(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
+    if options.json {
+        output::line(text)?;
+    } else {
+        output::write(reply::table(spec, request.command, text).as_bytes())?;
+    }
+    request.command.map_or(Ok(()), |command| must_fit(spec, command, text))
+}
+
+/// Fails if the reply cannot be read as the spec has it.
+fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
+    let departures = departures(spec, command, &reply::json(text));
+    let Some(first) = departures.into_iter().find(|departure| departure.reading == Reading::Unreadable) else {
+        return Ok(());
+    };
+    let source = DecodeError::unfit(first.expected, &first.found).in_field(&first.field);
+    Err(Error::UnexpectedReply { command: command.wire.clone(), source, exchanges: Exchanges::default() }.into())
+}

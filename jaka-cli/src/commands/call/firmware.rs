@@ -1,0 +1,86 @@
+//! Holding a request against the controller's firmware.
+
+use jaka_spec::{Command, Field, Request as Body, Spec, Type, TypeKind, Versions};
+use jaka_sync::{Client, Error, FirmwareRange, FirmwareVersion, NotInFirmware};
+use serde_json::Value;
+
+use super::request::Request;
+use crate::failure::Failure;
+
+/// Asks the controller for its version, and refuses what that firmware does not have.
+pub(super) fn check(client: &mut Client, spec: &Spec, request: &Request<'_>) -> Result<(), Failure> {
+    let firmware = client.check_firmware()?;
+    let Some(command) = request.command else { return Ok(()) };
+    match missing(spec, command, &request.text, firmware) {
+        Some(missing) => Err(Error::NotInFirmware(missing).into()),
+        None => Ok(()),
+    }
+}
+
+fn missing(spec: &Spec, command: &Command, request: &str, firmware: FirmwareVersion) -> Option<NotInFirmware> {
+    let not = |field, range| NotInFirmware::new(&command.wire, field, firmware, range);
+    let own = range(&command.versions);
+    if !own.contains(firmware) {
+        return Some(not(None, own));
+    }
+    let body: Value = serde_json::from_str(request).unwrap_or_default();
+    let given: Vec<_> = match &command.request {
+        Body::Fields(fields) => keyed(fields, &body).collect(),
+        Body::Choice(choice) => {
+            let tag = body.get(&choice.tag).and_then(Value::as_i64);
+            let variant = choice.variants.iter().find(|variant| Some(variant.wire) == tag);
+            variant.iter().flat_map(|variant| keyed(&variant.fields, &body)).collect()
+        }
+    };
+    let gate = Gate { spec, firmware };
+    let found = given.into_iter().find_map(|(field, value)| gate.field("", field, value));
+    found.map(|(field, range)| not(Some(field), range))
+}
+
+fn range(versions: &Versions) -> FirmwareRange {
+    let version =
+        |version: &Option<jaka_spec::Version>| version.as_ref().and_then(|version| version.to_string().parse().ok());
+    FirmwareRange { since: version(&versions.since), until: version(&versions.until) }
+}
+
+/// The fields that an object has, with their values.
+fn keyed<'v>(fields: &'v [Field], object: &'v Value) -> impl Iterator<Item = (&'v Field, &'v Value)> {
+    fields.iter().filter_map(|field| Some((field, object.get(&field.wire)?)))
+}
+
+struct Gate<'s> {
+    spec: &'s Spec,
+    firmware: FirmwareVersion,
+}
+
+impl Gate<'_> {
+    /// The first field that the firmware does not have: this one or one inside it.
+    fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<(String, FirmwareRange)> {
+        let place = if outer.is_empty() { field.name.clone() } else { format!("{outer}.{}", field.name) };
+        let range = range(&field.versions);
+        if !range.contains(self.firmware) {
+            return Some((place, range));
+        }
+        self.value(&place, &field.ty, value)
+    }
+
+    fn value(&self, place: &str, ty: &Type, value: &Value) -> Option<(String, FirmwareRange)> {
+        match ty {
+            Type::List(element) | Type::Array(element, _) => {
+                let mut elements = value.as_array()?.iter().enumerate();
+                elements.find_map(|(index, value)| self.value(&format!("{place}[{index}]"), element, value))
+            }
+            Type::Named(name) => match &self.spec.type_def(name)?.kind {
+                TypeKind::Object(fields) => {
+                    keyed(fields, value).find_map(|(field, value)| self.field(place, field, value))
+                }
+                TypeKind::Array { fields, .. } => {
+                    fields.iter().zip(value.as_array()?).find_map(|(field, value)| self.field(place, field, value))
+                }
+                TypeKind::Wrapper(ty, _) => self.value(place, ty, value),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}

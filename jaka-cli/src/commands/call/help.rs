@@ -1,0 +1,94 @@
+//! What the help of a command says, from the spec.
+
+use std::fmt::Write;
+
+use jaka_spec::json::{Argument, arguments};
+use jaka_spec::words::first_sentence;
+use jaka_spec::{Command, Effect, Request, Requirement, Spec};
+
+/// What a command does, in a sentence.
+pub(super) fn about(command: &Command) -> &str {
+    first_sentence(&command.doc).0
+}
+
+/// What a command does, needs and takes.
+pub(super) fn long_about(command: &Command) -> String {
+    let mut text = format!("{}\n\n{}", command.doc, facts(command).join("\n"));
+    for erratum in &command.errata {
+        // A string takes all that is written.
+        let _ = write!(text, "\n\nErratum: {erratum}");
+    }
+    if let Some(evidence) = &command.reconstructed {
+        let _ = write!(text, "\n\nThe document's text is lost. Evidence: {evidence}");
+    }
+    text
+}
+
+fn facts(command: &Command) -> Vec<String> {
+    let mut facts = vec![format!("Command: {} (`cmdName`), {} (Rust)", command.wire, command.name)];
+    facts.extend(command.section.as_ref().map(|section| format!("Section: {section} of the vendor's document")));
+    facts.push(format!("Effect:  {}", effect(command.effect)));
+    if !command.requires.is_empty() {
+        let needs: Vec<_> = command.requires.iter().map(|requirement| need(*requirement)).collect();
+        facts.push(format!("Needs:   {}", needs.join(", ")));
+    }
+    facts.extend(command.deadline.map(|deadline| format!("Reply:   within {} s", deadline.as_secs_f64())));
+    facts.extend(command.versions.since.as_ref().map(|version| format!("Since:   firmware {version}")));
+    facts.extend(command.versions.until.as_ref().map(|version| format!("Until:   firmware {version}")));
+    facts.extend(command.deprecated.as_ref().map(|instead| format!("Withdrawn by the vendor; instead: {instead}")));
+    facts
+}
+
+/// What a command does to the robot, in words.
+pub(super) fn effect(effect: Effect) -> &'static str {
+    match effect {
+        Effect::Query => "reads, changes nothing",
+        Effect::Setting => "changes a setting or an output",
+        Effect::Motion => "starts, stops or continues a motion or a program",
+        Effect::Power => "switches power, brakes or the controller itself",
+        Effect::Session => "concerns the connection alone",
+    }
+}
+
+fn need(requirement: Requirement) -> &'static str {
+    match requirement {
+        Requirement::Powered => "power",
+        Requirement::Enabled => "an enabled arm",
+        Requirement::ServoMode => "servo mode",
+        Requirement::NotServoMode => "servo mode off",
+    }
+}
+
+/// What the fields of the reply mean.
+pub(super) fn notes(spec: &Spec, command: &Command) -> String {
+    // What the fields of a request are told by tells those of a reply too.
+    let as_request = Command { request: Request::Fields(command.reply.clone()), ..command.clone() };
+    let fields = arguments(spec, &as_request);
+    if fields.is_empty() {
+        return "Reply:\n  accepted, or refused with code and message".to_owned();
+    }
+    let width = fields.iter().map(|field| field.field.len()).max().unwrap_or_default();
+    let rows = fields.iter().map(|field| format!("\n  {:width$}  {}", field.field, field.help.replace('\n', " ")));
+    format!("Reply:{}", rows.collect::<String>())
+}
+
+/// A field's help: what it means, and where it belongs.
+pub(super) fn field(argument: &Argument) -> String {
+    let mut help = argument.help.replace('\n', " ");
+    if !argument.variants.is_empty() {
+        help = format!("{help} [with {}]", argument.variants.join(", "));
+    }
+    if argument.required { help + " [required]" } else { help }
+}
+
+/// How a command is used: the fields that it wants, and a sign for the rest.
+pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String]) -> String {
+    let mut usage = format!("jaka call {}", command.wire);
+    for (argument, long) in arguments.iter().zip(longs) {
+        if argument.required && argument.variants.is_empty() {
+            usage = format!("{usage} --{long} <{}>", argument.hint);
+        }
+    }
+    let has_more = arguments.iter().any(|argument| !argument.required || !argument.variants.is_empty());
+    usage + if has_more { " [FIELDS] [OPTIONS]" } else { " [OPTIONS]" }
+}

@@ -1,0 +1,65 @@
+//! The options that `jaka call` has for every command.
+
+use clap::{Args, ValueEnum};
+use jaka_spec::json::AdvisoryRanges;
+
+use crate::packs::SpecArgs;
+use crate::target::RobotArgs;
+
+/// The options that every command has.
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    /// List the commands, or those of a topic
+    #[arg(long, value_name = "TOPIC", num_args = 0..=1, default_missing_value = "")]
+    pub(super) list: Option<String>,
+    /// The whole request in place of fields: JSON, or @FILE, or - for standard input
+    ///
+    /// It is checked like fields. `cmdName` may be left out where the command is named before.
+    #[arg(long, value_name = "JSON", allow_hyphen_values = true)]
+    pub(super) params: Option<String>,
+    /// Send the request of --params unchecked, also of a command that no spec knows; wants --yes
+    #[arg(long, conflicts_with_all = ["check_firmware", "advisory_ranges"])]
+    pub(super) raw: bool,
+    /// Send without asking
+    ///
+    /// Commands that move the arm, switch power or change a setting are asked about on a terminal, and refused elsewhere
+    /// unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once.
+    #[arg(long, short)]
+    pub(super) yes: bool,
+    /// Whether ranges are enforced that newer firmware has widened
+    #[arg(long, value_enum, value_name = "WHAT", default_value_t)]
+    pub(super) advisory_ranges: Ranges,
+    /// Ask for the controller's version first, and send only what that firmware has
+    #[arg(long)]
+    pub(super) check_firmware: bool,
+    /// Print the bytes that would be sent, and send nothing
+    #[arg(long)]
+    pub(super) dry_run: bool,
+    /// Print the reply's text as it came
+    #[arg(long)]
+    pub(super) json: bool,
+    #[command(flatten)]
+    pub(super) spec: SpecArgs,
+    #[command(flatten)]
+    pub(super) robot: RobotArgs,
+}
+
+/// Whether ranges are enforced that newer firmware has widened.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub(super) enum Ranges {
+    /// They are enforced like all others
+    #[default]
+    Enforce,
+    /// They are left to the controller
+    Ignore,
+}
+
+impl From<Ranges> for AdvisoryRanges {
+    fn from(ranges: Ranges) -> Self {
+        match ranges {
+            Ranges::Enforce => Self::Enforced,
+            Ranges::Ignore => Self::Ignored,
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What must be known of a line before it can be parsed: which command it is of, and which packs count.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Arg, Command};
+
+use super::parser;
+
+/// What a line is about.
+#[derive(Debug, Default)]
+pub(super) struct Outline {
+    /// The command, as it is typed.
+    pub(super) command: Option<String>,
+    /// The values of `--pack`.
+    pub(super) packs: Vec<PathBuf>,
+    /// The value of `--config`.
+    pub(super) config: Option<PathBuf>,
+    /// True if `--raw` is given.
+    pub(super) raw: bool,
+    /// The line without the command.
+    pub(super) rest: Vec<OsString>,
+}
+
+impl Outline {
+    /// Looks through the words of a line. What makes no sense is left to the parser.
+    pub(super) fn of(words: Vec<OsString>) -> Self {
+        let known = parser::bare();
+        let mut outline = Self::default();
+        let mut words = words.into_iter().peekable();
+        while let Some(word) = words.next() {
+            let text = word.to_string_lossy();
+            if !text.starts_with('-') {
+                if outline.command.is_none() {
+                    outline.command = Some(text.into_owned());
+                } else {
+                    outline.rest.push(word);
+                }
+                continue;
+            }
+            let (name, own_value) = text.split_once('=').map_or((&*text, None), |(name, value)| (name, Some(value)));
+            let option = option(&known, name);
+            let next = words.next_if(|next| own_value.is_none() && option.is_some_and(|arg| takes(arg, next)));
+            if let Some(option) = option {
+                let value = own_value.map(OsString::from).or_else(|| next.clone());
+                outline.note(option.get_id().as_str(), value.map(PathBuf::from));
+            }
+            outline.rest.push(word);
+            outline.rest.extend(next);
+        }
+        outline
+    }
+
+    fn note(&mut self, option: &str, value: Option<PathBuf>) {
+        match option {
+            "packs" => self.packs.extend(value),
+            "config" => self.config = value,
+            "raw" => self.raw = true,
+            _ => {}
+        }
+    }
+}
+
+/// The option of this name, such as `--pack` or `-r`.
+fn option<'c>(known: &'c Command, name: &str) -> Option<&'c Arg> {
+    let is_it = |arg: &&Arg| match name.strip_prefix("--") {
+        Some(long) => arg.get_long() == Some(long),
+        None => arg.get_short().is_some_and(|short| name == format!("-{short}")),
+    };
+    known.get_arguments().find(is_it)
+}
+
+/// True if the next word is the option's value; `-` is one, for standard input.
+fn takes(option: &Arg, next: &OsString) -> bool {
+    let is_option = next.len() > 1 && next.to_string_lossy().starts_with('-');
+    option.get_action().takes_values() && !option.is_require_equals_set() && !is_option
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(line: &str) -> Outline {
+        Outline::of(line.split_whitespace().map(OsString::from).collect())
+    }
+
+    #[test]
+    fn options_may_stand_on_both_sides_of_the_command() {
+        let found = outline("--sim --pack a.toml -r x joint_move --pack=b.toml --speed -20 --config c.toml");
+        assert_eq!(found.command.as_deref(), Some("joint_move"));
+        assert_eq!(found.packs, [PathBuf::from("a.toml"), PathBuf::from("b.toml")]);
+        assert_eq!(found.config, Some(PathBuf::from("c.toml")));
+        assert!(!found.raw);
+        let rest: Vec<_> = "--sim --pack a.toml -r x --pack=b.toml --speed -20 --config c.toml".split(' ').collect();
+        assert_eq!(found.rest, rest);
+    }
+
+    #[test]
+    fn what_an_option_takes_is_no_command() {
+        assert_eq!(outline("--params - --raw --list io").command, None);
+        assert_eq!(outline("--sim=zu7 power_on").command.as_deref(), Some("power_on"));
+        assert!(outline("--raw --list").raw);
+        assert_eq!(outline("--pack").packs, Vec::<PathBuf>::new());
+    }
+}

@@ -1,0 +1,180 @@
+//! clap's description of a command, made from the spec.
+
+use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
+use std::iter;
+
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches};
+use jaka_spec::json::{Argument, arguments};
+use jaka_spec::{Command, Spec};
+use serde_json::{Map, Value};
+
+use super::help;
+use super::options::Options;
+use crate::failure::Failure;
+
+/// How `jaka call` is used, where no command is named.
+pub(super) const USAGE: &str = "jaka call [OPTIONS] <COMMAND> [--FIELD <VALUE>]...";
+
+/// Reads lines of one command.
+#[derive(Debug)]
+pub(super) struct Parser<'s> {
+    spec: &'s Spec,
+    arguments: Vec<Argument>,
+    clap: clap::Command,
+}
+
+/// A line that has been read.
+#[derive(Debug)]
+pub(super) struct Line {
+    pub(super) options: Options,
+    /// The fields that are given, as [`jaka_spec::json::request`] takes them.
+    pub(super) fields: Map<String, Value>,
+}
+
+/// The parser of a line without fields.
+pub(super) fn bare() -> clap::Command {
+    let about = "Send one command of the protocol, and print the reply";
+    with_options(clap::Command::new("jaka call")).about(about).override_usage(USAGE).after_help(
+        "`jaka call --list` lists the commands, `jaka call COMMAND --help` says what one does and what it takes.",
+    )
+}
+
+/// Adds the options that every command has, behind what is there.
+fn with_options(parser: clap::Command) -> clap::Command {
+    let help = Arg::new("help").short('h').long("help").action(ArgAction::Help);
+    let help = help.help("Print help; -h for a summary").help_heading("Options");
+    Options::augment_args(parser.disable_help_flag(true).next_help_heading("Options")).arg(help)
+}
+
+/// A description of all commands as subcommands, for the scripts of shells.
+pub(crate) fn all(spec: &Spec) -> clap::Command {
+    let commands = spec.commands().map(|command| {
+        let parser = described(spec, command, &arguments(spec, command));
+        parser.name(command.wire.clone())
+    });
+    bare().name("call").subcommands(commands)
+}
+
+impl<'s> Parser<'s> {
+    /// The parser of a command's lines; without a command, of options alone.
+    pub(super) fn of(spec: &'s Spec, command: Option<&Command>) -> Self {
+        let arguments = command.map(|command| arguments(spec, command)).unwrap_or_default();
+        let clap = command.map_or_else(bare, |command| described(spec, command, &arguments));
+        Self { spec, arguments, clap }
+    }
+
+    /// Reads a line without its command. Ends the program with clap's own message where clap finds something wrong, and
+    /// after help.
+    ///
+    /// # Errors
+    /// Every value that is none of its field's type.
+    pub(super) fn parse(self, words: Vec<OsString>) -> Result<Line, Failure> {
+        let Self { spec, arguments, clap } = self;
+        let matches = clap.get_matches_from(iter::once("jaka call".into()).chain(words));
+        let options = Options::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        Ok(Line { options, fields: fields(spec, &arguments, &matches)? })
+    }
+}
+
+fn fields(spec: &Spec, arguments: &[Argument], matches: &ArgMatches) -> Result<Map<String, Value>, Failure> {
+    let (mut fields, mut wrong) = (Map::new(), Vec::new());
+    for argument in arguments {
+        let Some(text) = matches.get_one::<String>(&id(argument)) else { continue };
+        match argument.value(spec, text) {
+            Ok(_) if fields.contains_key(&argument.field) => {
+                wrong.push(format!("--{}: another option gives the same field", argument.name));
+            }
+            Ok(value) => drop(fields.insert(argument.field.clone(), value)),
+            Err(error) => wrong.push(format!("--{}: {error}", argument.name)),
+        }
+    }
+    if wrong.is_empty() { Ok(fields) } else { Err(Failure::Usage(wrong.join("\n"))) }
+}
+
+/// Fields have ids that no option has.
+fn id(argument: &Argument) -> String {
+    format!("field {}", argument.name)
+}
+
+fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Command {
+    let mut taken: BTreeSet<String> = bare().get_arguments().filter_map(Arg::get_long).map(str::to_owned).collect();
+    let longs: Vec<_> = arguments.iter().map(|argument| long(&argument.name, &mut taken)).collect();
+    let mut parser = clap::Command::new("jaka call").next_help_heading("Fields");
+    for (argument, long) in arguments.iter().zip(&longs) {
+        let mut alias = |name: &String, all: fn(&Argument) -> &String| {
+            let is_shared = arguments.iter().filter(|argument| all(argument) == name).count() > 1;
+            (is_option_name(name) && !is_shared && taken.insert(name.clone())).then(|| name.clone())
+        };
+        let wire = alias(&argument.wire, |argument| &argument.wire);
+        let field_name = alias(&argument.field, |argument| &argument.field);
+        parser = parser.arg(field(argument, long).visible_aliases(wire).aliases(field_name));
+    }
+    with_options(parser)
+        .mut_args(|arg| if is_field(&arg) { arg } else { arg.hide_short_help(true) })
+        .mut_arg("list", |arg| arg.hide(true))
+        .override_usage(help::usage(command, arguments, &longs))
+        .about(help::about(command).to_owned())
+        .long_about(help::long_about(command))
+        .after_long_help(help::notes(spec, command))
+}
+
+/// A field's option, which must not be one of those that all commands have.
+fn long(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let mut long = name.to_owned();
+    while !taken.insert(long.clone()) {
+        long = format!("field-{long}");
+    }
+    long
+}
+
+fn is_option_name(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-')
+}
+
+fn is_field(arg: &Arg) -> bool {
+    arg.get_id().as_str().starts_with("field ")
+}
+
+fn field(argument: &Argument, long: &str) -> Arg {
+    let is_number = matches!(&*argument.hint, "NUMBER" | "INTEGER");
+    let has_parts = argument.hint.starts_with('[') || argument.hint == "JSON";
+    Arg::new(id(argument))
+        .long(long.to_owned())
+        .value_name(if argument.values.is_empty() { argument.hint.clone() } else { "VALUE".to_owned() })
+        .help(help::field(argument))
+        .allow_negative_numbers(is_number)
+        .allow_hyphen_values(has_parts)
+        .conflicts_with("params")
+        .value_parser(Listed::of(argument))
+}
+
+/// Takes any text, and tells of the values that are listed.
+#[derive(Debug, Clone)]
+struct Listed(Vec<PossibleValue>);
+
+impl Listed {
+    fn of(argument: &Argument) -> Self {
+        let possible = |value: &jaka_spec::json::PossibleValue| {
+            PossibleValue::new(value.name.clone()).help(format!(
+                "{} ({})",
+                value.help.trim_end_matches('.'),
+                value.wire
+            ))
+        };
+        Self(argument.values.iter().map(possible).collect())
+    }
+}
+
+impl TypedValueParser for Listed {
+    type Value = String;
+
+    fn parse_ref(&self, cmd: &clap::Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(cmd, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().cloned())).filter(|_| !self.0.is_empty()).map(|values| values as Box<_>)
+    }
+}

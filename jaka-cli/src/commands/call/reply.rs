@@ -1,0 +1,191 @@
+//! Replies as a table: the fields by their names in Rust, with units.
+
+use jaka_spec::json::{ENVELOPE, value as read};
+use jaka_spec::{Choice, Command, EnumValue, Field, Spec, Type, TypeKind};
+use jaka_sync::proto::python;
+use serde_json::{Map, Value};
+
+use crate::number::fixed;
+
+/// A reply's JSON; its text as a JSON string where it is none, as a bare Python tuple.
+pub(crate) fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|_| text.trim().into())
+}
+
+/// A row for each field that the reply has; `accepted` where it has none.
+pub(super) fn table(spec: &Spec, command: Option<&Command>, text: &str) -> String {
+    let fields = command.map_or(&[][..], |command| &command.reply);
+    let mut table = Table { spec, rows: Vec::new() };
+    match json(text) {
+        Value::Object(reply) => {
+            let payload = reply.into_iter().filter(|(key, _)| !ENVELOPE.contains(&key.as_str())).collect();
+            table.object("", fields, &payload);
+        }
+        bare => {
+            let name = command.and_then(|command| command.bare_reply.as_ref());
+            match fields.iter().find(|field| Some(&field.name) == name) {
+                Some(field) => table.field("", field, &bare),
+                None => table.add("reply", plain(&bare)),
+            }
+        }
+    }
+    table.text()
+}
+
+struct Table<'s> {
+    spec: &'s Spec,
+    rows: Vec<(String, String)>,
+}
+
+impl Table<'_> {
+    fn text(self) -> String {
+        if self.rows.is_empty() {
+            return "accepted\n".to_owned();
+        }
+        let width = self.rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
+        let lines: Vec<_> = self.rows.iter().map(|(name, value)| format!("{name:width$}  {value}")).collect();
+        lines.join("\n") + "\n"
+    }
+
+    fn add(&mut self, name: impl Into<String>, value: String) {
+        self.rows.push((name.into(), value));
+    }
+
+    fn object(&mut self, place: &str, fields: &[Field], object: &Map<String, Value>) {
+        for field in fields {
+            object.get(&field.wire).into_iter().for_each(|value| self.field(place, field, value));
+        }
+        for (key, value) in object.iter().filter(|(key, _)| fields.iter().all(|field| field.wire != **key)) {
+            self.add(member(place, key), format!("{} (not in the spec)", plain(value)));
+        }
+    }
+
+    fn field(&mut self, place: &str, field: &Field, value: &Value) {
+        self.value(&member(place, &field.name), &field.ty, field.unit.as_deref(), value);
+    }
+
+    fn elements(&mut self, place: &str, fields: &[Field], elements: &[Value]) {
+        for (index, value) in elements.iter().enumerate() {
+            match fields.get(index) {
+                Some(field) => self.field(place, field, value),
+                None => self.add(format!("{place}[{index}]"), format!("{} (not in the spec)", plain(value))),
+            }
+        }
+    }
+
+    fn value(&mut self, place: &str, ty: &Type, unit: Option<&str>, value: &Value) {
+        match (ty, value) {
+            (Type::Python(inner), Value::String(literal)) => match python::to_json(literal) {
+                Ok(text) => self.value(place, inner, unit, &json(&text)),
+                Err(_) => self.add(place, plain(value)),
+            },
+            (Type::List(element) | Type::Array(element, _), Value::Array(items)) if self.has_parts(element) => {
+                if items.is_empty() {
+                    self.add(place, "none".to_owned());
+                }
+                for (index, item) in items.iter().enumerate() {
+                    self.value(&format!("{place}[{index}]"), element, unit, item);
+                }
+            }
+            (Type::List(element) | Type::Array(element, _), Value::Array(items)) => {
+                let texts: Vec<_> = items.iter().map(|item| self.scalar(element, item)).collect();
+                self.add(place, if texts.is_empty() { "none".to_owned() } else { with_unit(&texts.join(", "), unit) });
+            }
+            (Type::Named(name), _) => self.named(place, name, unit, value),
+            _ => {
+                let text = self.scalar(ty, value);
+                // What is no number has no unit, such as a word in place of a list.
+                self.add(place, with_unit(&text, unit.filter(|_| matches!(ty, Type::Int | Type::Float))));
+            }
+        }
+    }
+
+    fn named(&mut self, place: &str, name: &str, unit: Option<&str>, value: &Value) {
+        let spec = self.spec;
+        match (spec.type_def(name).map(|def| &def.kind), value) {
+            (Some(TypeKind::Object(fields)), Value::Object(object)) => self.object(place, fields, object),
+            (Some(TypeKind::Array { fields, .. }), Value::Array(elements)) => self.elements(place, fields, elements),
+            (Some(TypeKind::Choice(choice)), Value::Array(elements)) => self.choice(place, choice, elements),
+            (Some(TypeKind::Wrapper(ty, own)), _) => self.value(place, ty, own.as_deref().or(unit), value),
+            _ => {
+                let text = self.scalar(&Type::Named(name.to_owned()), value);
+                self.add(place, text);
+            }
+        }
+    }
+
+    fn choice(&mut self, place: &str, choice: &Choice, elements: &[Value]) {
+        let variant = choice.variants.iter().find(|variant| elements.first() == Some(&variant.wire.into()));
+        match variant {
+            Some(variant) => {
+                self.add(place, format!("{} ({})", variant.name, variant.wire));
+                self.elements(place, &variant.fields, &elements[1..]);
+            }
+            None => self.add(place, plain(&elements.into())),
+        }
+    }
+
+    /// True for a type whose values take rows of their own.
+    fn has_parts(&self, ty: &Type) -> bool {
+        match ty {
+            Type::List(_) | Type::Array(..) | Type::Python(_) => true,
+            Type::Named(name) => match self.spec.type_def(name).map(|def| &def.kind) {
+                Some(TypeKind::Object(_) | TypeKind::Array { .. } | TypeKind::Choice(_)) => true,
+                Some(TypeKind::Wrapper(ty, _)) => self.has_parts(ty),
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+
+    /// A single value in the spec's form, whatever form the controller used.
+    fn scalar(&self, ty: &Type, value: &Value) -> String {
+        let text = plain(value);
+        if matches!(ty, Type::Json | Type::Text) || value.is_array() || value.is_object() || value.is_null() {
+            return text;
+        }
+        let Ok(value) = read(self.spec, ty, value.as_str().unwrap_or(&text)) else { return text };
+        if let (true, Some(number)) = (value.is_f64(), value.as_f64()) {
+            return decimals(number);
+        }
+        self.value_name(ty, &value).map_or_else(|| plain(&value), |name| format!("{name} ({})", plain(&value)))
+    }
+
+    /// The name of an enum's value.
+    fn value_name(&self, ty: &Type, value: &Value) -> Option<&str> {
+        let Type::Named(name) = ty else { return None };
+        match &self.spec.type_def(name)?.kind {
+            TypeKind::IntEnum(values) => named(values, |listed| value.as_i64() == Some(*listed)),
+            TypeKind::TextEnum(values) => named(values, |listed| value.as_str() == Some(listed)),
+            TypeKind::Wrapper(ty, _) => self.value_name(ty, value),
+            _ => None,
+        }
+    }
+}
+
+fn named<T>(values: &[EnumValue<T>], is_it: impl Fn(&T) -> bool) -> Option<&str> {
+    values.iter().find(|value| is_it(&value.wire)).map(|value| value.name.as_str())
+}
+
+fn member(outer: &str, name: &str) -> String {
+    if outer.is_empty() { name.to_owned() } else { format!("{outer}.{name}") }
+}
+
+fn with_unit(text: &str, unit: Option<&str>) -> String {
+    unit.map_or_else(|| text.to_owned(), |unit| format!("{text} {unit}"))
+}
+
+/// A number for people, with up to six decimals.
+fn decimals(number: f64) -> String {
+    let text = fixed(number, 6);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// A value as it came. A terminal would act on control characters.
+fn plain(value: &Value) -> String {
+    match value {
+        Value::String(text) if text.is_empty() || text.contains(char::is_control) => format!("{text:?}"),
+        Value::String(text) => text.clone(),
+        _ => value.to_string(),
+    }
+}

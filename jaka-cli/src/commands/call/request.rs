@@ -1,0 +1,119 @@
+//! The request, from fields or as a whole.
+
+use std::{fs, io};
+
+use jaka_spec::json::{self, COMMAND_NAME, Problem};
+use jaka_spec::{Command, Spec};
+use serde_json::{Map, Value};
+
+use super::parser::Line;
+use crate::failure::Failure;
+
+/// A request that can be sent.
+#[derive(Debug)]
+pub(super) struct Request<'s> {
+    /// What the spec says of the command; nothing of one that is sent unchecked.
+    pub(super) command: Option<&'s Command>,
+    /// `cmdName`.
+    pub(super) name: String,
+    /// What is sent, byte for byte.
+    pub(super) text: String,
+}
+
+impl<'s> Request<'s> {
+    /// The request that a line asks for; none if it names no command.
+    ///
+    /// # Errors
+    /// Everything that the spec forbids.
+    pub(super) fn of(
+        spec: &'s Spec,
+        command: Option<&'s Command>,
+        name: Option<&str>,
+        line: &Line,
+    ) -> Result<Option<Self>, Failure> {
+        let options = &line.options;
+        let params = options.params.as_deref().map(read).transpose()?;
+        if options.raw {
+            return unchecked(name, params.as_deref().unwrap_or("{}")).map(Some);
+        }
+        let (command, fields) = match (command, params) {
+            (_, Some(text)) => of_params(spec, command, &text)?,
+            (Some(command), None) => (command, line.fields.clone()),
+            (None, None) => return Ok(None),
+        };
+        let text = json::request(spec, command, &fields, options.advisory_ranges.into())
+            .map_err(|problems| forbidden(command, &problems))?;
+        Ok(Some(Self { command: Some(command), name: command.wire.clone(), text }))
+    }
+}
+
+/// The text of `--params`.
+fn read(params: &str) -> Result<String, Failure> {
+    let text = match params.strip_prefix('@') {
+        Some(path) => fs::read_to_string(path)
+            .map_err(|error| Failure::Usage(format!("cannot read the request in {path}: {error}")))?,
+        None if params == "-" => io::read_to_string(io::stdin())
+            .map_err(|error| Failure::local("cannot read the request on standard input", error))?,
+        None => params.to_owned(),
+    };
+    Ok(text.trim().to_owned())
+}
+
+/// The fields of a whole request, without its `cmdName`.
+fn object(text: &str) -> Result<(Option<Value>, Map<String, Value>), Failure> {
+    let mut fields: Map<String, Value> = serde_json::from_str(text)
+        .map_err(|error| Failure::Usage(format!("the request of --params is no JSON object: {error}")))?;
+    Ok((fields.remove(COMMAND_NAME), fields))
+}
+
+fn of_params<'s>(
+    spec: &'s Spec,
+    command: Option<&'s Command>,
+    text: &str,
+) -> Result<(&'s Command, Map<String, Value>), Failure> {
+    let (name, fields) = object(text)?;
+    let command = match (command, &name) {
+        (Some(command), None) => command,
+        (Some(command), Some(name)) if *name == command.wire => command,
+        (Some(command), Some(name)) => return Err(two_names(&command.wire, name)),
+        (None, Some(Value::String(name))) => super::find(spec, name)?,
+        (None, _) => return Err(nameless()),
+    };
+    Ok((command, fields))
+}
+
+/// A request as it is given, with the command's name if that is not in it.
+fn unchecked<'s>(name: Option<&str>, text: &str) -> Result<Request<'s>, Failure> {
+    let (own, fields) = object(text)?;
+    let (name, text) = match (name, own) {
+        (Some(name), None) => {
+            let rest = text.trim_start_matches('{').trim_start();
+            let comma = if fields.is_empty() { "" } else { "," };
+            (name.to_owned(), format!("{{\"{COMMAND_NAME}\":{}{comma}{rest}", Value::from(name)))
+        }
+        (Some(name), Some(own)) if own != name => return Err(two_names(name, &own)),
+        (_, Some(Value::String(own))) if !own.is_empty() => (own, text.to_owned()),
+        _ => return Err(nameless()),
+    };
+    Ok(Request { command: None, name, text })
+}
+
+fn two_names(command: &str, name: &Value) -> Failure {
+    Failure::Usage(format!("the request of --params is one of {name}, not of `{command}`"))
+}
+
+fn nameless() -> Failure {
+    Failure::Usage(format!(
+        "no command is named: name it on the line, or as `{COMMAND_NAME}` in the request of --params"
+    ))
+}
+
+fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
+    let lines: Vec<_> = problems.iter().map(|problem| format!("\n  {problem}")).collect();
+    let way_out = if problems.iter().all(|problem| problem.advisory) {
+        "\n`--advisory-ranges ignore` leaves it to the controller"
+    } else {
+        ""
+    };
+    Failure::Usage(format!("`{}` was not sent:{}{way_out}", command.wire, lines.concat()))
+}

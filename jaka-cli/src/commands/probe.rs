@@ -1,0 +1,72 @@
+//! `jaka probe`: where a controller departs from the spec.
+
+mod draft;
+mod finding;
+mod json;
+mod place;
+mod queries;
+mod report;
+mod status;
+
+use std::num::NonZeroU32;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use jaka_spec::Spec;
+
+use self::finding::Findings;
+use crate::failure::Failure;
+use crate::output;
+use crate::packs::SpecArgs;
+use crate::target::RobotArgs;
+
+/// Ask a controller every question of the protocol, and report where its answers depart from the spec.
+///
+/// Only reads: it sends the queries that need no argument, and takes a status packet. The command port serves one client, so
+/// another program that is connected there may be cut off. The report is made to be pasted into a bug report.
+#[derive(Debug, Args)]
+pub(crate) struct Probe {
+    /// Take so many status packets
+    #[arg(long, value_name = "N", default_value = "1")]
+    packets: NonZeroU32,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+    /// Write a draft of a command pack with the keys that the spec does not know
+    ///
+    /// Each is optional and has the type that its value looks like; its meaning is left to do. What cannot be read at all
+    /// stands there as a suggestion, commented out.
+    #[arg(long, value_name = "FILE")]
+    draft: Option<PathBuf>,
+    #[command(flatten)]
+    spec: SpecArgs,
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+impl Probe {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let protocol = self.spec.load(self.robot.config())?;
+        let target = self.robot.target_with_packs(&protocol.packs)?;
+        let commands = queries::ask_all(&protocol.spec, &target)?;
+        let status = status::take(&protocol.spec, &target, self.packets.get());
+        let findings = Findings::new(commands, status, &protocol.packs);
+        let text = if self.json { json::text(&findings) } else { report::text(&findings) };
+        output::write(text.as_bytes())?;
+        if let Some(path) = &self.draft {
+            write_draft(path, &protocol.spec, &findings)?;
+        }
+        match findings.departing() {
+            0 => Ok(()),
+            count => Err(Failure::Departs(format!("{count} of {} depart from the spec", findings.asked()))),
+        }
+    }
+}
+
+fn write_draft(path: &Path, spec: &Spec, findings: &Findings) -> Result<(), Failure> {
+    let Some(draft) = draft::text(spec, findings) else {
+        eprintln!("jaka: no draft is written: no message has a key that the spec does not know");
+        return Ok(());
+    };
+    std::fs::write(path, draft).map_err(|error| Failure::local(format!("cannot write {}", path.display()), error))
+}

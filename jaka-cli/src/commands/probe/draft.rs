@@ -1,0 +1,128 @@
+//! A draft of a command pack.
+
+use jaka_spec::json::{Departure, DepartureKind, Reading, notation};
+use jaka_spec::{Source, Spec, TypeKind, load_pack};
+use serde_json::Value;
+
+use super::finding::{Finding, Findings};
+use super::place::{self, Place};
+
+/// The type of status packets.
+const STATUS: &str = "RobotStatus";
+
+/// A pack with the keys that the spec does not know; none if there are no such keys.
+///
+/// It loads as it is. What its author has to find out says `TODO`.
+pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
+    let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
+    let mut draft =
+        Draft { spec, version, text: head(version, &findings.packs), added: Vec::new(), suggestions: String::new() };
+    for finding in &findings.commands {
+        let fields = spec.command(&finding.name).map_or(&[][..], |command| &command.reply);
+        draft.take(finding, |path| place::find(spec, &finding.name, "reply", fields, path));
+    }
+    if let Some(TypeKind::Object(fields)) = spec.type_def(STATUS).map(|def| &def.kind) {
+        draft.take(&findings.status, |path| place::find(spec, STATUS, "field", fields, path));
+    }
+    (!draft.added.is_empty()).then(|| draft.text + &draft.suggestions)
+}
+
+fn head(version: &str, packs: &[String]) -> String {
+    let title = quoted(&format!("What {version} sends beyond the spec"));
+    let behind = if packs.is_empty() { String::new() } else { format!("# It stands behind {}.\n", packs.join(", ")) };
+    format!(
+        "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\n\
+         {behind}title = {title}\n"
+    )
+}
+
+struct Draft<'s> {
+    spec: &'s Spec,
+    version: &'s str,
+    text: String,
+    added: Vec<Place>,
+    /// What is commented out.
+    suggestions: String,
+}
+
+impl Draft<'_> {
+    fn take(&mut self, finding: &Finding, find: impl Fn(&str) -> Option<Place>) {
+        for departure in &finding.departures {
+            let Some(place) = find(&departure.field).filter(|place| !self.added.contains(place)) else { continue };
+            if departure.kind == DepartureKind::Unknown && !place.is_known {
+                self.extend(departure, place);
+            } else if departure.reading == Reading::Unreadable && place.is_known {
+                self.suggest(finding, departure, &place);
+            }
+        }
+    }
+
+    /// Adds a field for an unknown key, under a name that the spec takes.
+    fn extend(&mut self, departure: &Departure, place: Place) {
+        let count = self.added.len() + 1;
+        let names = [snake(&place.key), format!("{}_value", snake(&place.key)), format!("unknown_key_{count}")];
+        let entries = names.iter().map(|name| self.entry(departure, &place, name));
+        let loads = |text: &String| load_pack(self.spec, Source { path: "draft.toml", text }).is_ok();
+        let draft = entries.map(|entry| format!("{}{entry}", self.text)).find(loads);
+        if let Some(text) = draft {
+            self.text = text;
+            self.added.push(place);
+        }
+    }
+
+    fn entry(&self, departure: &Departure, place: &Place, name: &str) -> String {
+        let doc = format!("TODO: what it means is not known yet. {} sends {}.", self.version, departure.found);
+        let Place { target, part, key, .. } = place;
+        format!(
+            "\n[[extend]]\ntarget = {}\n\n[[extend.{part}]]\nwire = {}\nname = \"{name}\"\ntype = \"{}\"\noptional = \
+             true\ndoc = {}\n",
+            quoted(target),
+            quoted(key),
+            departure.expected,
+            quoted(&doc),
+        )
+    }
+
+    /// Adds what may be done about a field that cannot be read, as a comment.
+    fn suggest(&mut self, finding: &Finding, departure: &Departure, place: &Place) {
+        let change = match departure.kind {
+            DepartureKind::Missing => "optional = true".to_owned(),
+            _ => format!("type = \"{}\"", guess(&departure.found)),
+        };
+        self.suggestions.push('\n');
+        let lines = [
+            format!("{}: {departure}", finding.name),
+            "[[override]]".to_owned(),
+            format!("target = {}", quoted(&place.target)),
+            format!("{} = {}", place.part, quoted(&place.key)),
+            change,
+        ];
+        for line in lines {
+            self.suggestions.extend(["# ", &line.replace(char::is_control, " "), "\n"]);
+        }
+    }
+}
+
+/// The type of a value of which an excerpt is known.
+fn guess(found: &str) -> String {
+    let value: Result<Value, _> = serde_json::from_str(found);
+    value.map_or_else(|_| "json".to_owned(), |value| notation(&value))
+}
+
+/// A key as a name in Rust: `powerState` and `power state` become `power_state`.
+fn snake(key: &str) -> String {
+    let mut name = String::new();
+    for c in key.chars() {
+        let is_word = c.is_ascii_alphanumeric();
+        if (!is_word || c.is_ascii_uppercase()) && !name.is_empty() && !name.ends_with('_') {
+            name.push('_');
+        }
+        name.extend(is_word.then(|| c.to_ascii_lowercase()));
+    }
+    name.trim_end_matches('_').to_owned()
+}
+
+/// A string in TOML, which has the escapes of JSON, and allows one character less.
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string().replace('\u{7f}', "\\u007F")
+}

@@ -1,0 +1,105 @@
+//! What was found.
+
+use std::path::PathBuf;
+
+use jaka_spec::json::{Departure, Reading};
+use jaka_sync::power::GetVersion;
+use jaka_sync::proto::read_payload;
+use jaka_sync::{Command, ErrorCode};
+
+/// All that was found at a controller.
+#[derive(Debug)]
+pub(super) struct Findings {
+    /// The controller's version, in its own words.
+    pub(super) version: Option<String>,
+    /// The packs that were held against it, by their file names.
+    pub(super) packs: Vec<String>,
+    /// What each query showed.
+    pub(super) commands: Vec<Finding>,
+    /// What the status port showed.
+    pub(super) status: Finding,
+}
+
+/// What one message showed.
+#[derive(Debug)]
+pub(super) struct Finding {
+    /// `cmdName`, or what else was asked.
+    pub(super) name: String,
+    pub(super) outcome: Outcome,
+    /// Where the message departs from the spec.
+    pub(super) departures: Vec<Departure>,
+    /// The message as it came, if one did.
+    pub(super) raw: Option<String>,
+}
+
+/// What came of a question.
+#[derive(Debug)]
+pub(super) enum Outcome {
+    /// A message that fits the spec, or departs from it in ways that can be read.
+    Answered,
+    /// A refusal.
+    Refused {
+        /// The controller's code.
+        code: ErrorCode,
+        /// The controller's message.
+        message: String,
+    },
+    /// A message that cannot be read, and why.
+    Unreadable(String),
+    /// No message came: why.
+    NoReply(String),
+    /// Nothing was asked: why.
+    NotProbed(String),
+}
+
+impl Findings {
+    pub(super) fn new(commands: Vec<Finding>, status: Finding, packs: &[PathBuf]) -> Self {
+        let name = |path: &PathBuf| path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        Self { version: version(&commands), packs: packs.iter().map(name).collect(), commands, status }
+    }
+
+    /// Commands and status.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Finding> {
+        self.commands.iter().chain([&self.status])
+    }
+
+    /// How many were asked.
+    pub(super) fn asked(&self) -> usize {
+        self.all().filter(|finding| finding.is_asked()).count()
+    }
+
+    /// How many of those are not as the spec has them, or were not answered.
+    pub(super) fn departing(&self) -> usize {
+        self.all().filter(|finding| finding.departs()).count()
+    }
+}
+
+/// The controller's version, from the reply to the query for it.
+fn version(commands: &[Finding]) -> Option<String> {
+    let finding = commands.iter().find(|finding| finding.name == GetVersion::INFO.name)?;
+    let reply: <GetVersion as Command>::Reply = read_payload(GetVersion::INFO, finding.raw.as_deref()?).ok()?;
+    Some(reply.version)
+}
+
+impl Finding {
+    /// What a message showed that came.
+    pub(super) fn of(name: impl Into<String>, departures: Vec<Departure>, raw: String) -> Self {
+        let unreadable = departures.iter().find(|departure| departure.reading == Reading::Unreadable);
+        let outcome = unreadable.map_or(Outcome::Answered, |_| Outcome::Unreadable(String::new()));
+        Self { name: name.into(), outcome, departures, raw: Some(raw) }
+    }
+
+    /// What came of a question that brought no message.
+    pub(super) fn without(name: impl Into<String>, outcome: Outcome) -> Self {
+        Self { name: name.into(), outcome, departures: Vec::new(), raw: None }
+    }
+
+    fn is_asked(&self) -> bool {
+        !matches!(self.outcome, Outcome::NotProbed(_))
+    }
+
+    /// True for what is not as the spec has it, or was not answered.
+    pub(super) fn departs(&self) -> bool {
+        !self.departures.is_empty() || matches!(self.outcome, Outcome::Unreadable(_) | Outcome::NoReply(_))
+    }
+}

@@ -1,0 +1,103 @@
+//! The queries of the command port.
+
+use jaka_spec::json::{self, AdvisoryRanges, Argument, departures};
+use jaka_spec::{Command, Effect, Spec};
+use jaka_sync::{Client, Disconnect, Error};
+use serde_json::Map;
+
+use super::finding::{Finding, Outcome};
+use crate::commands::call::reply_json;
+use crate::failure::{Failure, chain};
+use crate::target::Target;
+
+/// How often a connection that broke is made anew: a controller that ends it on every query is not pestered.
+const MOST_RECONNECTS: u32 = 3;
+
+/// Asks every query that needs no argument, and nothing else.
+///
+/// # Errors
+/// No connection can be made to begin with. What goes wrong later is a finding.
+pub(super) fn ask_all(spec: &Spec, target: &Target) -> Result<Vec<Finding>, Failure> {
+    let mut line = Line { target, client: Ok(target.client()?), reconnects: 0 };
+    let queries = spec.commands().filter(|command| command.effect == Effect::Query);
+    Ok(queries.map(|command| line.ask(spec, command)).collect())
+}
+
+/// The connection to the controller, made anew where it breaks.
+struct Line<'t> {
+    target: &'t Target,
+    /// Why there is none, if there is none.
+    client: Result<Client, String>,
+    reconnects: u32,
+}
+
+impl Line<'_> {
+    fn ask(&mut self, spec: &Spec, command: &Command) -> Finding {
+        let name = command.wire.as_str();
+        let not_probed = |why| Finding::without(name, Outcome::NotProbed(why));
+        let required: Vec<_> =
+            json::arguments(spec, command).into_iter().filter(|argument| argument.required).collect();
+        if !required.is_empty() {
+            return not_probed(format!("it needs {}", names(&required)));
+        }
+        let Ok(request) = json::request(spec, command, &Map::new(), AdvisoryRanges::Enforced) else {
+            return not_probed("the spec does not allow it without arguments".to_owned());
+        };
+        let client = match &mut self.client {
+            Ok(client) => client,
+            Err(why) => return not_probed(why.clone()),
+        };
+        let timeout = client.reply_timeout().max(command.deadline.unwrap_or_default());
+        let asked = client.call_text(&request, timeout).map(drop);
+        let reply = client.last_reply().unwrap_or_default().to_owned();
+        let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&reply)), reply);
+        match asked {
+            Ok(()) => finding(reply),
+            Err(Error::Refused { refusal, .. }) => {
+                let outcome = Outcome::Refused { code: refusal.code, message: refusal.message };
+                Finding { outcome, ..finding(reply) }
+            }
+            Err(Error::UnexpectedReply { source, .. }) => {
+                Finding { outcome: Outcome::Unreadable(source.to_string()), ..finding(reply) }
+            }
+            Err(error) => {
+                let outcome = unanswered(&error);
+                if error.is_disconnected() {
+                    self.connect_anew(name);
+                }
+                Finding::without(name, outcome)
+            }
+        }
+    }
+
+    fn connect_anew(&mut self, command: &str) {
+        self.reconnects += 1;
+        self.client = if self.reconnects > MOST_RECONNECTS {
+            Err(format!("the connection broke {} times, the last time at `{command}`", self.reconnects))
+        } else {
+            let again = self.target.client();
+            again.map_err(|failure| {
+                format!("the connection broke at `{command}`, and there is no new one: {}", chain(&failure))
+            })
+        };
+    }
+}
+
+fn names(arguments: &[Argument]) -> String {
+    let names: Vec<_> = arguments.iter().map(|argument| format!("`{}`", argument.wire)).collect();
+    names.join(", ")
+}
+
+/// What an error without a reply says: that something came that is no message, or that nothing came.
+fn unanswered(error: &Error) -> Outcome {
+    match error {
+        Error::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),
+        Error::Disconnected { cause, .. } => match &**cause {
+            Disconnect::Frame(_) | Disconnect::NotUtf8 | Disconnect::NotJson(_) | Disconnect::Mistrust(_) => {
+                Outcome::Unreadable(chain(&**cause))
+            }
+            _ => Outcome::NoReply(chain(&**cause)),
+        },
+        other => Outcome::NoReply(chain(other)),
+    }
+}

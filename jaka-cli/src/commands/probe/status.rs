@@ -1,0 +1,58 @@
+//! Packets of the status port.
+
+use jaka_spec::Spec;
+use jaka_spec::json::{Departure, status_departures};
+use jaka_sync::{Error, StatusStream};
+
+use super::finding::{Finding, Outcome};
+use crate::commands::call::reply_json;
+use crate::failure::chain;
+use crate::target::Target;
+
+/// What the finding is called.
+const NAME: &str = "status packet";
+
+/// Takes packets, and holds them against the spec. A departure that several packets have is told once.
+pub(super) fn take(spec: &Spec, target: &Target, count: u32) -> Finding {
+    let mut stream = match target.status_stream() {
+        Ok(stream) => stream,
+        Err(failure) => return Finding::without(NAME, Outcome::NoReply(chain(&failure))),
+    };
+    let mut found: Option<Finding> = None;
+    for _ in 0..count {
+        let packet = match next(&mut stream) {
+            Ok(packet) => packet,
+            // What came before still counts.
+            Err(outcome) => return Finding { outcome, ..found.unwrap_or_else(|| Finding::without(NAME, none())) },
+        };
+        let mut departures = found.as_ref().map(|found| found.departures.clone()).unwrap_or_default();
+        let before = departures.len();
+        add_new(&mut departures, status_departures(spec, &reply_json(&packet)));
+        // The packet that is shown is one that departs.
+        if found.is_none() || departures.len() > before {
+            found = Some(Finding::of(NAME, departures, packet));
+        }
+    }
+    found.unwrap_or_else(|| Finding::without(NAME, none()))
+}
+
+fn none() -> Outcome {
+    Outcome::NoReply("no packet came".to_owned())
+}
+
+/// The text of the next packet, whether it fits or not.
+fn next(stream: &mut StatusStream) -> Result<String, Outcome> {
+    match stream.next_packet() {
+        Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(stream.last_packet().unwrap_or_default().to_owned()),
+        Err(Error::Disconnected { cause, .. }) => Err(Outcome::Unreadable(chain(&*cause))),
+        Err(error) => Err(Outcome::NoReply(chain(&error))),
+    }
+}
+
+fn add_new(departures: &mut Vec<Departure>, more: Vec<Departure>) {
+    for new in more {
+        if !departures.iter().any(|old| old.field == new.field && old.kind == new.kind) {
+            departures.push(new);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The protocol with the user's command packs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use jaka_spec::{Source, Spec};
+
+use crate::failure::Failure;
+use crate::target::usual_packs;
+
+/// The option by which a command learns of packs.
+#[derive(Debug, Default, Args)]
+pub(crate) struct SpecArgs {
+    /// The files, in order.
+    #[arg(
+        long = "pack",
+        help = "Command pack: a TOML file that adds to the protocol; repeat it for more [env: JAKA_PACK]",
+        value_name = "FILE"
+    )]
+    packs: Vec<PathBuf>,
+}
+
+/// The protocol with packs.
+#[derive(Debug)]
+pub(crate) struct Protocol {
+    pub(crate) spec: Spec,
+    /// The files of the packs, in order.
+    pub(crate) packs: Vec<PathBuf>,
+}
+
+impl SpecArgs {
+    /// The protocol with these packs.
+    pub(crate) fn of(packs: Vec<PathBuf>) -> Self {
+        Self { packs }
+    }
+
+    /// Loads the protocol with its packs. What a pack has to note goes to standard error.
+    ///
+    /// # Errors
+    /// Everything that is wrong with a pack, a line each.
+    pub(crate) fn load(&self, config: Option<&Path>) -> Result<Protocol, Failure> {
+        let packs = if self.packs.is_empty() { usual_packs(config)? } else { self.packs.clone() };
+        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
+        let spec = packs.iter().try_fold(spec, |spec, path| add(&spec, path))?;
+        Ok(Protocol { spec, packs })
+    }
+}
+
+fn add(spec: &Spec, path: &Path) -> Result<Spec, Failure> {
+    let name = path.display().to_string();
+    let text =
+        fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read the pack {name}: {error}")))?;
+    let pack = jaka_spec::load_pack(spec, Source { path: &name, text: &text })
+        .map_err(|errors| Failure::Usage(format!("the pack {name} has errors:\n{errors}")))?;
+    for note in &pack.notes {
+        eprintln!("jaka: warning: {note}");
+    }
+    Ok(pack.spec)
+}

@@ -1,0 +1,11 @@
+//! `jaka call`, as its users run it.
+
+#[path = "../program/mod.rs"]
+mod program;
+
+mod consent;
+mod document;
+mod help;
+mod packs;
+mod replies;
+mod requests;

@@ -1,0 +1,78 @@
+//! Commands that packs add and change, called against a simulated controller that knows the same packs.
+
+use expect_test::{Expect, expect};
+
+use crate::program::{jaka, pack};
+
+fn check(pack_name: &str, line: &str, expected: &Expect) {
+    let options = ["call".to_owned(), "--sim".to_owned(), "--pack".to_owned(), pack(pack_name)];
+    expected.assert_eq(&jaka(options.into_iter().chain(line.split(' ').map(str::to_owned))).text());
+}
+
+#[test]
+fn new_commands_are_called_by_either_name() {
+    check(
+        "newer.toml",
+        "get_motion_state",
+        &expect![[r"
+        in_position   true
+        paused        false
+        queue         3
+        active_queue  1
+        exit code 0
+    "]],
+    );
+    check(
+        "newer.toml",
+        "emergency_stop_status",
+        &expect![[r"
+        emergency_stop  false
+        exit code 0
+    "]],
+    );
+    check(
+        "newer.toml",
+        "set_status_period --period 20",
+        &expect![[r"
+        accepted
+        exit code 0
+    "]],
+    );
+    check(
+        "newer.toml",
+        "set_port10000_delay_ms --period 0",
+        &expect![[r"
+        jaka: `set_port10000_delay_ms` was not sent:
+          field `period` is 0; allowed is a whole number, at least 1 ms
+        exit code 2
+    "]],
+    );
+}
+
+#[test]
+fn changed_commands_take_what_the_pack_says() {
+    check(
+        "changed.toml",
+        "rapid_rate --rate 1.4",
+        &expect![[r"
+        accepted
+        exit code 0
+    "]],
+    );
+    check(
+        "changed.toml",
+        "set_tio_vout_param --output-enable 1 --output-voltage v12 --dry-run",
+        &expect![[r#"
+        {"cmdName":"set_tio_vout_param","tio_vout_ena":1,"tio_vout_vol":1}
+        exit code 0
+    "#]],
+    );
+    check(
+        "changed.toml",
+        "joint_move --mode relative --joint-position 0,0,0,0,0,0 --speed 1 --zone 5 --sim-powered",
+        &expect![[r"
+            accepted
+            exit code 0
+        "]],
+    );
+}

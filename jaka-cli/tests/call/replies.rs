@@ -1,0 +1,260 @@
+//! Replies and refusals, as they are shown.
+
+use expect_test::{Expect, expect};
+use jaka_sim::{Controller, Delays, Fault};
+use serde_json::json;
+
+use crate::program::{Run, address_of, jaka, scratch};
+
+fn simulated(line: &str, expected: &Expect) {
+    expected.assert_eq(&jaka(["call", "--sim"].into_iter().chain(line.split(' '))).text());
+}
+
+fn controller() -> Controller {
+    Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
+}
+
+fn call(controller: &Controller, line: &str) -> Run {
+    jaka(["call"].into_iter().chain(line.split(' ')).map(str::to_owned).chain(address_of(controller)))
+}
+
+#[test]
+fn fields_have_names_and_units() {
+    simulated(
+        "get_tcp_pos",
+        &expect![[r"
+        pose.x   -482 mm
+        pose.y   114 mm
+        pose.z   443.15 mm
+        pose.rx  -180 deg
+        pose.ry  0 deg
+        pose.rz  90 deg
+        exit code 0
+    "]],
+    );
+    simulated(
+        "get_joint_pos",
+        &expect![[r"
+        joint_position  0, 90, 90, 90, -90, 0 deg
+        exit code 0
+    "]],
+    );
+    simulated(
+        "get_robot_state",
+        &expect![[r"
+        enabled     false
+        powered_on  false
+        exit code 0
+    "]],
+    );
+    simulated(
+        "get_program_state",
+        &expect![[r"
+        program_state  Idle (idle)
+        exit code 0
+    "]],
+    );
+    simulated(
+        "get_extio_status",
+        &expect![[r"
+        extio_status.count                                        1
+        extio_status.modules[0].setup                             Tcp (1)
+        extio_status.modules[0].setup.name                        modbusIoName
+        extio_status.modules[0].setup.connection.address          192.168.2.47
+        extio_status.modules[0].setup.connection.port             8888
+        extio_status.modules[0].setup.pins.analog_inputs.start    0
+        extio_status.modules[0].setup.pins.analog_inputs.count    0
+        extio_status.modules[0].setup.pins.digital_outputs.start  0
+        extio_status.modules[0].setup.pins.digital_outputs.count  0
+        extio_status.modules[0].setup.pins.analog_outputs.start   0
+        extio_status.modules[0].setup.pins.analog_outputs.count   0
+        extio_status.modules[0].setup.pins.digital_inputs.start   0
+        extio_status.modules[0].setup.pins.digital_inputs.count   8
+        extio_status.modules[0].pin_map.analog_inputs             0
+        extio_status.modules[0].pin_map.digital_outputs           0
+        extio_status.modules[0].pin_map.analog_outputs            0
+        extio_status.modules[0].pin_map.digital_inputs            0
+        extio_status.state.running                                false
+        extio_status.state.digital_inputs                         false, false, false, false, false, false, false, false, false
+        exit code 0
+    "]],
+    );
+    simulated(
+        "disable_robot",
+        &expect![[r"
+        accepted
+        exit code 0
+    "]],
+    );
+    simulated(
+        "shutdown",
+        &expect![[r"
+        accepted
+        exit code 0
+    "]],
+    );
+    simulated(
+        "quit",
+        &expect![[r"
+        accepted
+        exit code 0
+    "]],
+    );
+}
+
+#[test]
+fn a_reply_is_there_as_it_came() {
+    simulated(
+        "get_version --json",
+        &expect![[r#"
+        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.6.5_01_X86"}
+        exit code 0
+    "#]],
+    );
+    simulated(
+        "--params {\"cmdName\":\"get_version\"} --raw --json",
+        &expect![[r#"
+        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.6.5_01_X86"}
+        exit code 0
+    "#]],
+    );
+    simulated(
+        "get_version --raw",
+        &expect![[r"
+        version  1.6.5_01_X86 (not in the spec)
+        exit code 0
+    "]],
+    );
+}
+
+#[test]
+fn refusals_have_code_message_and_meaning() {
+    simulated(
+        "enable_robot",
+        &expect![[r"
+        jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
+        The code's meaning: The command failed; the message says more.
+        exit code 1
+    "]],
+    );
+    simulated(
+        "enable_robot --json",
+        &expect![[r#"
+        {"errorCode":"2","errorMsg":"call enable_robot failed","cmdName":"enable_robot"}
+        jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
+        The code's meaning: The command failed; the message says more.
+        exit code 1
+    "#]],
+    );
+    simulated(
+        "no_such_command --raw",
+        &expect![[r"
+        jaka: the controller refused `no_such_command` with code 1: Exception:function call failed
+        The code's meaning: An exception arose in the controller's program.
+        exit code 1
+    "]],
+    );
+    let controller = controller();
+    let reply = br#"{"errorCode": "77", "errorMsg": "hot", "cmdName": "get_version"}"#;
+    controller.inject(Fault::Instead(reply.to_vec()));
+    expect![[r"
+        jaka: the controller refused `get_version` with code 77: hot
+        The spec does not know the code.
+        exit code 1
+    "]]
+    .assert_eq(&call(&controller, "get_version").text());
+}
+
+#[test]
+fn what_the_spec_does_not_have_is_shown_too() {
+    let controller = controller();
+    controller.set_reply("get_payload", [("inertia".to_owned(), json!([1, 2]))]);
+    expect![[r"
+        centroid.x  0 mm
+        centroid.y  0 mm
+        centroid.z  1 mm
+        mass        1 kg
+        inertia     [1,2] (not in the spec)
+        exit code 0
+    "]]
+    .assert_eq(&call(&controller, "get_payload").text());
+}
+
+#[test]
+fn a_reply_that_cannot_be_read_says_where() {
+    let controller = controller();
+    controller.set_reply("get_joint_pos", [("joint_pos".to_owned(), json!("none"))]);
+    let run = call(&controller, "get_joint_pos");
+    expect![[r#"
+        joint_position  none
+        jaka: `get_joint_pos` was accepted, but its reply does not fit the spec: field `joint_pos`: expected an array of 6, each a number (in deg), found `"none"`
+        exit code 4
+    "#]].assert_eq(&run.text());
+}
+
+#[test]
+fn a_bare_tuple_is_read_as_the_field_that_it_stands_for() {
+    let controller = controller();
+    controller.inject(Fault::Instead(b"(0, [], {'state': 0})".to_vec()));
+    expect![[r"
+        extio_status.count          0
+        extio_status.modules        none
+        extio_status.state.running  false
+        exit code 0
+    "]]
+    .assert_eq(&call(&controller, "get_extio_status").text());
+}
+
+#[test]
+fn a_silent_controller_may_have_carried_out_the_command() {
+    let controller = controller();
+    controller.inject(Fault::Drop);
+    expect![[r"
+        jaka: no reply to `get_version` within 200ms; it may have run
+        exit code 4
+    "]]
+    .assert_eq(&call(&controller, "get_version --timeout 0.2").text());
+    controller.inject(Fault::Close);
+    expect![[r"
+        jaka: the connection broke during `get_version`, which may have run: the controller closed the connection; it may have shut down, or another client may have taken the command port
+        exit code 4
+    "]].assert_eq(&call(&controller, "get_version").text());
+}
+
+#[test]
+fn a_controller_that_goes_down_need_not_reply() {
+    let controller = controller();
+    controller.inject(Fault::Close);
+    expect![[r"
+        sent; the controller closed the connection instead of replying
+        exit code 0
+    "]]
+    .assert_eq(&call(&controller, "shutdown --yes").text());
+}
+
+#[test]
+fn the_firmware_is_asked_first() {
+    let file = scratch("gate.toml");
+    let text = "title = \"Gate\"\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"zone\"\ntype = \
+                \"float\"\noptional = true\nsince = \"1.7.1\"\ndoc = \"Zone.\"\n[[command]]\nwire = \"new_query\"\neffect = \
+                \"query\"\nuntil = \"1.5\"\ndoc = \"Reads.\"\n";
+    std::fs::write(&file, text).expect("the folder is there");
+    let motion = format!(
+        "joint_move --mode relative --joint-position 0,0,0,0,0,0 --speed 1 --zone 1 --check-firmware --yes --pack {}",
+        file.display()
+    );
+    let controller = controller();
+    expect![[r"
+        jaka: `joint_move` was not sent: the controller's firmware 1.6.5 does not have its field `zone`; firmware 1.7.1 and later has
+        exit code 2
+    "]].assert_eq(&call(&controller, &motion).text());
+    expect![[r"
+        jaka: `new_query` was not sent: the controller's firmware 1.6.5 does not have it; firmware up to 1.5 has
+        exit code 2
+    "]]
+    .assert_eq(&call(&controller, &format!("new_query --check-firmware --pack {}", file.display())).text());
+    assert_eq!(controller.requests(), [r#"{"cmdName":"get_version"}"#; 2]);
+    controller.set_reply("get_version", [("version".to_owned(), json!("V1.7.2"))]);
+    call(&controller, &motion);
+    assert_eq!(controller.requests().len(), 4);
+}

@@ -1,0 +1,246 @@
+//! `jaka probe`, as its users run it.
+
+#[path = "../program/mod.rs"]
+mod program;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Write;
+use std::net::TcpListener;
+use std::thread;
+
+use expect_test::{expect, expect_file};
+use jaka_sim::{Controller, Delays, Fault, Firmware};
+use jaka_spec::{Effect, Source, Spec, load_pack};
+use jaka_sync::{Client, StatusStream};
+use jaka_tests::spec;
+use serde_json::{Value, json};
+
+use program::{Run, address_of, jaka, pack, scratch};
+
+fn controller(firmware: Firmware) -> Controller {
+    Controller::builder().firmware(firmware).delays(Delays::NONE).start().expect("loopback has free ports")
+}
+
+fn probe(controller: &Controller, options: &[&str]) -> Run {
+    let options = options.iter().copied().map(str::to_owned);
+    jaka(["probe".to_owned()].into_iter().chain(options).chain(address_of(controller)))
+}
+
+/// The report without what changes with each release.
+fn report(run: &Run) -> String {
+    run.text().replace(env!("CARGO_PKG_VERSION"), "VERSION")
+}
+
+fn effect_of(spec: &Spec, request: &str) -> Effect {
+    let request: Value = serde_json::from_str(request).expect("requests are JSON");
+    spec.command(request["cmdName"].as_str().expect("they name their command")).expect("the spec has it").effect
+}
+
+#[test]
+fn a_controller_that_fits_the_document() {
+    let controller = controller(Firmware::Document);
+    let run = probe(&controller, &["--packets", "2"]);
+    expect_file!["../snapshots/probe_document.txt"].assert_eq(&report(&run));
+    let spec = spec();
+    let requests = controller.requests();
+    assert!(requests.iter().all(|request| effect_of(&spec, request) == Effect::Query), "{requests:?}");
+    assert_eq!(requests.len(), requests.iter().collect::<BTreeSet<_>>().len(), "each is asked once");
+}
+
+#[test]
+fn an_old_controller() {
+    let run = probe(&controller(Firmware::V1_5_14), &[]);
+    expect_file!["../snapshots/probe_1_5_14.txt"].assert_eq(&report(&run));
+}
+
+#[test]
+fn a_newer_controller() {
+    let run = probe(&controller(Firmware::Newer), &[]);
+    expect_file!["../snapshots/probe_newer.txt"].assert_eq(&report(&run));
+}
+
+/// Replies that drift: unknown keys, other forms, another type, and no reply at all.
+fn drifted() -> Controller {
+    let controller = controller(Firmware::Document);
+    controller.set_reply("get_version", [("build".to_owned(), json!(17)), ("type".to_owned(), json!("x"))]);
+    controller
+        .set_reply("get_payload", [("mass".to_owned(), json!("1.5")), ("inertia moment".to_owned(), json!([0.5, 1]))]);
+    controller.set_reply("get_joint_pos", [("joint_pos".to_owned(), json!("none"))]);
+    controller.inject_for(
+        "drag_status",
+        Fault::Instead(br#"{"errorCode":"2","errorMsg":"no sensor","cmdName":"drag_status"}"#.to_vec()),
+    );
+    controller.inject_for("get_dh_param", Fault::Drop);
+    controller.inject_for("get_traj_config", Fault::Close);
+    controller.inject_for("get_tool_payload", Fault::Garbage { bytes: 40, seed: 7 });
+    controller
+}
+
+#[test]
+fn a_controller_that_drifts() {
+    let draft = scratch("drifted.toml");
+    let run = probe(&drifted(), &["--timeout", "0.3", "--draft", &draft.display().to_string()]);
+    assert_eq!(run.code, Some(7), "{}", run.text());
+    expect_file!["../snapshots/probe_drifted.txt"].assert_eq(&report(&run));
+    let text = fs::read_to_string(&draft).expect("the draft is written");
+    expect_file!["../snapshots/draft.toml"].assert_eq(&text);
+    let pack = load_pack(&spec(), Source { path: "drifted.toml", text: &text }).expect("the draft loads");
+    assert!(pack.notes.is_empty(), "{:?}", pack.notes);
+}
+
+#[test]
+fn with_its_draft_a_controller_departs_no_more() {
+    let controller = controller(Firmware::Document);
+    controller.set_reply("get_version", [("build".to_owned(), json!(17))]);
+    let draft = scratch("build.toml").display().to_string();
+    assert_eq!(probe(&controller, &["--draft", &draft]).code, Some(7));
+    let again = probe(&controller, &["--pack", &draft]);
+    assert_eq!(again.code, Some(0), "{}", again.text());
+    assert!(again.out.contains("packs       build.toml\n"), "{}", again.out);
+}
+
+#[test]
+fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
+    let controller = controller(Firmware::Document);
+    let mut stream = StatusStream::connect(controller.status_addr()).expect("the port is open");
+    stream.next_packet().expect("a packet comes");
+    let mut packet: Value = serde_json::from_str(stream.last_packet().expect("it is kept")).expect("packets are JSON");
+    packet["brakeState"] = json!(1);
+    packet["extio"]["watch dog"] = json!(true);
+    let status = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let port = status.local_addr().expect("it is bound").port().to_string();
+    let draft = scratch("status.toml");
+    let commands = controller.command_addr().port().to_string();
+    let run = thread::scope(|scope| {
+        let sent = scope
+            .spawn(move || status.accept().and_then(|(mut reader, _)| reader.write_all(packet.to_string().as_bytes())));
+        let draft = draft.display().to_string();
+        let run = jaka([
+            "probe",
+            "--robot",
+            "127.0.0.1",
+            "--command-port",
+            &commands,
+            "--status-port",
+            &port,
+            "--draft",
+            &draft,
+        ]);
+        sent.join().expect("it does not panic").expect("the packet is sent");
+        run
+    });
+    assert_eq!(run.code, Some(7), "{}", run.text());
+    let text = fs::read_to_string(&draft).expect("the draft is written");
+    expect![[r#"
+        # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
+        title = "What 1.6.5_01_X86 sends beyond the spec"
+
+        [[extend]]
+        target = "RobotStatus"
+
+        [[extend.field]]
+        wire = "brakeState"
+        name = "brake_state"
+        type = "int"
+        optional = true
+        doc = "TODO: what it means is not known yet. 1.6.5_01_X86 sends 1."
+
+        [[extend]]
+        target = "ExtioReport"
+
+        [[extend.field]]
+        wire = "watch dog"
+        name = "watch_dog"
+        type = "bool"
+        optional = true
+        doc = "TODO: what it means is not known yet. 1.6.5_01_X86 sends true."
+    "#]]
+    .assert_eq(&text);
+    load_pack(&spec(), Source { path: "status.toml", text: &text }).expect("the draft loads");
+}
+
+#[test]
+fn nothing_to_draft_is_said() {
+    let draft = scratch("none.toml");
+    let run = probe(&controller(Firmware::Document), &["--draft", &draft.display().to_string()]);
+    assert_eq!(run.code, Some(0));
+    expect![[r"
+        jaka: no draft is written: no message has a key that the spec does not know
+    "]]
+    .assert_eq(&run.err);
+    assert!(!draft.exists());
+}
+
+#[test]
+fn the_report_as_json_has_the_same() {
+    let run = probe(&drifted(), &["--timeout", "0.3", "--json"]);
+    assert_eq!(run.code, Some(7), "{}", run.text());
+    let report: Value = serde_json::from_str(&run.out).expect("it is JSON");
+    let version = report["commands"].as_array().expect("all are there").iter().find(|it| it["name"] == "get_version");
+    expect![[r#"
+        {
+          "code": null,
+          "departures": [
+            {
+              "advisory": false,
+              "expected": "int",
+              "field": "build",
+              "found": "17",
+              "kind": "unknown",
+              "readable": true
+            },
+            {
+              "advisory": false,
+              "expected": "text",
+              "field": "type",
+              "found": "\"x\"",
+              "kind": "unknown",
+              "readable": true
+            }
+          ],
+          "name": "get_version",
+          "outcome": "answered",
+          "raw": "{\"build\":17,\"cmdName\":\"get_version\",\"errorCode\":\"0\",\"errorMsg\":\"\",\"type\":\"x\",\"version\":\"1.6.5_01_X86\"}",
+          "text": null
+        }"#]].assert_eq(&format!("{:#}", version.expect("it was asked")));
+    assert_eq!((&report["controller"], &report["packs"]), (&json!("1.6.5_01_X86"), &json!([])));
+    assert_eq!(report["status"]["outcome"], "answered");
+}
+
+#[test]
+fn a_connection_that_always_breaks_is_given_up() {
+    let controller = controller(Firmware::Document);
+    controller.inject_always(Fault::Close);
+    let run = probe(&controller, &[]);
+    assert_eq!(run.code, Some(7));
+    let given_up = run.out.lines().filter(|line| line.contains("not probed: the connection broke 4 times")).count();
+    assert_eq!(controller.requests().len(), 4, "{}", run.out);
+    assert_eq!(given_up, 25, "{}", run.out);
+}
+
+#[test]
+fn what_a_pack_adds_is_probed_too() {
+    let run = jaka(["probe", "--sim", "--pack", &pack("newer.toml")]);
+    assert_eq!(run.code, Some(0), "{}", run.text());
+    assert!(run.out.contains("get_motion_state "), "{}", run.out);
+    assert!(!run.out.contains("set_port10000_delay_ms"), "{}", run.out);
+}
+
+#[test]
+fn without_a_controller_there_is_nothing_to_report() {
+    let controller = controller(Firmware::Document);
+    let address = address_of(&controller);
+    drop(controller);
+    let run = jaka(["probe".to_owned()].into_iter().chain(address));
+    assert_eq!((run.code, run.out.as_str()), (Some(3), ""));
+}
+
+#[test]
+fn the_probe_takes_the_one_seat_of_the_command_port() {
+    let controller = controller(Firmware::Document);
+    let mut client = Client::connect(controller.command_addr()).expect("the port is open");
+    client.get_version().expect("it is answered");
+    assert_eq!(probe(&controller, &[]).code, Some(0));
+    assert!(client.get_version().expect_err("the seat is gone").is_disconnected());
+}

@@ -1,0 +1,73 @@
+//! The `jaka` program as its users run it, without a config file and without what the environment says.
+
+#![allow(dead_code, reason = "not every test uses all of it")]
+
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use jaka_sim::Controller;
+
+/// What a run gave.
+#[derive(Debug)]
+pub(crate) struct Run {
+    /// The exit code.
+    pub(crate) code: Option<i32>,
+    /// Standard output.
+    pub(crate) out: String,
+    /// Standard error.
+    pub(crate) err: String,
+}
+
+impl Run {
+    /// Exit code, output and errors in one text, for snapshots.
+    pub(crate) fn text(&self) -> String {
+        format!("{}{}exit code {}\n", self.out, self.err, self.code.unwrap_or(-1))
+    }
+}
+
+/// The program with these arguments.
+pub(crate) fn command<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_jaka"));
+    for variable in ["JAKA_ROBOT", "JAKA_CONFIG", "JAKA_PACK", "APPDATA"] {
+        command.env_remove(variable);
+    }
+    command.env("XDG_CONFIG_HOME", Path::new(env!("CARGO_TARGET_TMPDIR")).join("nothing"));
+    command.args(arguments);
+    command
+}
+
+/// Runs the program without input.
+pub(crate) fn jaka<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Run {
+    run(command(arguments), "")
+}
+
+/// Runs the program with this on standard input.
+pub(crate) fn run(mut command: Command, input: &str) -> Run {
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the program starts");
+    // It need not read its input.
+    let _ = child.stdin.take().expect("it is piped").write_all(input.as_bytes());
+    let Output { status, stdout, stderr } = child.wait_with_output().expect("the program ends");
+    let text = |bytes| String::from_utf8(bytes).expect("it writes UTF-8");
+    Run { code: status.code(), out: text(stdout), err: text(stderr) }
+}
+
+/// The options that name a controller.
+pub(crate) fn address_of(controller: &Controller) -> Vec<String> {
+    let (commands, status) = (controller.command_addr(), controller.status_addr());
+    let words = format!("--robot {} --command-port {} --status-port {}", commands.ip(), commands.port(), status.port());
+    words.split(' ').map(str::to_owned).collect()
+}
+
+/// A pack of the workspace's tests.
+pub(crate) fn pack(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/pack-user");
+    folder.join(name).display().to_string()
+}
+
+/// A file of this name that a test may write.
+pub(crate) fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
