@@ -2,10 +2,12 @@
 //!
 //! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, a variant of
 //! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
-//! `#[command(flatten)] robot: RobotArgs` and begins with `self.robot.target()?`.
+//! `#[command(flatten)] robot: RobotArgs`, the last so that its options stand below their own heading, and begins with
+//! `self.robot.target()?`.
 
 mod call;
 mod completions;
+mod monitor;
 mod probe;
 mod sim;
 mod status;
@@ -18,6 +20,7 @@ use crate::failure::Failure;
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Status(status::Status),
+    Monitor(monitor::Monitor),
     Call(call::Call),
     Probe(probe::Probe),
     Sim(sim::Sim),
@@ -29,6 +32,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
             Self::Status(command) => command.run(),
+            Self::Monitor(command) => command.run(),
             Self::Call(command) => command.run(),
             Self::Probe(command) => command.run(),
             Self::Sim(command) => command.run(),

@@ -35,28 +35,48 @@ pub(crate) fn exit_code(error: &Error) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use std::io::ErrorKind;
-    use std::sync::Arc;
+    use std::net::TcpListener;
     use std::time::Duration;
 
-    use jaka_sync::{Disconnect, ErrorCode, Refusal};
+    use jaka_sim::{Controller, Fault};
+    use jaka_sync::motion::JointMove;
+    use jaka_sync::types::MoveMode;
+    use jaka_sync::{Client, Config};
 
     use super::*;
 
+    const SHORT: Duration = Duration::from_millis(50);
+
+    fn joint_move(speed: f64) -> JointMove {
+        let joint_position = [0.0; 6].into();
+        JointMove { mode: MoveMode::Absolute, joint_position, speed, acceleration: None }
+    }
+
+    fn code<T: std::fmt::Debug>(result: Result<T, Error>) -> u8 {
+        exit_code(&result.unwrap_err())
+    }
+
     #[test]
-    fn whether_the_command_may_have_run_comes_first() {
-        let lost = |sent| Error::Disconnected {
-            command: Some("joint_move".to_owned()),
-            sent,
-            cause: Arc::new(Disconnect::Closed { partial: 0 }),
-        };
-        let command = String::new();
-        assert_eq!(exit_code(&lost(true)), MAY_HAVE_RUN);
-        assert_eq!(exit_code(&lost(false)), LOST);
-        assert_eq!(exit_code(&Error::Timeout { command, after: Duration::ZERO }), MAY_HAVE_RUN);
-        assert_eq!(exit_code(&Error::StatusTimeout { after: Duration::ZERO }), LOST);
-        assert_eq!(exit_code(&Error::Refused(Refusal::new("moveL", ErrorCode::CALL_FAILED, ""))), REFUSED);
-        let source = ErrorKind::ConnectionRefused.into();
-        assert_eq!(exit_code(&Error::Connect { address: String::new(), source }), NO_CONNECTION);
+    fn codes_tell_whether_the_command_may_have_run() {
+        let controller = Controller::start().unwrap();
+        let mut client = Config::new().reply_timeout(SHORT).connect(controller.command_addr()).unwrap();
+        assert_eq!(code(client.joint_move(&joint_move(f64::NAN))), USAGE);
+        assert_eq!(code(client.joint_move(&joint_move(20.0))), REFUSED, "without power");
+        controller.inject(Fault::Drop);
+        assert_eq!(code(client.get_version()), MAY_HAVE_RUN);
+        controller.disconnect();
+        // Whether this one was sent is a matter of chance; the next is not.
+        client.get_version().unwrap_err();
+        assert_eq!(code(client.get_version()), LOST);
+    }
+
+    #[test]
+    fn codes_tell_what_the_network_does() {
+        let nobody = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
+        assert_eq!(code(Client::connect(nobody)), NO_CONNECTION);
+        let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+        let mut status = Config::new().reply_timeout(SHORT).connect_status(controller.status_addr()).unwrap();
+        status.next_packet().unwrap();
+        assert_eq!(code(status.next_packet()), LOST);
     }
 }

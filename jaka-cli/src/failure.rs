@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 use std::fmt;
-use std::io::{self, ErrorKind};
+use std::io::{self, ErrorKind, Write, stderr};
 use std::process::ExitCode;
 
 use jaka_sync::Refusal;
@@ -60,7 +60,8 @@ impl Failure {
             Self::Local { .. } => exit::LOCAL,
             Self::OutputClosed => return ExitCode::SUCCESS,
         };
-        eprintln!("jaka: {}", chain(self));
+        // Nobody may be reading: the code tells enough.
+        writeln!(stderr(), "jaka: {}", chain(self)).ok();
         ExitCode::from(code)
     }
 }

@@ -93,17 +93,22 @@ impl Field {
     /// Its parts all the way down.
     pub(crate) fn leaves(self, packet: &Value) -> Vec<Self> {
         let parts = self.parts(packet);
-        if parts.is_empty() {
+        if parts.is_empty() || self.is_other(packet) {
             return vec![self];
         }
         parts.into_iter().flat_map(|part| part.leaves(packet)).collect()
+    }
+
+    /// True where the packet has a value that cannot have the parts of the type.
+    pub(crate) fn is_other(&self, packet: &Value) -> bool {
+        self.value(packet).is_some_and(|value| !value.is_object() && !value.is_array())
     }
 
     /// Its value in a packet's JSON with the names of Rust, and truth values as such.
     pub(crate) fn named_value(&self, packet: &Value) -> Option<Value> {
         let value = self.value(packet)?;
         let members = self.members();
-        if !members.is_empty() && (value.is_object() || value.is_array()) {
+        if !members.is_empty() && !self.is_other(packet) {
             let prefix = self.name.len() + 1;
             let entries =
                 members.iter().filter_map(|part| Some((part.name[prefix..].to_owned(), part.named_value(packet)?)));

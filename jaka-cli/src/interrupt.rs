@@ -1,19 +1,32 @@
 //! Ctrl-C, and the wish of the system that the program end.
 
 use std::io::{self, stdout};
-use std::process;
+use std::time::Duration;
+use std::{process, thread};
 
 use crate::failure::Failure;
 
-/// Calls `call` on Ctrl-C, and on the signals by which a system ends programs, instead of ending at once.
-pub(crate) fn on_interrupt(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
-    ctrlc::set_handler(call).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
+/// How long the program may take to end by itself.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. What it does should end the program soon, which
+/// is ended with success otherwise.
+pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+    let end = move || {
+        call();
+        thread::sleep(PATIENCE);
+        process::exit(0);
+    };
+    ctrlc::set_handler(end).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
 }
 
 /// Ends the program with success on Ctrl-C, but not in the middle of what it writes.
 pub(crate) fn end_on_interrupt() -> Result<(), Failure> {
     on_interrupt(|| {
-        let _whole = stdout().lock();
-        process::exit(0);
+        // Not here, since who reads the output may never read on.
+        thread::spawn(|| {
+            let _whole = stdout().lock();
+            process::exit(0);
+        });
     })
 }

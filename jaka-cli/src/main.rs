@@ -1,6 +1,7 @@
 //! The `jaka` command: see the crate's README.
 
 mod commands;
+mod dashboard;
 mod exit;
 mod failure;
 mod fields;
@@ -12,6 +13,7 @@ mod seconds;
 mod target;
 mod wire_log;
 
+use std::io::{Write, stderr};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -40,7 +42,7 @@ Exit codes:
   6  something on this machine: a file, a port, the terminal
   7  `jaka probe` found something that is not as the spec has it, or was not answered";
 
-/// Status, live dashboard and simulated controller for JAKA robots.
+/// Commands, status, live dashboard and simulated controller for JAKA robots.
 #[derive(Debug, Parser)]
 #[command(name = "jaka", version, after_long_help = NOTES, after_help = "`jaka --help` also explains exit codes.")]
 struct Cli {
@@ -49,8 +51,22 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    match Cli::parse().command.run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
-    }
+    let result = match Cli::try_parse() {
+        Ok(cli) => cli.command.run(),
+        Err(error) => return told(&error),
+    };
+    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}
+
+/// Prints what clap has to say: the help, the version, or what is wrong with the command line.
+fn told(error: &clap::Error) -> ExitCode {
+    let text = error.to_string();
+    let told = match text.strip_prefix("error: ") {
+        Some(text) => write!(stderr(), "jaka: {text}"),
+        // With colours.
+        None => error.print(),
+    };
+    // Nobody may be reading: the code tells enough.
+    told.ok();
+    if error.use_stderr() { ExitCode::from(exit::USAGE) } else { ExitCode::SUCCESS }
 }

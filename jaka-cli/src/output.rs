@@ -4,6 +4,9 @@ use std::io::{Write, stdout};
 
 use crate::failure::Failure;
 
+/// What stands for a value that a packet does not have, where people read it.
+pub(crate) const ABSENT: &str = "–";
+
 /// Writes bytes at once, so that a reader at the other end of a pipe sees each result when it is there.
 pub(crate) fn write(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();

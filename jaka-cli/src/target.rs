@@ -143,16 +143,13 @@ impl Target {
         Ok(self.config.connect(&self.commands)?)
     }
 
-    /// Connects to the status port, for packets one by one.
+    /// Connects to the status port, which serves any number of readers.
     pub(crate) fn status_stream(&self) -> Result<StatusStream, Failure> {
         Ok(self.config.connect_status(&self.status)?)
     }
 
-    /// Connects to the status port, which serves any number of readers.
-    pub(crate) fn monitor<S>(&self, reconnect: Reconnect) -> Result<Monitor<S>, Failure>
-    where
-        S: jaka_sync::proto::wire::Decode + Send + Sync + 'static,
-    {
+    /// The same, with a thread that reads and connects anew.
+    pub(crate) fn monitor(&self, reconnect: Reconnect) -> Result<Monitor, Failure> {
         Ok(self.config.clone().reconnect(reconnect).monitor(&self.status)?)
     }
 }

@@ -8,6 +8,8 @@ use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::fmt;
 
+use crate::{Envelope, Request};
+
 /// One command that was sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Ticket(u64);
@@ -127,6 +129,23 @@ impl Ledger {
                 self.arrived(&command)
             }
             _ => Err(Mistrust::Nameless),
+        }
+    }
+
+    /// A reply came, with this envelope; with none where it is the bare Python tuple of the one command that can be answered so.
+    ///
+    /// # Errors
+    /// As [`arrived`](Self::arrived) and [`arrived_nameless`](Self::arrived_nameless); a reply without a name that is no
+    /// refusal belongs to nobody.
+    pub fn arrived_reply(&mut self, envelope: Option<&Envelope<'_>>) -> Result<Arrival, Mistrust> {
+        let Some(envelope) = envelope else {
+            let bare = Request::COMMANDS.iter().find(|info| info.bare_reply.is_some());
+            return self.arrived(bare.map_or("", |info| info.name));
+        };
+        match &envelope.command {
+            Some(command) => self.arrived(command),
+            None if envelope.refusal().is_some() => self.arrived_nameless(),
+            None => Err(Mistrust::Nameless),
         }
     }
 

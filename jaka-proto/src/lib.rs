@@ -12,6 +12,7 @@ pub mod framing;
 pub mod geometry;
 mod ledger;
 pub mod python;
+pub mod recording;
 mod request;
 pub mod wire;
 

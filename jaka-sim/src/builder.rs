@@ -4,13 +4,16 @@ use std::collections::HashMap;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Request;
+use jaka_proto::recording::Recording;
 
 use crate::kinematics::Model;
 use crate::program::{self, Program};
-use crate::{Controller, Delays, FaultPlan, Firmware, ReplyStyle};
+use crate::replay::Plan;
+use crate::{Controller, Delays, FaultPlan, Firmware, Replay, ReplayTiming, ReplyStyle};
 
 /// Options for a [`Controller`], which are set before it starts.
 #[derive(Debug, Clone)]
@@ -29,6 +32,8 @@ pub struct Builder {
     pub(crate) firmware: Firmware,
     reply_style: Option<ReplyStyle>,
     status_period: Option<Duration>,
+    pub(crate) replay: Option<Plan>,
+    pub(crate) replay_timing: ReplayTiming,
 }
 
 impl Builder {
@@ -48,6 +53,8 @@ impl Builder {
             firmware: Firmware::Document,
             reply_style: None,
             status_period: None,
+            replay: None,
+            replay_timing: ReplayTiming::Recorded,
         }
     }
 
@@ -158,6 +165,45 @@ impl Builder {
     #[must_use]
     pub fn status_period(mut self, period: Duration) -> Self {
         self.status_period = Some(period);
+        self
+    }
+
+    /// Answers from a recording instead of by the simulated arm, whose state and faults then have no effect on replies.
+    ///
+    /// Status packets of the recording are sent at their times; behind the last one of a connection, it comes again each
+    /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. What the client does otherwise than the
+    /// recorded one is told by [`Controller::deviations`].
+    ///
+    /// ```
+    /// use std::io::{Read, Write};
+    /// use std::net::TcpStream;
+    ///
+    /// use jaka_sim::proto::recording::Recording;
+    /// use jaka_sim::{Controller, Replay};
+    ///
+    /// let recording = Recording::read(br#"{"jaka_recording":1,"started":0,"software":"by hand"}
+    /// {"time":0,"port":"command","event":"sent","text":"{\"cmdName\":\"get_version\"}"}
+    /// {"time":0,"port":"command","event":"received","text":"{\"errorCode\":\"7\"}"}
+    /// "#)?;
+    /// let controller = Controller::builder().replay(recording, Replay::Strict).start()?;
+    /// let mut client = TcpStream::connect(controller.command_addr())?;
+    /// client.write_all(br#"{"cmdName": "get_version"}"#)?;
+    /// let mut reply = [0; 17];
+    /// client.read_exact(&mut reply)?;
+    /// assert_eq!(&reply, br#"{"errorCode":"7"}"#);
+    /// assert!(controller.deviations().is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn replay(mut self, recording: Recording, mode: Replay) -> Self {
+        self.replay = Some(Plan { recording: Arc::new(recording), mode });
+        self
+    }
+
+    /// Sets when a replay sends what it sends: [`ReplayTiming::Recorded`] if not set.
+    #[must_use]
+    pub fn replay_timing(mut self, timing: ReplayTiming) -> Self {
+        self.replay_timing = timing;
         self
     }
 

@@ -2,6 +2,7 @@
 
 mod feed;
 mod line;
+mod replayed;
 mod rival;
 mod seat;
 mod way_out;
@@ -18,6 +19,7 @@ use self::line::{Flow, Line};
 pub(crate) use self::rival::Rival;
 pub(crate) use self::seat::Seat;
 use crate::answer::{self, Sequel};
+use crate::replay::Replay;
 use crate::shared::Shared;
 use crate::{Takeover, firmware};
 
@@ -66,7 +68,10 @@ fn vacate(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
 
 /// Serves a client to the end of its connection.
 fn attend(line: &Arc<Line>, shared: &Shared) {
-    let end = serve(line, shared);
+    let end = match &shared.stage {
+        Some(stage) if stage.mode == Replay::Strict => replayed::serve(line, stage, &shared.tape),
+        _ => serve(line, shared),
+    };
     log::trace!(target: "jaka_sim", "command client leaves");
     match end {
         Flow::Takeover => take_over(shared),
@@ -116,7 +121,10 @@ fn serve(line: &Line, shared: &Shared) -> Flow {
 fn receive(feed: &mut Feed, line: &Line, shared: &Shared, reply: &mut Writer) -> Flow {
     let patience = line.way_out().wait_for_due();
     match feed.next(patience) {
-        Ok(Next::Incoming(incoming)) => exchange(&incoming, line, shared, reply),
+        Ok(Next::Incoming(incoming)) => match &shared.stage {
+            Some(stage) => replayed::answer(&incoming, line, stage, &shared.tape),
+            None => exchange(&incoming, line, shared, reply),
+        },
         Ok(Next::Silence) => Flow::Stay,
         Ok(Next::End) => Flow::Close,
         Err(error) => {

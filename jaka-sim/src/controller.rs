@@ -12,8 +12,9 @@ use std::time::Duration;
 use serde_json::Value;
 
 use crate::door::Door;
+use crate::replay::Stage;
 use crate::shared::Shared;
-use crate::{Builder, State, command_port, status_port};
+use crate::{Builder, Deviation, State, command_port, status_port};
 
 /// What a status packet shows as error code after a collision. Field notes show such a code, without its meaning.
 const COLLISION: &str = "0x10f0005";
@@ -148,6 +149,13 @@ impl Controller {
         self.shared.tape.wait_for(count, timeout)
     }
 
+    /// Where clients did something else than the recorded one, in a [replay](Builder::replay); empty if there was nothing.
+    ///
+    /// A client that has left may still be on its way out: [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
+    pub fn deviations(&self) -> Vec<Deviation> {
+        self.shared.stage.as_ref().map(Stage::deviations).unwrap_or_default()
+    }
+
     /// Sends bytes to the command client, unasked.
     ///
     /// # Errors
@@ -160,7 +168,8 @@ impl Controller {
 
     /// Sends a status packet to all readers now.
     ///
-    /// Returns when each has been sent its packet. A reader that has not read for a second is dropped.
+    /// Returns when each has been sent its packet. A reader that has not read for a second is dropped. In a replay, which has its
+    /// own packets, this does nothing.
     pub fn publish(&self) {
         settle(&self.shared.status_door);
         self.shared.readers.publish(&self.shared);

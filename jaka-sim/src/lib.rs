@@ -14,6 +14,7 @@ mod kinematics;
 mod lock;
 mod motion;
 mod program;
+mod replay;
 mod shared;
 mod state;
 mod status_port;
@@ -30,6 +31,7 @@ pub use jaka_proto as proto;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
 pub use kinematics::Model;
+pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };

@@ -12,6 +12,7 @@ use crate::clock::{CYCLE, Clock};
 use crate::command_port::{Rival, Seat};
 use crate::door::Door;
 use crate::lock::lock;
+use crate::replay::Stage;
 use crate::status_port::Readers;
 use crate::tape::Tape;
 use crate::world::World;
@@ -29,6 +30,8 @@ pub(crate) struct Shared {
     pub(crate) rival: Rival,
     pub(crate) readers: Readers,
     pub(crate) tape: Tape,
+    /// The replay, in place of the simulated arm.
+    pub(crate) stage: Option<Stage>,
     world: Mutex<World>,
     clock: Clock,
     steps: Mutex<Steps>,
@@ -53,6 +56,7 @@ impl Shared {
             rival: Rival::default(),
             readers: Readers::new(options.faults.status_fault().clone()),
             tape: Tape::default(),
+            stage: options.replay.as_ref().map(|plan| Stage::new(plan, options.replay_timing)),
             world: Mutex::new(World::new(&options, &book)?),
             book,
             replies: Mutex::default(),

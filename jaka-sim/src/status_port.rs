@@ -4,16 +4,18 @@ mod extio;
 mod outlet;
 mod packet;
 mod reader;
+mod replayed;
 
 use std::collections::VecDeque;
 use std::io;
-use std::net::TcpStream;
+use std::net::{Shutdown, TcpStream};
 use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use self::packet::packet;
 use self::reader::{Letter, Reader};
+use self::replayed::Packets;
 use crate::StatusFault;
 use crate::lock::lock;
 use crate::shared::Shared;
@@ -35,6 +37,15 @@ pub(crate) fn run(shared: &Arc<Shared>) {
 fn admit(guest: TcpStream, shared: &Arc<Shared>) -> io::Result<()> {
     log::trace!(target: "jaka_sim", "status reader connected");
     let host = Arc::clone(shared);
+    if let Some(stage) = &shared.stage {
+        let Some(script) = stage.next_reader() else { return guest.shutdown(Shutdown::Both) };
+        let packets = Packets::new(script, host.options.period());
+        return shared.readers.add(guest, move |reader| {
+            if let Some(stage) = &host.stage {
+                reader.replay(packets, stage);
+            }
+        });
+    }
     // With a stepped clock, packets go out as it is stepped.
     let period = Some(host.options.period()).filter(|_| !host.options.stepped);
     shared.readers.add(guest, move |reader| reader.run(period, || packet(&host.world().state, host.options.firmware)))
@@ -79,8 +90,11 @@ impl Readers {
         outlet::period(&lock(&self.room).fault, usual)
     }
 
-    /// Sends the present state to all.
+    /// Sends the present state to all; nothing in a replay, in which there is none.
     pub(crate) fn publish(&self, shared: &Shared) {
+        if shared.stage.is_some() {
+            return;
+        }
         let packet = packet(&shared.world().state, shared.options.firmware);
         self.post(&Letter::Packet(packet.into()));
     }

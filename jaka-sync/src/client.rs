@@ -9,12 +9,13 @@ use std::time::Duration;
 
 use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
+use jaka_proto::recording::Port;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
 use serde_json::Value;
 
 use crate::link::{Link, Sent};
-use crate::{COMMAND_PORT, Config, Disconnect, Error, StopHandle, address};
+use crate::{Config, Disconnect, Error, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
 ///
@@ -49,8 +50,8 @@ impl Client {
     }
 
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let stream = address::connect(address, COMMAND_PORT, config)?;
-        let link = Arc::new(Link::new(stream, config));
+        let (stream, tap) = recorder::connect(address, Port::Command, config)?;
+        let link = Arc::new(Link::new(stream, tap, config));
         Ok(Self { link, config: config.clone(), firmware: None, reply: String::new() })
     }
 
@@ -84,8 +85,8 @@ impl Client {
         if info.ends_session {
             self.link.end(info);
         }
-        let reply = read_payload(info, &self.reply);
-        reply.map_err(|source| Error::UnexpectedReply { command: info.name.to_owned(), source })
+        let payload = read_payload(info, &self.reply);
+        payload.map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
     }
 
     /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
@@ -107,8 +108,7 @@ impl Client {
         mine: impl Fn(Ticket) -> bool,
         each: impl FnMut(Ticket, Result<(), Error>),
     ) -> Result<(), Error> {
-        let lost = |cause| Error::Disconnected { command: Some(command.to_owned()), sent: true, cause };
-        self.link.drain(mine, each, command).map_err(lost)
+        self.link.drain(mine, each, command)
     }
 
     /// Gives up the reply to a command that was posted.
@@ -133,10 +133,8 @@ impl Client {
     /// The checks stay as they were then.
     pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
         let text = self.call(&GetVersion)?.version;
-        let unexpected = |_| Error::UnexpectedReply {
-            command: GetVersion::INFO.name.to_owned(),
-            source: DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version"),
-        };
+        let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
+        let unexpected = |_| self.link.attach(reply::unexpected(GetVersion::INFO.name, unfit()));
         let firmware = text.parse().map_err(unexpected)?;
         self.firmware = Some(firmware);
         Ok(firmware)
@@ -173,10 +171,9 @@ impl Client {
         let owed = Cow::Owned(command.trim().to_owned());
         let sent = self.link.send(command, owed, timeout, |out| out.raw(&request))?;
         self.link.wait(&sent, &mut self.reply)?;
-        let reply = serde_json::from_str(&self.reply);
-        reply.map_err(|error| Error::UnexpectedReply {
-            command: command.to_owned(),
-            source: DecodeError::unfit(format!("JSON ({error})"), &self.reply),
+        serde_json::from_str(&self.reply).map_err(|error| {
+            let source = DecodeError::unfit(format!("JSON ({error})"), &self.reply);
+            self.link.attach(reply::unexpected(command, source))
         })
     }
 
@@ -241,8 +238,8 @@ fn closed(error: &Error) -> bool {
 
 /// The reply of a command that needs none: one without fields.
 fn without_reply<R: Fields>(info: &CommandInfo) -> Result<R, Error> {
-    let reply = R::read_fields(&mut Reader::new("{}"));
-    reply.map_err(|source| Error::UnexpectedReply { command: info.name.to_owned(), source })
+    let empty = R::read_fields(&mut Reader::new("{}"));
+    empty.map_err(|source| reply::unexpected(info.name, source))
 }
 
 fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgument> {

@@ -7,7 +7,7 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 use jaka_proto::wire::Decode;
 
-use crate::{Client, Error, Monitor, Reconnect, StatusStream};
+use crate::{Client, Error, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
 
 /// How a connection behaves: timeouts, keepalive, frame size and checks.
 ///
@@ -28,6 +28,8 @@ pub struct Config {
     pub(crate) advisory_ranges: AdvisoryRanges,
     pub(crate) stale_after: Duration,
     pub(crate) reconnect: Reconnect,
+    pub(crate) recorder: Option<Recorder>,
+    pub(crate) status_sampling: StatusSampling,
 }
 
 impl Default for Config {
@@ -41,6 +43,8 @@ impl Default for Config {
             advisory_ranges: AdvisoryRanges::Enforced,
             stale_after: Duration::from_millis(500),
             reconnect: Reconnect::Never,
+            recorder: None,
+            status_sampling: StatusSampling::All,
         }
     }
 }
@@ -110,6 +114,20 @@ impl Config {
     #[must_use]
     pub fn reconnect(mut self, policy: Reconnect) -> Self {
         self.reconnect = policy;
+        self
+    }
+
+    /// Records all connections that are made with this configuration. Nothing is recorded by default, which costs nothing.
+    #[must_use]
+    pub fn recorder(mut self, recorder: Recorder) -> Self {
+        self.recorder = Some(recorder);
+        self
+    }
+
+    /// Which status packets are recorded. All by default, which can be some 0.5 MB each second.
+    #[must_use]
+    pub fn status_sampling(mut self, sampling: StatusSampling) -> Self {
+        self.status_sampling = sampling;
         self
     }
 

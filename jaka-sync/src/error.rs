@@ -8,8 +8,11 @@ use std::time::Duration;
 
 use jaka_proto::check::{InvalidArgument, NotSent};
 use jaka_proto::framing::FrameError;
+use jaka_proto::recording::Entry;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{Mistrust, NotInFirmware, Refusal};
+
+use crate::recorder::{self, Exchanges};
 
 /// Why a call failed.
 ///
@@ -32,13 +35,20 @@ pub enum Error {
         source: io::Error,
     },
     /// The controller refused the command, which did not run. The connection is fine.
-    Refused(Refusal),
+    Refused {
+        /// The controller's own words.
+        refusal: Refusal,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
+    },
     /// The same for a motion of a [`Robot`](crate::Robot), where its status tells why. The motion did not run.
     RefusedBecause {
         /// The controller's own words.
         refusal: Refusal,
         /// Why, and what helps.
         explanation: crate::Explanation,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
     /// No reply came in time. The command may have run; read the robot's state before you go on.
     ///
@@ -48,11 +58,15 @@ pub enum Error {
         command: String,
         /// How long was waited.
         after: Duration,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
     /// A later command was answered, this one was not. The command may have run; the connection is fine.
     ReplyLost {
         /// `cmdName` of the command.
         command: String,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
     /// The controller accepted the command, but its reply does not fit the spec. The connection is fine.
     ///
@@ -62,6 +76,8 @@ pub enum Error {
         command: String,
         /// Which field does not fit.
         source: DecodeError,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
     /// The connection is broken for good, and each later call says so again. Connect anew when the robot's state is known.
     Disconnected {
@@ -71,11 +87,15 @@ pub enum Error {
         sent: bool,
         /// What broke the connection.
         cause: Arc<Disconnect>,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
     /// No status packet came in time. The stream can still be used.
     StatusTimeout {
         /// How long was waited.
         after: Duration,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
     /// A motion was not sent, since the robot has stopped or a connection was lost, and nobody has acknowledged it: see
     /// [`Robot::acknowledge`](crate::Robot::acknowledge).
@@ -94,6 +114,8 @@ pub enum Error {
     UnexpectedStatus {
         /// Which field does not fit.
         source: DecodeError,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
     },
 }
 
@@ -143,24 +165,56 @@ impl Error {
     /// The controller's code and message, if it refused the command.
     pub fn refusal(&self) -> Option<&Refusal> {
         match self {
-            Self::Refused(refusal) | Self::RefusedBecause { refusal, .. } => Some(refusal),
+            Self::Refused { refusal, .. } | Self::RefusedBecause { refusal, .. } => Some(refusal),
             _ => None,
         }
     }
-}
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// The last eight messages of the connection on which the call failed, oldest first: sent and received, with their times.
+    ///
+    /// Empty where nothing is recorded ([`Config::recorder`](crate::Config::recorder)), and for errors that concern no
+    /// connection. The alternate form of the error, `{:#}`, shows them below its text.
+    pub fn exchanges(&self) -> &[Entry] {
         match self {
-            Self::InvalidArgument(invalid) => invalid.fmt(f),
-            Self::NotInFirmware(missing) => missing.fmt(f),
+            Self::Refused { exchanges, .. }
+            | Self::RefusedBecause { exchanges, .. }
+            | Self::Timeout { exchanges, .. }
+            | Self::ReplyLost { exchanges, .. }
+            | Self::UnexpectedReply { exchanges, .. }
+            | Self::Disconnected { exchanges, .. }
+            | Self::StatusTimeout { exchanges, .. }
+            | Self::UnexpectedStatus { exchanges, .. } => exchanges.entries(),
+            Self::ServoModeNotLeft { leaving, .. } => leaving.exchanges(),
+            _ => &[],
+        }
+    }
+
+    /// Where the last messages are kept; the same variants as above.
+    pub(crate) fn exchanges_mut(&mut self) -> Option<&mut Exchanges> {
+        match self {
+            Self::Refused { exchanges, .. }
+            | Self::RefusedBecause { exchanges, .. }
+            | Self::Timeout { exchanges, .. }
+            | Self::ReplyLost { exchanges, .. }
+            | Self::UnexpectedReply { exchanges, .. }
+            | Self::Disconnected { exchanges, .. }
+            | Self::StatusTimeout { exchanges, .. }
+            | Self::UnexpectedStatus { exchanges, .. } => Some(exchanges),
+            _ => None,
+        }
+    }
+
+    fn write_text(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InvalidArgument(invalid) => write!(f, "{invalid}"),
+            Self::NotInFirmware(missing) => write!(f, "{missing}"),
             Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
-            Self::Refused(refusal) => refusal.fmt(f),
-            Self::RefusedBecause { refusal, explanation } => write!(f, "{refusal}; {explanation}"),
-            Self::Timeout { command, after } => {
+            Self::Refused { refusal, .. } => write!(f, "{refusal}"),
+            Self::RefusedBecause { refusal, explanation, .. } => write!(f, "{refusal}; {explanation}"),
+            Self::Timeout { command, after, .. } => {
                 write!(f, "no reply to `{command}` within {after:?}; it may have run")
             }
-            Self::ReplyLost { command } => {
+            Self::ReplyLost { command, .. } => {
                 write!(f, "the reply to `{command}` is lost, a later command was answered; it may have run")
             }
             Self::UnexpectedReply { command, .. } => {
@@ -179,9 +233,17 @@ impl fmt::Display for Error {
             Self::NotAcknowledged { outcome } => {
                 write!(f, "the motion was not sent, until what happened is acknowledged: {outcome}")
             }
-            Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
+            Self::StatusTimeout { after, .. } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
         }
+    }
+}
+
+/// One line of text; with `{:#}` the last messages below it, where they were recorded.
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_text(f)?;
+        if f.alternate() { recorder::show(self.exchanges(), f) } else { Ok(()) }
     }
 }
 
@@ -189,7 +251,7 @@ impl StdError for Error {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
         match self {
             Self::Connect { source, .. } => Some(source),
-            Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source } => Some(source),
+            Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source, .. } => Some(source),
             Self::Disconnected { cause, .. } => Some(&**cause),
             // The texts of `InvalidArgument`, `NotInFirmware` and `Refused` are this error's own.
             _ => None,

@@ -10,6 +10,7 @@ mod methods;
 mod monitor;
 mod pack;
 mod receive;
+mod recorder;
 mod reply;
 mod robot;
 mod servo_session;
@@ -27,12 +28,15 @@ pub use jaka_proto::geometry;
 #[doc(inline)]
 pub use jaka_proto::messages::*;
 #[doc(no_inline)]
+pub use jaka_proto::recording;
+#[doc(no_inline)]
 pub use jaka_proto::{
     Command, CommandInfo, Effect, ErrorCode, FirmwareRange, FirmwareVersion, NotInFirmware, Refusal, Requirement,
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
+pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling};
 pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;

@@ -11,16 +11,18 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::framing::Framer;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Arrival, CommandInfo, Ledger, Mistrust, Request, Ticket};
+use jaka_proto::{Arrival, CommandInfo, Ledger, Mistrust, Ticket};
 
 use crate::receive::{self, Chunk};
-use crate::reply::Reply;
-use crate::{Config, Disconnect, Error};
+use crate::recorder::Tap;
+use crate::reply::{self, Reply};
+use crate::{Config, Disconnect, Error, Exchanges};
 
 /// One command connection.
 #[derive(Debug)]
 pub(crate) struct Link {
     stream: TcpStream,
+    tap: Tap,
     state: Mutex<State>,
     /// Signalled when an answer was put aside, the reader's place became free, or the connection broke.
     turned: Condvar,
@@ -76,9 +78,9 @@ impl Sent<'_> {
 }
 
 impl Link {
-    pub(crate) fn new(stream: TcpStream, config: &Config) -> Self {
+    pub(crate) fn new(stream: TcpStream, tap: Tap, config: &Config) -> Self {
         let inbound = Inbound { framer: Framer::new(config.max_frame), timeout: receive::Timeout::default() };
-        Self { stream, state: Mutex::default(), turned: Condvar::new(), inbound: Mutex::new(inbound) }
+        Self { stream, tap, state: Mutex::default(), turned: Condvar::new(), inbound: Mutex::new(inbound) }
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
@@ -95,6 +97,11 @@ impl Link {
         self.lock().broken.clone()
     }
 
+    /// The same error, with the last messages where they are recorded.
+    pub(crate) fn attach(&self, error: Error) -> Error {
+        self.tap.attach(error)
+    }
+
     /// Sends a command, and enters it as owed a reply.
     pub(crate) fn send<'c>(
         &self,
@@ -109,16 +116,17 @@ impl Link {
             self.break_off(&mut state, cause);
         }
         if let Some(cause) = state.broken.clone() {
-            return Err(Error::Disconnected { command: Some(command.to_owned()), sent: false, cause });
+            return Err(self.attach(disconnected(command, Progress::NotSent, cause)));
         }
         state.out.clear();
         let State { out, .. } = &mut *state;
         write(out);
         log::trace!(target: "jaka_sync::wire", "-> {}", state.out.as_str());
+        self.tap.sent(state.out.as_str());
         let ticket = state.ledger.sent(owed);
         if let Err(source) = (&self.stream).write_all(state.out.as_str().as_bytes()) {
             let cause = self.break_off(&mut state, Disconnect::Write(source));
-            return Err(Error::Disconnected { command: Some(command.to_owned()), sent: true, cause });
+            return Err(self.attach(disconnected(command, Progress::Sent, cause)));
         }
         Ok(Sent { ticket, command, since, timeout })
     }
@@ -126,21 +134,25 @@ impl Link {
     /// Why nothing must be sent: a reply has been read that nobody is owed.
     fn unasked(&self, state: &State) -> Option<Disconnect> {
         let mut inbound = self.inbound.try_lock().ok().filter(|_| state.ledger.outstanding() == 0)?;
-        match inbound.framer.next_frame() {
-            Ok(None) => None,
+        let cause = match inbound.framer.next_frame() {
+            Ok(None) => return None,
             Ok(Some(frame)) => {
+                self.tap.received(frame);
                 let reply = std::str::from_utf8(frame).ok().and_then(|text| Reply::read(text).ok());
                 let command = reply.and_then(Reply::into_command).unwrap_or_default();
-                Some(Disconnect::Mistrust(Mistrust::Unasked { command }))
+                Disconnect::Mistrust(Mistrust::Unasked { command })
             }
-            Err(error) => Some(Disconnect::Frame(error)),
-        }
+            Err(error) => Disconnect::Frame(error),
+        };
+        self.tap.stray(inbound.framer.partial());
+        Some(cause)
     }
 
     /// Breaks the connection for good. The first cause stays.
     fn break_off(&self, state: &mut State, cause: Disconnect) -> Arc<Disconnect> {
         // An error here means that the socket is closed already.
         let _ = self.stream.shutdown(Shutdown::Both);
+        self.tap.broken(&cause);
         let cause = Arc::clone(state.broken.get_or_insert_with(|| Arc::new(cause)));
         self.wake(state);
         cause
@@ -160,13 +172,17 @@ impl Link {
 
     /// Waits for the reply to a command that was sent, and puts its text into `reply`. A refusal is an error.
     pub(crate) fn wait(&self, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
+        self.answer(sent, reply).map_err(|error| self.attach(error))
+    }
+
+    fn answer(&self, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
         let mut state = self.lock();
         loop {
             if let Some(answer) = state.take(sent.ticket) {
                 return deliver(answer, sent, reply);
             }
             if let Some(cause) = state.broken.clone() {
-                return Err(disconnected(sent, cause));
+                return Err(disconnected(sent.command, Progress::Sent, cause));
             }
             let left = sent.left();
             if left.is_zero() {
@@ -201,10 +217,13 @@ impl Link {
 
     fn give_up(&self, state: &mut State, sent: &Sent<'_>) -> Error {
         match state.ledger.give_up(sent.ticket) {
-            Ok(()) => Error::Timeout { command: sent.command.to_owned(), after: sent.timeout },
+            Ok(()) => {
+                let (command, exchanges) = (sent.command.to_owned(), Exchanges::default());
+                Error::Timeout { command, after: sent.timeout, exchanges }
+            }
             Err(mistrust) => {
                 let cause = self.break_off(state, Disconnect::Mistrust(mistrust));
-                disconnected(sent, cause)
+                disconnected(sent.command, Progress::Sent, cause)
             }
         }
     }
@@ -212,11 +231,17 @@ impl Link {
     /// Reads replies, each for whom it belongs to, until the caller's own has come or its time is up.
     fn read(&self, sent: &Sent<'_>, reply: &mut String) -> Result<ReadEnd, Disconnect> {
         let mut inbound = self.inbound.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let Inbound { framer, timeout } = &mut *inbound;
+        let read = self.read_into(&mut inbound, sent, reply);
+        if read.is_err() {
+            self.tap.stray(inbound.framer.partial());
+        }
+        read
+    }
+
+    fn read_into(&self, inbound: &mut Inbound, sent: &Sent<'_>, reply: &mut String) -> Result<ReadEnd, Disconnect> {
+        let Inbound { framer, timeout } = inbound;
         loop {
-            while let Some(frame) = framer.next_frame().map_err(Disconnect::Frame)? {
-                let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
-                log::trace!(target: "jaka_sync::wire", "<- {text}");
+            while let Some(text) = self.next_message(framer)? {
                 match self.settle(text, sent)? {
                     Settled::Mine(accepted) => {
                         reply.clear();
@@ -227,12 +252,23 @@ impl Link {
                     Settled::Other => {}
                 }
             }
-            match receive::chunk(&self.stream, framer, timeout, sent.left()) {
+            match receive::chunk(&self.stream, &self.tap, framer, timeout, sent.left()) {
                 Ok(Chunk::Some) => {}
                 Ok(Chunk::TimeUp) => return Ok(ReadEnd::TimeUp),
                 Err(cause) => return Err(cause),
             }
         }
+    }
+
+    /// The next message among the bytes that have come.
+    fn next_message<'f>(&self, framer: &'f mut Framer) -> Result<Option<&'f str>, Disconnect> {
+        let Some(frame) = framer.next_frame().map_err(Disconnect::Frame)? else {
+            return Ok(None);
+        };
+        self.tap.received(frame);
+        let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
+        log::trace!(target: "jaka_sync::wire", "<- {text}");
+        Ok(Some(text))
     }
 
     /// Reads what has arrived, without waiting, and calls `each` with the commands that `mine` knows and what became of
@@ -244,7 +280,7 @@ impl Link {
         mine: impl Fn(Ticket) -> bool,
         mut each: impl FnMut(Ticket, Result<(), Error>),
         command: &str,
-    ) -> Result<(), Arc<Disconnect>> {
+    ) -> Result<(), Error> {
         let mut state = self.lock();
         if state.reader == Reader::Nobody {
             // With the lock held, nobody writes while the socket does not block.
@@ -257,28 +293,36 @@ impl Link {
         state.aside = kept;
         for (ticket, answer) in answered {
             let sent = Sent { ticket, command, since: Instant::now(), timeout: Duration::ZERO };
-            each(ticket, deliver(answer, &sent, &mut String::new()));
+            let accepted = deliver(answer, &sent, &mut String::new());
+            each(ticket, accepted.map_err(|error| self.attach(error)));
         }
-        state.broken.clone().map_or(Ok(()), Err)
+        let broken = state.broken.clone();
+        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, Progress::Sent, cause))))
     }
 
     fn read_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
         let Ok(mut inbound) = self.inbound.try_lock() else {
             return Ok(());
         };
-        let Inbound { framer, timeout } = &mut *inbound;
+        let read = self.read_all(&mut inbound, state);
+        if read.is_err() {
+            self.tap.stray(inbound.framer.partial());
+        }
+        read
+    }
+
+    fn read_all(&self, inbound: &mut Inbound, state: &mut State) -> Result<(), Disconnect> {
+        let Inbound { framer, timeout } = inbound;
         self.stream.set_nonblocking(true).map_err(Disconnect::Read)?;
         let arrived = loop {
-            match receive::chunk(&self.stream, framer, timeout, Duration::from_secs(1)) {
+            match receive::chunk(&self.stream, &self.tap, framer, timeout, Duration::from_secs(1)) {
                 Ok(Chunk::Some) => {}
                 Ok(Chunk::TimeUp) => break Ok(()),
                 Err(cause) => break Err(cause),
             }
         };
         self.stream.set_nonblocking(false).map_err(Disconnect::Read)?;
-        while let Some(frame) = framer.next_frame().map_err(Disconnect::Frame)? {
-            let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
-            log::trace!(target: "jaka_sync::wire", "<- {text}");
+        while let Some(text) = self.next_message(framer)? {
             let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
             let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
             state.put_aside(&arrival, text, None);
@@ -327,17 +371,10 @@ enum ReadEnd {
 impl State {
     /// Whose reply this is.
     fn arrived(&mut self, reply: &Reply<'_>) -> Result<Arrival, Mistrust> {
-        match reply {
-            Reply::Bare => {
-                let bare = Request::COMMANDS.iter().find(|info| info.bare_reply.is_some());
-                self.ledger.arrived(bare.map_or("", |info| info.name))
-            }
-            Reply::Json(envelope) => match &envelope.command {
-                Some(command) => self.ledger.arrived(command),
-                None if envelope.refusal().is_some() => self.ledger.arrived_nameless(),
-                None => Err(Mistrust::Nameless),
-            },
-        }
+        self.ledger.arrived_reply(match reply {
+            Reply::Json(envelope) => Some(envelope),
+            Reply::Bare => None,
+        })
     }
 
     /// Puts aside what others than the caller wait for: the reply, and that replies are lost.
@@ -361,17 +398,31 @@ fn deliver(answer: Answer, sent: &Sent<'_>, reply: &mut String) -> Result<(), Er
     match answer {
         Answer::Reply(text) => {
             *reply = text;
-            let unexpected = |source| Error::UnexpectedReply { command: sent.command.to_owned(), source };
-            Reply::read(reply).map_err(unexpected)?.accepted(sent.command)
+            let read = Reply::read(reply).map_err(|source| reply::unexpected(sent.command, source));
+            read?.accepted(sent.command)
         }
         Answer::Lost => Err(lost(sent)),
     }
 }
 
 fn lost(sent: &Sent<'_>) -> Error {
-    Error::ReplyLost { command: sent.command.to_owned() }
+    Error::ReplyLost { command: sent.command.to_owned(), exchanges: Exchanges::default() }
 }
 
-fn disconnected(sent: &Sent<'_>, cause: Arc<Disconnect>) -> Error {
-    Error::Disconnected { command: Some(sent.command.to_owned()), sent: true, cause }
+/// Whether a command was on the wire when its connection was broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Progress {
+    Sent,
+    NotSent,
+}
+
+fn disconnected(command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
+    let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
+    Error::Disconnected { command, sent, cause, exchanges: Exchanges::default() }
+}
+
+impl Drop for Link {
+    fn drop(&mut self) {
+        self.tap.left();
+    }
 }

@@ -13,6 +13,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use self::observer::Observers;
@@ -21,7 +22,8 @@ use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
 use self::subscription::Queue;
 pub use self::subscription::Subscription;
-use crate::{Config, Disconnect, Error, STATUS_PORT, address};
+use crate::recorder::{self, Tap};
+use crate::{Config, Disconnect, Error, Exchanges};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
 ///
@@ -86,6 +88,7 @@ struct State<S> {
     unfit: Option<DecodeError>,
     /// The connection, for the monitor to end it.
     stream: Option<std::net::TcpStream>,
+    tap: Tap,
     closing: bool,
 }
 
@@ -112,7 +115,7 @@ impl Monitor<RobotStatus> {
 
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let stream = address::connect(address, STATUS_PORT, config)?;
+        let (stream, tap) = recorder::connect(address, Port::Status, config)?;
         let failed = |source| Error::Connect { address: address.to_owned(), source };
         let state = State {
             latest: None,
@@ -122,12 +125,13 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
             ended: None,
             unfit: None,
             stream: Some(stream.try_clone().map_err(failed)?),
+            tap: tap.clone(),
             closing: false,
         };
         let board = Arc::new(Board { state: Mutex::new(state), changed: Condvar::new() });
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
-        let thread = builder.spawn(move || worker.run(stream, decode::<S>)).map_err(failed)?;
+        let thread = builder.spawn(move || worker.run((stream, tap), decode::<S>)).map_err(failed)?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, thread: Some(thread), timeout, stale_after })
     }
@@ -210,9 +214,12 @@ impl<S> Monitor<S> {
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
         ended(&self.board.lock())?;
         let found = self.watch(timeout, |latest| latest.filter(|latest| wanted(latest)).cloned())?;
-        found.ok_or_else(|| match self.board.lock().unfit.clone() {
-            Some(source) => Error::UnexpectedStatus { source },
-            None => Error::StatusTimeout { after: timeout },
+        found.ok_or_else(|| {
+            let (state, exchanges) = (self.board.lock(), Exchanges::default());
+            state.tap.attach(match state.unfit.clone() {
+                Some(source) => Error::UnexpectedStatus { source, exchanges },
+                None => Error::StatusTimeout { after: timeout, exchanges },
+            })
         })
     }
 
@@ -267,7 +274,10 @@ impl<S> Waker<S> {
 
 fn ended<S>(state: &State<S>) -> Result<(), Error> {
     let cause = state.ended.clone();
-    cause.map_or(Ok(()), |cause| Err(Error::Disconnected { command: None, sent: false, cause }))
+    let exchanges = Exchanges::default();
+    cause.map_or(Ok(()), |cause| {
+        Err(state.tap.attach(Error::Disconnected { command: None, sent: false, cause, exchanges }))
+    })
 }
 
 impl<S> Drop for Monitor<S> {

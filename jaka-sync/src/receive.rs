@@ -7,6 +7,7 @@ use std::time::Duration;
 use jaka_proto::framing::Framer;
 
 use crate::Disconnect;
+use crate::recorder::Tap;
 
 /// What a read brought.
 #[derive(Debug, PartialEq, Eq)]
@@ -39,6 +40,7 @@ impl Timeout {
 /// Reads once.
 pub(crate) fn chunk(
     mut stream: &TcpStream,
+    tap: &Tap,
     framer: &mut Framer,
     timeout: &mut Timeout,
     left: Duration,
@@ -51,6 +53,7 @@ pub(crate) fn chunk(
         Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
         Ok(len) => {
             framer.filled(len);
+            tap.arrived();
             Ok(Chunk::Some)
         }
         Err(error) => match error.kind() {

@@ -3,7 +3,7 @@
 use jaka_proto::Envelope;
 use jaka_proto::wire::DecodeError;
 
-use crate::Error;
+use crate::{Error, Exchanges};
 
 /// What a reply says beside its payload.
 #[derive(Debug)]
@@ -33,9 +33,13 @@ impl<'a> Reply<'a> {
         };
         if let Some(mut refusal) = envelope.refusal() {
             command.clone_into(&mut refusal.command);
-            return Err(Error::Refused(refusal));
+            return Err(Error::Refused { refusal, exchanges: Exchanges::default() });
         }
-        let unexpected = |source| Error::UnexpectedReply { command: command.to_owned(), source };
-        envelope.code.map(drop).map_err(unexpected)
+        envelope.code.map(drop).map_err(|source| unexpected(command, source))
     }
+}
+
+/// The error for a reply that does not fit the spec.
+pub(crate) fn unexpected(command: &str, source: DecodeError) -> Error {
+    Error::UnexpectedReply { command: command.to_owned(), source, exchanges: Exchanges::default() }
 }

@@ -271,7 +271,9 @@ impl Robot {
     /// The same error, with the reason for a refusal where the status tells it.
     fn explained(&self, error: Error) -> Error {
         match (self.explain(&error), error) {
-            (Some(explanation), Error::Refused(refusal)) => Error::RefusedBecause { refusal, explanation },
+            (Some(explanation), Error::Refused { refusal, exchanges }) => {
+                Error::RefusedBecause { refusal, explanation, exchanges }
+            }
             (_, error) => error,
         }
     }

@@ -7,10 +7,12 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, Reader};
 
 use crate::receive::{self, Chunk};
-use crate::{Config, Disconnect, Error, STATUS_PORT, address};
+use crate::recorder::{self, Tap};
+use crate::{Config, Disconnect, Error, Exchanges};
 
 /// A reader of the status packets that a controller sends on port 10000.
 ///
@@ -29,6 +31,7 @@ use crate::{Config, Disconnect, Error, STATUS_PORT, address};
 #[derive(Debug)]
 pub struct StatusStream {
     stream: TcpStream,
+    tap: Tap,
     framer: Framer,
     socket_timeout: receive::Timeout,
     timeout: Duration,
@@ -46,8 +49,10 @@ impl StatusStream {
     }
 
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
+        let (stream, tap) = recorder::connect(address, Port::Status, config)?;
         Ok(Self {
-            stream: address::connect(address, STATUS_PORT, config)?,
+            stream,
+            tap,
             framer: Framer::new(config.max_frame),
             socket_timeout: receive::Timeout::default(),
             timeout: config.reply_timeout,
@@ -85,7 +90,7 @@ impl StatusStream {
 
     fn decode(&self) -> Result<RobotStatus, Error> {
         let status = RobotStatus::decode(&mut Reader::new(&self.packet));
-        status.map_err(|source| Error::UnexpectedStatus { source })
+        status.map_err(|source| self.tap.attach(Error::UnexpectedStatus { source, exchanges: Exchanges::default() }))
     }
 
     /// Waits for a packet and keeps its text.
@@ -97,9 +102,9 @@ impl StatusStream {
                 return Ok(());
             }
             let left = self.timeout.saturating_sub(since.elapsed());
-            match receive::chunk(&self.stream, &mut self.framer, &mut self.socket_timeout, left) {
+            match self.read(left) {
                 Ok(Chunk::Some) => {}
-                Ok(Chunk::TimeUp) => return Err(Error::StatusTimeout { after: self.timeout }),
+                Ok(Chunk::TimeUp) => return Err(self.time_up()),
                 Err(cause) => return Err(self.break_off(cause)),
             }
         }
@@ -113,7 +118,7 @@ impl StatusStream {
         // A controller that sends faster than this reads would hold it here for ever.
         let deadline = Instant::now() + self.timeout;
         while Instant::now() < deadline {
-            match receive::chunk(&self.stream, &mut self.framer, &mut self.socket_timeout, self.timeout) {
+            match self.read(self.timeout) {
                 Ok(Chunk::Some) => found |= self.take_newest()?,
                 Ok(Chunk::TimeUp) => break,
                 Err(cause) => return Err(self.break_off(cause)),
@@ -121,6 +126,11 @@ impl StatusStream {
         }
         self.nonblocking(false)?;
         Ok(found)
+    }
+
+    fn read(&mut self, left: Duration) -> Result<Chunk, Disconnect> {
+        let Self { stream, tap, framer, socket_timeout, .. } = self;
+        receive::chunk(stream, tap, framer, socket_timeout, left)
     }
 
     fn nonblocking(&mut self, nonblocking: bool) -> Result<(), Error> {
@@ -137,14 +147,17 @@ impl StatusStream {
 
     /// Keeps the text of the next packet that has arrived in full, if there is one.
     fn take_next(&mut self) -> Result<bool, Error> {
-        let cause = match self.framer.next_frame().map(|frame| frame.map(std::str::from_utf8)) {
+        let cause = match self.framer.next_frame() {
             Ok(None) => return Ok(false),
-            Ok(Some(Ok(text))) => {
-                self.packet.clear();
-                self.packet.push_str(text);
-                return Ok(true);
+            Ok(Some(frame)) => {
+                self.tap.packet(frame);
+                if let Ok(text) = std::str::from_utf8(frame) {
+                    self.packet.clear();
+                    self.packet.push_str(text);
+                    return Ok(true);
+                }
+                Disconnect::NotUtf8
             }
-            Ok(Some(Err(_))) => Disconnect::NotUtf8,
             Err(error) => Disconnect::Frame(error),
         };
         Err(self.break_off(cause))
@@ -152,15 +165,28 @@ impl StatusStream {
 
     fn check(&self) -> Result<(), Error> {
         let broken = self.broken.as_ref();
-        broken.map_or(Ok(()), |cause| Err(Self::disconnected(Arc::clone(cause))))
+        broken.map_or(Ok(()), |cause| Err(self.disconnected(Arc::clone(cause))))
     }
 
     fn break_off(&mut self, cause: Disconnect) -> Error {
+        self.tap.stray(self.framer.partial());
+        self.tap.broken(&cause);
         let cause = Arc::clone(self.broken.get_or_insert_with(|| Arc::new(cause)));
-        Self::disconnected(cause)
+        self.disconnected(cause)
     }
 
-    fn disconnected(cause: Arc<Disconnect>) -> Error {
-        Error::Disconnected { command: None, sent: false, cause }
+    fn disconnected(&self, cause: Arc<Disconnect>) -> Error {
+        let exchanges = Exchanges::default();
+        self.tap.attach(Error::Disconnected { command: None, sent: false, cause, exchanges })
+    }
+
+    fn time_up(&self) -> Error {
+        self.tap.attach(Error::StatusTimeout { after: self.timeout, exchanges: Exchanges::default() })
+    }
+}
+
+impl Drop for StatusStream {
+    fn drop(&mut self) {
+        self.tap.left();
     }
 }

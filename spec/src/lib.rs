@@ -11,6 +11,8 @@ mod pack;
 mod read;
 mod report;
 mod resolve;
+#[cfg(feature = "tools")]
+pub mod tools;
 mod type_text;
 mod version;
 

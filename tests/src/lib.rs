@@ -1,7 +1,7 @@
 //! What several end-to-end tests share: the document's messages, and random messages made from the spec.
 
 use jaka_sim::{Controller, Delays};
-use jaka_spec::{Field, Request, Spec, Type, TypeDef, TypeKind};
+use jaka_spec::{Command, Field, Request, Spec, Type, TypeDef, TypeKind};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
@@ -78,28 +78,30 @@ pub fn same(a: &Value, b: &Value) -> bool {
 /// Random requests, for each command of the spec.
 pub fn any_request(spec: &'static Spec) -> BoxedStrategy<Value> {
     let commands: Vec<_> = spec.commands().collect();
-    let request = move |command: &'static jaka_spec::Command| {
-        let body = match &command.request {
-            Request::Fields(fields) => any_object(spec, fields),
-            Request::Choice(choice) => {
-                let variants = choice.variants.iter().map(move |variant| {
-                    let (tag, value) = (choice.tag.clone(), variant.wire);
-                    let with_tag = move |mut object: Map<String, Value>| {
-                        object.insert(tag.clone(), value.into());
-                        object
-                    };
-                    any_object(spec, &variant.fields).prop_map(with_tag).boxed()
-                });
-                proptest::strategy::Union::new(variants).boxed()
-            }
-        };
-        let name = command.wire.clone();
-        body.prop_map(move |mut object| {
-            object.insert("cmdName".to_owned(), name.clone().into());
-            Value::Object(object)
-        })
+    proptest::sample::select(commands).prop_flat_map(move |command| any_request_of(spec, command)).boxed()
+}
+
+/// Random requests for one command.
+pub fn any_request_of(spec: &'static Spec, command: &'static Command) -> BoxedStrategy<Value> {
+    let body = match &command.request {
+        Request::Fields(fields) => any_object(spec, fields),
+        Request::Choice(choice) => {
+            let variants = choice.variants.iter().map(move |variant| {
+                let (tag, value) = (choice.tag.clone(), variant.wire);
+                let with_tag = move |mut object: Map<String, Value>| {
+                    object.insert(tag.clone(), value.into());
+                    object
+                };
+                any_object(spec, &variant.fields).prop_map(with_tag).boxed()
+            });
+            proptest::strategy::Union::new(variants).boxed()
+        }
     };
-    proptest::sample::select(commands).prop_flat_map(request).boxed()
+    let with_name = move |mut object: Map<String, Value>| {
+        object.insert("cmdName".to_owned(), command.wire.clone().into());
+        Value::Object(object)
+    };
+    body.prop_map(with_name).boxed()
 }
 
 /// Random objects with these fields.

@@ -53,7 +53,7 @@ fn assert_broken(controller: &Controller, client: &mut Client, cause: &str) {
 /// The cause of a broken connection, of a call that had been sent.
 fn cause_of(error: Error) -> String {
     match error {
-        Error::Disconnected { command: Some(_), sent: true, cause } => format!("{cause:?}"),
+        Error::Disconnected { command: Some(_), sent: true, cause, .. } => format!("{cause:?}"),
         other => panic!("the connection should be broken: {other:?}"),
     }
 }

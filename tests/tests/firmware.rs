@@ -1,60 +1,31 @@
 //! What a controller's firmware does not have is refused before it is sent, once the client knows the firmware.
 //!
-//! The built-in spec has no command that only some firmware has, so these are written by hand, as they are generated.
+//! The built-in spec has no command that only some firmware has, so a pack adds one.
 
 use std::time::Duration;
 
-use jaka_proto::check::{Limits, NotSent, Place, Validate};
-use jaka_proto::wire::{DecodeError, Encode, Fields, Reader, Writer};
+use fan::{FanCommands as _, FanCurve, SetFan};
 use jaka_sim::{Controller, Fault};
 use jaka_sync::types::JointPosition;
-use jaka_sync::{
-    Client, Command, CommandInfo, Config, Effect, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Robot,
-};
+use jaka_sync::{Client, Config, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Robot};
 use serde_json::json;
 
-/// A command that the simulator takes for `get_joint_pos`: since firmware 1.7, with a field since 1.7.2.
-#[derive(Debug, Clone, Copy, Default)]
-struct GetJoints {
-    filtered: Option<bool>,
-}
+jaka_sync::pack!("data/fan.toml");
 
-impl Fields for GetJoints {
-    fn write_fields(&self, out: &mut Writer) {
-        if let Some(filtered) = &self.filtered {
-            out.key("\"filtered\":");
-            filtered.encode(out);
-        }
-    }
-
-    fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        reader.skip().map(|()| Self::default())
-    }
-}
-
-impl Validate for GetJoints {
-    fn validate(&self, place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
-        place.check("filtered", &self.filtered, &Limits::NONE.since([1, 7, 2]))
-    }
-}
-
-impl Command for GetJoints {
-    type Reply = ();
-    const INFO: &'static CommandInfo =
-        &CommandInfo::new("get_joint_pos", "{\"cmdName\":\"get_joint_pos\"", "", Effect::Query).since([1, 7]);
-}
-
-impl Motion for GetJoints {
+/// So that a robot can wait for it.
+impl Motion for SetFan {
     fn target(&self) -> Option<JointPosition> {
         None
     }
 }
 
-const PLAIN: GetJoints = GetJoints { filtered: None };
-const FILTERED: GetJoints = GetJoints { filtered: Some(true) };
+const PLAIN: SetFan = SetFan { curve: FanCurve { speed: 0.5, quiet: None }, delay: None };
+const QUIET: SetFan = SetFan { curve: FanCurve { speed: 0.5, quiet: Some(true) }, ..PLAIN };
+const DELAYED: SetFan = SetFan { delay: Some(1.0), ..PLAIN };
 
 fn connected() -> (Controller, Client) {
-    let controller = jaka_tests::controller();
+    let pack = concat!(env!("CARGO_MANIFEST_DIR"), "/data/fan.toml");
+    let controller = Controller::builder().pack(pack).start().expect("loopback has free ports");
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     (controller, client)
 }
@@ -77,8 +48,8 @@ fn nothing_is_refused_by_default() {
     let (controller, mut client) = connected();
     assert_eq!(client.get_version().expect("it answers").version, "1.6.5_01_X86");
     assert_eq!(client.firmware(), None);
-    client.call(&FILTERED).expect("the simulator takes it");
-    assert_eq!(controller.requests()[1], r#"{"cmdName":"get_joint_pos","filtered":true}"#);
+    client.set_fan(&QUIET).expect("the simulator takes it");
+    assert_eq!(controller.requests()[1], r#"{"cmdName":"set_fan","curve":{"speed":0.5,"quiet":true}}"#);
 }
 
 #[test]
@@ -88,10 +59,10 @@ fn a_command_that_the_controller_does_not_have_is_not_sent() {
     assert_eq!((firmware, client.firmware()), (FirmwareVersion::new([1, 6, 5]), Some(firmware)));
     assert_eq!(controller.requests(), [r#"{"cmdName":"get_version"}"#]);
 
-    let error = client.call(&PLAIN).expect_err("the firmware is too old");
+    let error = client.set_fan(&PLAIN).expect_err("the firmware is too old");
     assert_eq!(
         error.to_string(),
-        "`get_joint_pos` was not sent: the controller's firmware 1.6.5 does not have it; firmware 1.7 and later has"
+        "`set_fan` was not sent: the controller's firmware 1.6.5 does not have it; firmware 1.7 and later has"
     );
     assert!(error.is_not_in_firmware() && !error.may_have_run());
     assert!(!error.is_invalid_argument() && !error.is_refused() && !error.is_disconnected());
@@ -101,7 +72,7 @@ fn a_command_that_the_controller_does_not_have_is_not_sent() {
     // All else is sent: what every firmware has, the version, and what the spec knows nothing of.
     client.get_joint_pos().expect("every firmware has it");
     client.get_version().expect("every firmware has it");
-    client.call_raw("get_joint_pos", &json!({"filtered": true})).expect("raw calls are sent as they are");
+    client.call_raw("set_fan", &json!({"curve": {"speed": 1}})).expect("raw calls are sent as they are");
     assert_eq!(controller.requests().len(), 4);
 }
 
@@ -110,14 +81,19 @@ fn a_field_that_the_controller_does_not_have_is_not_sent() {
     let (controller, mut client) = connected();
     says(&controller, "V1.7.1.46_X64");
     client.check_firmware().expect("the text is a version");
-    client.call(&PLAIN).expect("the firmware has the command");
-    let error = missing(client.call(&FILTERED));
-    assert_eq!(error.field.as_deref(), Some("filtered"));
-    assert_eq!(controller.requests().len(), 2);
+    client.set_fan(&PLAIN).expect("the firmware has the command");
+    client.set_fan(&DELAYED).expect("the firmware has the field");
+    assert_eq!(
+        missing(client.set_fan(&QUIET)).to_string(),
+        "`set_fan` was not sent: the controller's firmware 1.7.1.46 does not have its field `curve.quiet`; \
+         firmware 1.7.2 and later has"
+    );
+    assert_eq!(controller.requests().len(), 3);
 
-    says(&controller, "1.7.2");
+    says(&controller, "1.8.0");
     client.check_firmware().expect("the text is a version");
-    client.call(&FILTERED).expect("the firmware has the field");
+    client.set_fan(&QUIET).expect("the firmware has the field");
+    assert_eq!(missing(client.set_fan(&DELAYED)).field.as_deref(), Some("delay"));
 }
 
 #[test]
@@ -132,22 +108,22 @@ fn a_version_that_cannot_be_read_is_an_error_and_changes_nothing() {
         "field `version`: expected a firmware version such as 1.6.5_01_X86, found `development build`"
     );
     assert_eq!(client.firmware(), None);
-    client.call(&FILTERED).expect("nothing is refused");
+    client.set_fan(&QUIET).expect("nothing is refused");
 
     client.check_firmware().expect("now it is one");
     says(&controller, "");
     client.check_firmware().expect_err("it is no version");
-    missing(client.call(&PLAIN));
+    missing(client.set_fan(&PLAIN));
 }
 
 #[test]
 fn a_firmware_that_is_set_is_not_asked_for() {
     let (controller, mut client) = connected();
     client.set_firmware(Some(FirmwareVersion::new([1, 5, 14])));
-    missing(client.call(&PLAIN));
+    missing(client.set_fan(&PLAIN));
     assert!(controller.requests().is_empty());
     client.set_firmware(None);
-    client.call(&PLAIN).expect("nothing is refused");
+    client.set_fan(&PLAIN).expect("nothing is refused");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use jaka_pack_user::newer::{self, NewerCommands as _};
 use jaka_pack_user::{is_stopped, move_with_zone, queued};
 use jaka_sim::{Controller, Delays};
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Client, Config, Error, Monitor, Robot};
+use jaka_sync::{Client, Config, Monitor, Robot};
 use serde_json::{Value, json};
 
 fn pack(name: &str) -> PathBuf {
@@ -75,7 +75,7 @@ fn the_simulator_checks_and_refuses_what_a_pack_adds() {
     let controller = controller();
     let mut robot = client(&controller);
     let error = robot.call_raw("set_port10000_delay_ms", &json!({"port10000_delay_ms": 0})).expect_err("out of range");
-    assert!(matches!(error, Error::Refused(_)), "{error:?}");
+    assert!(error.is_refused(), "{error:?}");
     let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("the arm has no power");
     assert!(error.is_refused(), "{error:?}");
 }

@@ -90,7 +90,7 @@ fn a_packet_that_does_not_fit_is_an_error_and_the_stream_goes_on() {
     let (controller, mut status) = quiet();
     controller.send_status(b"{\"len\": 42, \"enabled\": \"perhaps\"}");
     let error = status.next_packet().expect_err("that is no truth value");
-    let Error::UnexpectedStatus { source } = &error else { panic!("it is told apart: {error:?}") };
+    let Error::UnexpectedStatus { source, .. } = &error else { panic!("it is told apart: {error:?}") };
     assert_eq!(source.to_string(), "field `enabled`: expected a truth value, found `\"perhaps\"`");
     assert_eq!(status.last_packet(), Some("{\"len\": 42, \"enabled\": \"perhaps\"}"));
     controller.publish();

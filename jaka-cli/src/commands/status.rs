@@ -9,11 +9,10 @@ use std::num::NonZeroU64;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{Monitor, Reconnect, Snapshot};
-use serde_json::Value;
 
-use self::packets::{Packets, RawText};
+use self::csv::Columns;
+use self::packets::Packets;
+use self::table::Table;
 use crate::failure::Failure;
 use crate::fields::Field;
 use crate::interrupt::end_on_interrupt;
@@ -31,16 +30,15 @@ const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_st
 /// Only reads, from the status port, so that it disturbs no other program.
 #[derive(Debug, Args)]
 pub(crate) struct Status {
-    #[command(flatten)]
-    robot: RobotArgs,
     /// Print again each second, or each so many seconds; 0 for every packet
     #[arg(long, short, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "1", value_parser = seconds)]
     watch: Option<Duration>,
     /// End after so many packets; without --watch one a second
     #[arg(long, short = 'n', value_name = "N")]
     count: Option<NonZeroU64>,
-    /// What to print: names as in the Rust API or on the wire, such as
-    /// `enabled,actual_position.x,joint_actual_position[0]`; `all` for everything [default: the usual]
+    /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
+    ///
+    /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
     #[arg(long, short, value_name = "NAMES", conflicts_with = "raw")]
     fields: Option<String>,
     /// How to print it
@@ -49,6 +47,8 @@ pub(crate) struct Status {
     /// Print each packet's own text
     #[arg(long)]
     raw: bool,
+    #[command(flatten)]
+    robot: RobotArgs,
 }
 
 /// How packets are printed.
@@ -57,7 +57,7 @@ enum Format {
     /// For people
     #[default]
     Table,
-    /// A JSON object a line, with the Unix time at which the packet came, in seconds
+    /// A JSON object a line, with the Unix time at which the packet was read, in seconds
     Json,
     /// A header, then a line a packet; arrays take a column for each element
     Csv,
@@ -68,20 +68,20 @@ impl Status {
         let fields = self.fields()?;
         let target = self.robot.target()?;
         end_on_interrupt()?;
+        let period = self.watch.unwrap_or(Duration::from_secs(1));
+        let mut packets = Packets::new(target.status_stream()?, period);
         if self.raw {
-            let monitor: Monitor<RawText> = target.monitor(Reconnect::Never)?;
-            return self.print(&monitor, |snapshot| format!("{}\n", snapshot.status.0));
+            return self.print(|| Ok(packets.next_text()? + "\n"));
         }
-        let monitor: Monitor = target.monitor(Reconnect::Never)?;
         match self.format {
             Format::Table => {
-                let table = table::Table::new(fields, self.repeats());
-                self.print(&monitor, |packet| table.text(&json_of(packet)))
+                let table = Table::new(fields, self.repeats());
+                self.print(|| Ok(table.text(&packets.next()?.json)))
             }
-            Format::Json => self.print(&monitor, |packet| json::line(&fields, packet, &json_of(packet))),
+            Format::Json => self.print(|| Ok(json::line(&fields, &packets.next()?))),
             Format::Csv => {
-                let mut columns = csv::Columns::new(fields);
-                self.print(&monitor, |packet| columns.lines(packet, &json_of(packet)))
+                let mut columns = Columns::new(fields);
+                self.print(|| Ok(columns.lines(&packets.next()?)))
             }
         }
     }
@@ -99,21 +99,8 @@ impl Status {
     }
 
     /// Prints packets, each as `text` has it, until there have been enough.
-    fn print<S>(&self, monitor: &Monitor<S>, mut text: impl FnMut(&Snapshot<S>) -> String) -> Result<(), Failure>
-    where
-        S: jaka_sync::proto::wire::Decode + Send + Sync + 'static,
-    {
-        let period = self.watch.unwrap_or(Duration::from_secs(1));
+    fn print(&self, mut text: impl FnMut() -> Result<String, Failure>) -> Result<(), Failure> {
         let most = if self.repeats() { self.count.map_or(u64::MAX, NonZeroU64::get) } else { 1 };
-        let mut packets = Packets::new(monitor, period);
-        for _ in 0..most {
-            output::write(text(&*packets.next()?).as_bytes())?;
-        }
-        Ok(())
+        (0..most).try_for_each(|_| output::write(text()?.as_bytes()))
     }
-}
-
-/// A packet's JSON as the codec writes it, whatever form the controller used.
-fn json_of(packet: &Snapshot<RobotStatus>) -> Value {
-    serde_json::to_value(&packet.status).unwrap_or_default()
 }

@@ -59,7 +59,12 @@ impl Line {
     }
 
     pub(super) fn wait_until_closed(&self) {
-        drop(wait(&self.changed, lock(&self.closed), Duration::MAX, |closed| *closed));
+        self.closes_within(Duration::MAX);
+    }
+
+    /// Waits so long, and says whether the connection was closed by then.
+    pub(super) fn closes_within(&self, time: Duration) -> bool {
+        *wait(&self.changed, lock(&self.closed), time, |closed| *closed)
     }
 
     /// Has the connection reset when it is dropped. It must not be closed before.

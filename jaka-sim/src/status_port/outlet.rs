@@ -8,7 +8,7 @@ use crate::StatusFault;
 use crate::fault::garbage;
 
 /// The least time between two packets.
-const LEAST_PERIOD: Duration = Duration::from_millis(1);
+pub(super) const LEAST_PERIOD: Duration = Duration::from_millis(1);
 
 /// The way of packets to a reader, with what is wrong with it.
 #[derive(Debug)]

@@ -3,12 +3,15 @@
 use std::collections::VecDeque;
 use std::io;
 use std::net::{Shutdown, TcpStream};
+use std::ops::ControlFlow;
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
 use super::outlet::{Outlet, period};
+use super::replayed::{Packets, Turn};
 use crate::StatusFault;
 use crate::lock::{lock, wait};
+use crate::replay::Stage;
 
 /// How long the connection of a reader may be full. It holds packets of many seconds.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -58,36 +61,85 @@ impl Reader {
 
     /// Writes a packet at once, and then one each period, if there is one, until the connection ends.
     pub(super) fn run(&self, period: Option<Duration>, packet: impl Fn() -> Vec<u8>) {
-        if let Err(error) = self.write(period, packet) {
+        self.end(self.write(period, packet));
+    }
+
+    /// Writes the packets of a recording, until it or the connection ends.
+    pub(super) fn replay(&self, packets: Packets, stage: &Stage) {
+        self.end(self.write_recorded(packets, stage));
+    }
+
+    fn end(&self, written: io::Result<()>) {
+        if let Err(error) = written {
             log::trace!(target: "jaka_sim", "status reader lost: {error}");
         }
         self.close();
     }
 
-    fn write(&self, usual: Option<Duration>, packet: impl Fn() -> Vec<u8>) -> io::Result<()> {
+    fn write_recorded(&self, mut packets: Packets, stage: &Stage) -> io::Result<()> {
+        let start = Instant::now();
+        let mut outlet = self.first_outlet();
+        let mut next = packets.next(stage);
+        loop {
+            let due = next.as_ref().and_then(|(time, _)| start.checked_add(*time));
+            match self.next_job(due) {
+                Job::Packet => match next {
+                    Some((_, Turn::Packet(packet))) => {
+                        outlet.send_packet(&packet)?;
+                        next = packets.next(stage);
+                    }
+                    Some((_, Turn::End)) | None => return Ok(()),
+                },
+                job => {
+                    if self.do_job(job, &mut outlet)?.is_break() {
+                        return Ok(());
+                    }
+                }
+            }
+        }
+    }
+
+    fn first_outlet(&self) -> Outlet<'_> {
         let fault = lock(&self.mail).fault.take();
-        let mut outlet = Outlet::new(&self.stream, fault.unwrap_or_default());
+        Outlet::new(&self.stream, fault.unwrap_or_default())
+    }
+
+    /// Does what is not a packet in its turn.
+    fn do_job<'s>(&'s self, job: Job, outlet: &mut Outlet<'s>) -> io::Result<ControlFlow<()>> {
+        match job {
+            Job::Fault(fault) => *outlet = Outlet::new(&self.stream, fault),
+            Job::Letter(letter) => {
+                match letter {
+                    Letter::Packet(packet) => outlet.send_packet(&packet)?,
+                    Letter::Bytes(bytes) => outlet.send(&bytes)?,
+                }
+                lock(&self.mail).written += 1;
+                self.changed.notify_all();
+            }
+            Job::Packet => {}
+            Job::End => return Ok(ControlFlow::Break(())),
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn write(&self, usual: Option<Duration>, packet: impl Fn() -> Vec<u8>) -> io::Result<()> {
+        let mut outlet = self.first_outlet();
         outlet.send_packet(&packet())?;
         let mut last = Instant::now();
         loop {
             let period = usual.map(|usual| period(outlet.fault(), usual));
             let due = period.and_then(|period| last.checked_add(period));
             match self.next_job(due) {
-                Job::Fault(fault) => outlet = Outlet::new(&self.stream, fault),
-                Job::Letter(letter) => {
-                    match letter {
-                        Letter::Packet(packet) => outlet.send_packet(&packet)?,
-                        Letter::Bytes(bytes) => outlet.send(&bytes)?,
-                    }
-                    lock(&self.mail).written += 1;
-                    self.changed.notify_all();
-                }
                 Job::Packet => {
                     outlet.send_packet(&packet())?;
                     // By the beat, unless it has been missed.
                     last = due.filter(|due| Some(due.elapsed()) < period).unwrap_or_else(Instant::now);
                 }
-                Job::End => return Ok(()),
+                job => {
+                    if self.do_job(job, &mut outlet)?.is_break() {
+                        return Ok(());
+                    }
+                }
             }
         }
     }

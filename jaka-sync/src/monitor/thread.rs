@@ -5,11 +5,13 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use jaka_proto::framing::{FrameError, Framer};
+use jaka_proto::recording::Port;
 use jaka_proto::wire::DecodeError;
 
 use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
-use crate::{Config, Disconnect, Error, STATUS_PORT, address};
+use crate::recorder::{self, Tap};
+use crate::{Config, Disconnect, Error};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
@@ -20,19 +22,24 @@ pub(super) struct Worker<S> {
     address: String,
     config: Config,
     number: u64,
+    tap: Tap,
+    /// The framer drops what comes until a packet begins.
+    is_lost: bool,
 }
 
 impl<S> Worker<S> {
     pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
-        Self { board, address, config, number: 0 }
+        Self { board, address, config, number: 0, tap: Tap::default(), is_lost: false }
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made anew.
-    pub(super) fn run(mut self, stream: TcpStream, decode: fn(&str) -> Result<S, DecodeError>) {
-        let mut stream = Some(stream);
-        while let Some(connected) = stream.take() {
-            let cause = self.read(&connected, decode);
-            stream = self.reconnect(cause);
+    pub(super) fn run(mut self, connected: (TcpStream, Tap), decode: fn(&str) -> Result<S, DecodeError>) {
+        let mut connected = Some(connected);
+        while let Some((stream, tap)) = connected.take() {
+            self.tap = tap;
+            let cause = self.read(&stream, decode);
+            self.record_end(&cause);
+            connected = self.reconnect(cause);
         }
         let mut state = self.board.lock();
         for queue in state.queues.drain(..) {
@@ -42,18 +49,34 @@ impl<S> Worker<S> {
         self.board.changed.notify_all();
     }
 
+    fn record_end(&self, cause: &Disconnect) {
+        if self.board.lock().closing { self.tap.left() } else { self.tap.broken(cause) }
+    }
+
     /// Reads until the connection ends, and says why it did.
     fn read(&mut self, stream: &TcpStream, decode: fn(&str) -> Result<S, DecodeError>) -> Disconnect {
         let mut framer = Framer::new(self.config.max_frame);
+        self.is_lost = false;
+        let cause = self.read_into(&mut framer, stream, decode);
+        self.tap.stray(framer.partial());
+        cause
+    }
+
+    fn read_into(
+        &mut self,
+        framer: &mut Framer,
+        stream: &TcpStream,
+        decode: fn(&str) -> Result<S, DecodeError>,
+    ) -> Disconnect {
         let mut timeout = receive::Timeout::default();
         let mut newest = String::new();
         loop {
-            match receive::chunk(stream, &mut framer, &mut timeout, READ) {
+            match receive::chunk(stream, &self.tap, framer, &mut timeout, READ) {
                 Ok(Chunk::Some) => {}
                 Ok(Chunk::TimeUp) => continue,
                 Err(cause) => return cause,
             }
-            match self.take_newest(&mut framer, &mut newest) {
+            match self.take_newest(framer, &mut newest) {
                 Ok(true) => self.post(decode(&newest)),
                 Ok(false) => {}
                 Err(cause) => return cause,
@@ -63,18 +86,21 @@ impl<S> Worker<S> {
 
     /// Keeps the text of the newest packet that has arrived in full; false if there is none.
     fn take_newest(&mut self, framer: &mut Framer, newest: &mut String) -> Result<bool, Disconnect> {
+        self.record_dropped(framer.partial());
         let mut found = 0;
         loop {
             match framer.next_frame() {
                 Ok(None) => break,
-                Ok(Some(frame)) => match std::str::from_utf8(frame) {
-                    Ok(text) => {
+                Ok(Some(frame)) => {
+                    self.tap.packet(frame);
+                    if let Ok(text) = std::str::from_utf8(frame) {
                         newest.clear();
                         newest.push_str(text);
                         found += 1;
+                    } else {
+                        self.board.lock().counters.unfit += 1;
                     }
-                    Err(_) => self.board.lock().counters.unfit += 1,
-                },
+                }
                 Err(error) => self.resync(framer, error)?,
             }
         }
@@ -83,12 +109,24 @@ impl<S> Worker<S> {
         Ok(found > 0)
     }
 
+    /// Records what the framer is about to drop.
+    fn record_dropped(&mut self, arrived: &[u8]) {
+        if self.is_lost {
+            let packet = arrived.iter().position(|byte| *byte == b'{');
+            self.tap.stray(&arrived[..packet.unwrap_or(arrived.len())]);
+            self.is_lost = packet.is_none();
+        }
+    }
+
     /// Goes on at the next packet; old firmware that sends text has none.
     fn resync(&mut self, framer: &mut Framer, error: FrameError) -> Result<(), Disconnect> {
         if crate::error::is_text_line(&error) {
             return Err(Disconnect::Frame(error));
         }
+        let before = self.tap.copy(framer.partial());
         let dropped = framer.resync();
+        self.tap.stray(before.get(..dropped).unwrap_or_default());
+        self.is_lost = framer.partial().is_empty();
         let mut state = self.board.lock();
         state.counters.resyncs += 1;
         state.counters.dropped_bytes += u64::try_from(dropped).unwrap_or(u64::MAX);
@@ -129,7 +167,7 @@ impl<S> Worker<S> {
     }
 
     /// Connects anew as the policy says; `None` if the monitor has come to its end.
-    fn reconnect(&self, mut cause: Disconnect) -> Option<TcpStream> {
+    fn reconnect(&self, mut cause: Disconnect) -> Option<(TcpStream, Tap)> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
                 break;
@@ -137,8 +175,8 @@ impl<S> Worker<S> {
             if self.pause(delay) {
                 break;
             }
-            match address::connect(&self.address, STATUS_PORT, &self.config) {
-                Ok(stream) => return self.connected(stream),
+            match recorder::connect(&self.address, Port::Status, &self.config) {
+                Ok(connected) => return self.connected(connected),
                 Err(Error::Connect { source, .. }) => cause = Disconnect::Read(source),
                 Err(_) => {}
             }
@@ -161,13 +199,15 @@ impl<S> Worker<S> {
         }
     }
 
-    fn connected(&self, stream: TcpStream) -> Option<TcpStream> {
+    fn connected(&self, (stream, tap): (TcpStream, Tap)) -> Option<(TcpStream, Tap)> {
         let mut state = self.board.lock();
         if state.closing {
+            tap.left();
             return None;
         }
+        state.tap = tap.clone();
         state.stream = stream.try_clone().ok();
         state.counters.reconnects += 1;
-        Some(stream)
+        Some((stream, tap))
     }
 }

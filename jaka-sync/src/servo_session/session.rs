@@ -13,7 +13,7 @@ use jaka_proto::{Command, Ticket};
 
 use super::pace::{CYCLE, Pace};
 use super::{ServoConfig, ServoReport};
-use crate::{Error, Robot, Snapshot};
+use crate::{Error, Exchanges, Robot, Snapshot};
 
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
@@ -79,7 +79,8 @@ impl<'r> ServoSession<'r> {
         let mut pace = Pace::new(CYCLE, Duration::ZERO);
         while !self.robot.client().call(&IsInServomove)?.in_servo_mode {
             if since.elapsed() > self.config.enter_timeout {
-                return Err(Error::StatusTimeout { after: self.config.enter_timeout });
+                let after = self.config.enter_timeout;
+                return Err(Error::StatusTimeout { after, exchanges: Exchanges::default() });
             }
             pace.wait();
         }

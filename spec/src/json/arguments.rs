@@ -139,7 +139,14 @@ fn values(spec: &Spec, ty: &Type) -> Vec<PossibleValue> {
 }
 
 fn listed<T>(values: &[EnumValue<T>], wire: impl Fn(&T) -> Value) -> Vec<PossibleValue> {
-    values.iter().map(|value| possible(&value.name, wire(&value.wire), &value.doc)).collect()
+    let one = |value: &EnumValue<T>| {
+        let mut one = possible(&value.name, wire(&value.wire), &value.doc);
+        if value.advisory {
+            one.help += " Taken by newer firmware only.";
+        }
+        one
+    };
+    values.iter().map(one).collect()
 }
 
 fn possible(name: &str, wire: Value, doc: &str) -> PossibleValue {

@@ -4,7 +4,9 @@ use serde_json::{Map, Value};
 
 use super::departure::{Departure, DepartureKind, Reading};
 use super::limits::{Slot, variants};
+use super::notation::notation;
 use super::problem::{element, excerpt, member};
+use super::python;
 use super::scalar::{self, Form};
 use crate::{Choice, Field, Spec, Type, TypeKind};
 
@@ -34,15 +36,10 @@ impl<'s> Decoder<'s> {
     pub(super) fn object_choice(&mut self, choice: &Choice, found: &Map<String, Value>, envelope: &[&str]) {
         let tag = found.get(&choice.tag).unwrap_or(&Value::Null);
         let known = variants(&choice.variants);
-        let variant = match scalar::int(tag) {
-            Some((wire, _)) => choice.variants.iter().find(|variant| variant.wire == wire),
-            None => None,
-        };
-        match variant {
+        let wire = scalar::int(tag).map(|(wire, _)| wire);
+        match choice.variants.iter().find(|variant| Some(variant.wire) == wire) {
             Some(variant) => self.object("", &variant.fields, found, &[envelope, &[&choice.tag]].concat()),
-            None if tag.is_null() => {
-                self.add(&choice.tag, DepartureKind::Missing, tag, known, Reading::Unreadable);
-            }
+            None if tag.is_null() => self.add(&choice.tag, DepartureKind::Missing, tag, known, Reading::Unreadable),
             None => self.add(&choice.tag, DepartureKind::Unlisted, tag, known, Reading::Unreadable),
         }
     }
@@ -72,7 +69,10 @@ impl<'s> Decoder<'s> {
                 Some(_) => self.lenient(slot, DepartureKind::Range, value),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Type::Python(_) => self.form(slot, value, value.is_string().then_some(Form::Plain)),
+            Type::Python(inner) => match value.as_str().and_then(python::read) {
+                Some(found) => self.value(&slot.inner(slot.place, inner), &found),
+                None => self.unfit(slot, DepartureKind::Form, value),
+            },
             Type::Json => {}
             Type::List(element) => self.list(slot, element, value, None),
             Type::Array(element, len) => self.list(slot, element, value, Some(*len)),
@@ -103,9 +103,7 @@ impl<'s> Decoder<'s> {
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
             Some(TypeKind::Choice(choice)) => self.array_choice(slot, choice, value),
-            Some(TypeKind::Wrapper(ty, unit)) => {
-                self.value(&slot.unwrapped(ty, unit.as_deref()), value);
-            }
+            Some(TypeKind::Wrapper(ty, unit)) => self.value(&slot.unwrapped(ty, unit.as_deref()), value),
             None => {}
         }
     }
@@ -137,32 +135,44 @@ impl<'s> Decoder<'s> {
         if len.is_some_and(|len| found.len() != len) {
             self.unfit(slot, DepartureKind::Length, value);
         }
+        let first = self.departures.len();
         for (index, value) in found.iter().enumerate() {
+            let before = self.departures.len();
             let place = element(slot.place, index);
             self.value(&slot.inner(&place, ty), value);
+            for departure in self.departures.split_off(before) {
+                self.add_or_count(slot.place, first, departure);
+            }
+        }
+    }
+
+    /// Adds a departure of an element, or counts it where an element before differs in the same way.
+    fn add_or_count(&mut self, array: &str, first: usize, new: Departure) {
+        /// The path inside the element.
+        fn inner<'f>(array: &str, field: &'f str) -> &'f str {
+            field[array.len()..].split_once(']').map_or("", |(_, inner)| inner)
+        }
+        let same = |old: &&mut Departure| {
+            (old.kind, old.reading) == (new.kind, new.reading) && inner(array, &old.field) == inner(array, &new.field)
+        };
+        match self.departures[first..].iter_mut().find(same) {
+            Some(old) => old.more += new.more + 1,
+            None => self.departures.push(new),
         }
     }
 
     fn number(&mut self, slot: &Slot<'_>, value: &Value, found: Option<(f64, Form)>) {
         match found {
-            Some((number, _)) if !slot.limits.allow(number) => {
-                self.lenient(slot, DepartureKind::Range, value);
-            }
+            Some((number, _)) if !slot.limits.allow(number) => self.lenient(slot, DepartureKind::Range, value),
             found => self.form(slot, value, found.map(|(_, form)| form)),
         }
     }
 
     fn form(&mut self, slot: &Slot<'_>, value: &Value, form: Option<Form>) {
-        self.part(slot.place, value, slot.words(self.spec), form);
-    }
-
-    /// Holds a value against the form in which it is read, if it can be read; null counts as missing.
-    pub(super) fn part(&mut self, place: &str, value: &Value, expected: String, form: Option<Form>) {
-        let kind = if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
         match form {
             Some(Form::Plain) => {}
-            Some(Form::Lenient) => self.add(place, kind, value, expected, Reading::Lenient),
-            None => self.add(place, kind, value, expected, Reading::Unreadable),
+            Some(Form::Lenient) => self.lenient(slot, DepartureKind::Form, value),
+            None => self.unfit(slot, DepartureKind::Form, value),
         }
     }
 
@@ -183,29 +193,14 @@ impl<'s> Decoder<'s> {
 
     pub(super) fn add(&mut self, place: &str, kind: DepartureKind, value: &Value, expected: String, reading: Reading) {
         let found = if kind == DepartureKind::Missing { String::new() } else { excerpt(value) };
-        self.departures.push(Departure { field: place.to_owned(), kind, found, expected, reading, advisory: false });
-    }
-}
-
-/// The type that a value looks like, in the spec's notation.
-pub fn notation(value: &Value) -> String {
-    match value {
-        Value::Bool(_) => "bool".to_owned(),
-        Value::Number(number) if number.is_f64() => "float".to_owned(),
-        Value::Number(_) => "int".to_owned(),
-        Value::String(_) => "text".to_owned(),
-        Value::Array(elements) => elements_notation(elements),
-        Value::Object(_) | Value::Null => "json".to_owned(),
-    }
-}
-
-fn elements_notation(elements: &[Value]) -> String {
-    let mut kinds: Vec<_> = elements.iter().map(notation).collect();
-    kinds.sort();
-    kinds.dedup();
-    match kinds.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [one] => format!("{one}[]"),
-        ["float", "int"] => "float[]".to_owned(),
-        _ => "json".to_owned(),
+        self.departures.push(Departure {
+            field: place.to_owned(),
+            kind,
+            found,
+            expected,
+            reading,
+            advisory: false,
+            more: 0,
+        });
     }
 }

@@ -19,6 +19,8 @@ pub struct Departure {
     pub reading: Reading,
     /// True for a number outside a range that newer firmware has widened.
     pub advisory: bool,
+    /// How many further elements of the same array differ in the same way.
+    pub more: usize,
 }
 
 /// What differs.
@@ -51,7 +53,7 @@ pub enum Reading {
 /// One line, such as ``lenient: `speed` is "20"; expected is a number (in mm/s)``.
 impl fmt::Display for Departure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { field, kind, found, expected, reading, .. } = self;
+        let Self { field, kind, found, expected, reading, more, .. } = self;
         f.write_str(match reading {
             Reading::Lenient => "lenient: ",
             Reading::Unreadable => "unreadable: ",
@@ -63,6 +65,7 @@ impl fmt::Display for Departure {
             DepartureKind::Unlisted => write!(f, " is {found}; the spec lists {expected}"),
             DepartureKind::Length => write!(f, " has another length; expected is {expected}: {found}"),
             DepartureKind::Form | DepartureKind::Range => write!(f, " is {found}; expected is {expected}"),
-        }
+        }?;
+        if *more == 0 { Ok(()) } else { write!(f, " (and {more} more like it)") }
     }
 }

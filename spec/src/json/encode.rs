@@ -19,7 +19,7 @@ use crate::{Choice, Command, Field, Request, Spec};
 /// - A truth value is taken as true or false, or as the wire writes it. A Python literal is taken as its text, unread.
 ///
 /// # Errors
-/// Everything that the spec forbids, at once, in the order of the spec.
+/// Everything that the spec forbids, at once: unknown fields, and then the rest in the order of the spec.
 pub fn request(
     spec: &Spec,
     command: &Command,

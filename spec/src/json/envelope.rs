@@ -18,28 +18,36 @@ pub const ENVELOPE: &[&str] = &[COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE];
 /// The type of the packets of port 10000.
 const STATUS_TYPE: &str = "RobotStatus";
 
-/// How a reply differs from the spec, in the order of the spec.
+/// How a reply differs from the spec: in its envelope, in unknown keys, and then in the order of the spec.
 ///
 /// A refusal is held against the envelope alone, for it carries no payload. A bare Python tuple, which some firmware
-/// sends in place of a reply, is given as a JSON string. Python literals inside a reply are not looked into.
+/// sends in place of a reply, is given as a JSON string.
 pub fn departures(spec: &Spec, command: &Command, reply: &Value) -> Vec<Departure> {
     let mut decoder = Decoder::new(spec);
-    match reply {
-        Value::Object(found) => {
+    match (reply, bare_reply(command, reply)) {
+        (Value::Object(found), _) => {
             if envelope(&mut decoder, command, found) {
                 decoder.object("", &command.reply, found, ENVELOPE);
             }
         }
-        Value::String(text) if command.bare_reply.is_some() && text.trim_start().starts_with('(') => {
-            let expected = "a JSON object instead of a bare Python tuple".to_owned();
-            decoder.add("", DepartureKind::Form, reply, expected, Reading::Lenient);
+        (_, Some(found)) => {
+            decoder.add("", DepartureKind::Form, reply, "an object".to_owned(), Reading::Lenient);
+            decoder.object("", &command.reply, &found, ENVELOPE);
         }
-        other => decoder.add("", DepartureKind::Form, other, "an object".to_owned(), Reading::Unreadable),
+        (other, None) => decoder.add("", DepartureKind::Form, other, "an object".to_owned(), Reading::Unreadable),
     }
     decoder.departures
 }
 
-/// How a packet of port 10000 differs from the spec, in the order of the spec.
+/// The reply that a bare Python tuple stands for.
+fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
+    let name = command.bare_reply.as_ref()?;
+    let field = command.reply.iter().find(|field| field.name == *name)?;
+    let is_tuple = reply.as_str()?.trim_start().starts_with('(');
+    is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
+}
+
+/// How a packet of port 10000 differs from the spec: in unknown keys, and then in the order of the spec.
 pub fn status_departures(spec: &Spec, packet: &Value) -> Vec<Departure> {
     let mut decoder = Decoder::new(spec);
     let fields = match spec.type_def(STATUS_TYPE).map(|def| &def.kind) {
@@ -67,9 +75,17 @@ fn envelope(decoder: &mut Decoder<'_>, command: &Command, found: &Map<String, Va
         _ => Form::Lenient,
     });
     let message_form = if message.is_string() { Form::Plain } else { Form::Lenient };
-    decoder.part(ERROR_CODE, code, "text of decimal digits".to_owned(), code_form);
-    decoder.part(ERROR_MESSAGE, message, "text".to_owned(), Some(message_form));
-    decoder.part(COMMAND_NAME, name, format!("`{}`", command.wire), name_form);
+    let mut part = |key: &str, value: &Value, expected: &str, form: Option<Form>| {
+        let kind = if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
+        match form {
+            Some(Form::Plain) => {}
+            Some(Form::Lenient) => decoder.add(key, kind, value, expected.to_owned(), Reading::Lenient),
+            None => decoder.add(key, kind, value, expected.to_owned(), Reading::Unreadable),
+        }
+    };
+    part(ERROR_CODE, code, "text of decimal digits", code_form);
+    part(ERROR_MESSAGE, message, "text", Some(message_form));
+    part(COMMAND_NAME, name, &format!("`{}`", command.wire), name_form);
     is_success(found)
 }
 

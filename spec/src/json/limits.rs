@@ -44,8 +44,10 @@ impl<'a> Slot<'a> {
             Type::Text => "text".to_owned(),
             Type::Json => "any JSON".to_owned(),
             Type::Python(_) => "text with a Python literal".to_owned(),
-            Type::List(_) => "an array".to_owned(),
-            Type::Array(_, len) => format!("an array of {len}"),
+            Type::List(element) => format!("an array, each {}", self.inner(self.place, element).words(spec)),
+            Type::Array(element, len) => {
+                format!("an array of {len}, each {}", self.inner(self.place, element).words(spec))
+            }
             Type::Named(name) => self.named_words(spec, name),
         }
     }

@@ -31,7 +31,7 @@ pub(super) fn field_of<'f>(fields: &'f [Field], key: &str) -> Option<&'f Field> 
     by_wire.or_else(|| fields.iter().find(|field| field.name == key))
 }
 
-/// What to offer for a name that is none of `known`: those that are near to it, or else all.
+/// What to offer for a field that is none of `known`: those that are near to it, or else all.
 pub(super) fn suggestion<'k>(name: &str, known: impl Iterator<Item = [&'k str; 2]>) -> String {
     let known: Vec<_> = known.collect();
     let near = |spelling: &str| {
@@ -41,7 +41,7 @@ pub(super) fn suggestion<'k>(name: &str, known: impl Iterator<Item = [&'k str; 2
     let nearest: Vec<_> = known.iter().filter(|names| names.iter().any(|name| near(name))).map(quoted).collect();
     match (nearest.is_empty(), known.is_empty()) {
         (false, _) => format!("did you mean {}?", nearest.join(" or ")),
-        (true, false) => format!("there are {}", known.iter().map(quoted).collect::<Vec<_>>().join(", ")),
+        (true, false) => format!("the fields are {}", known.iter().map(quoted).collect::<Vec<_>>().join(", ")),
         (true, true) => "there are none".to_owned(),
     }
 }
@@ -82,7 +82,7 @@ mod tests {
         let known = || [["speed", "speed"], ["acceleration", "accel"]].into_iter();
         assert_eq!(suggestion("sped", known()), "did you mean `speed`?");
         assert_eq!(suggestion("Accell", known()), "did you mean `acceleration`?");
-        assert_eq!(suggestion("tolerance", known()), "there are `speed`, `acceleration`");
+        assert_eq!(suggestion("tolerance", known()), "the fields are `speed`, `acceleration`");
         assert_eq!(suggestion("speed", [].into_iter()), "there are none");
     }
 }

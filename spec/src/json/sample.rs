@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::envelope::{ENVELOPE, is_success};
-use super::text;
+use super::python;
 use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
 
 /// The fields of a successful reply, without the three keys that every reply has.
@@ -27,13 +27,13 @@ fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {
 }
 
 fn member(spec: &Spec, field: &Field) -> Value {
-    let mut sample = of_type(spec, &field.ty);
-    if sample == 0 {
-        let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
-        // As the wire has it: whole numbers have no fraction.
-        sample = serde_json::from_str(&text::float(0_f64.max(min).min(max))).unwrap_or(sample);
+    let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
+    let nearest = 0_f64.max(min).min(max);
+    if nearest != 0.0 && matches!(field.ty, Type::Int | Type::Float) {
+        // In the form in which Rust prints it, a whole number has no fraction.
+        return serde_json::from_str(&nearest.to_string()).unwrap_or_default();
     }
-    sample
+    of_type(spec, &field.ty)
 }
 
 fn of_type(spec: &Spec, ty: &Type) -> Value {
@@ -44,7 +44,7 @@ fn of_type(spec: &Spec, ty: &Type) -> Value {
         Type::Json => Map::new().into(),
         Type::List(_) => Value::Array(Vec::new()),
         Type::Array(element, len) => vec![of_type(spec, element); *len].into(),
-        Type::Python(inner) => literal(&of_type(spec, inner)).into(),
+        Type::Python(inner) => python::write(&of_type(spec, inner)).into(),
         Type::Named(name) => spec.type_def(name).map(|def| of_kind(spec, &def.kind)).unwrap_or_default(),
     }
 }
@@ -75,47 +75,4 @@ fn elements(spec: &Spec, fields: &[Field]) -> impl Iterator<Item = Value> {
 
 fn first<T>(values: &[EnumValue<T>], wire: impl Fn(&EnumValue<T>) -> Value) -> Value {
     values.first().map(wire).unwrap_or_default()
-}
-
-/// The Python literal of a sample, whose strings and numbers Python writes as JSON does.
-fn literal(value: &Value) -> String {
-    match value {
-        Value::Null => "None".to_owned(),
-        Value::Bool(truth) => if *truth { "True" } else { "False" }.to_owned(),
-        Value::Array(elements) => format!("[{}]", elements.iter().map(literal).collect::<Vec<_>>().join(", ")),
-        Value::Object(members) => {
-            let members =
-                members.iter().map(|(key, value)| format!("{}: {}", Value::from(key.as_str()), literal(value)));
-            format!("{{{}}}", members.collect::<Vec<_>>().join(", "))
-        }
-        Value::Number(_) | Value::String(_) => value.to_string(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use serde_json::json;
-
-    use super::sample_reply;
-    use crate::{Source, load_pack};
-
-    /// A field of a reply: its type and what else is said of it, with what is answered.
-    fn check(field: &str, expected: &serde_json::Value) {
-        let text = format!(
-            "title = 'T'\n[[command]]\nwire = 'c'\neffect = 'query'\ndoc = 'D.'\n[[command.reply]]\nwire = 'f'\ndoc = 'D.'\n{field}"
-        );
-        let base = crate::builtin().expect("the spec is correct");
-        let pack = load_pack(&base, Source { path: "t.toml", text: &text }).expect("the pack is correct");
-        let reply = sample_reply(&pack.spec, pack.spec.command("c").expect("it is added"));
-        assert_eq!(reply["f"].to_string(), expected.to_string(), "{field}");
-    }
-
-    #[test]
-    fn values_are_zero_or_what_is_nearest_in_range() {
-        check("type = 'bool'\nwritten = [0, 1]", &json!(0));
-        check("type = 'int'", &json!(0));
-        check("type = 'int'\nmin = 2", &json!(2));
-        check("type = 'float'\nmax = -0.5", &json!(-0.5));
-        check("type = 'float[2]'", &json!([0, 0]));
-    }
 }

@@ -47,7 +47,8 @@ fn read(spec: &Spec, ty: &Type, text: &str) -> Option<Value> {
 
 fn named(spec: &Spec, name: &str, text: &str) -> Option<Value> {
     let word = text.trim();
-    match &spec.type_def(name)?.kind {
+    let Some(def) = spec.type_def(name) else { return read(spec, &Type::Json, text) };
+    match &def.kind {
         TypeKind::Object(_) | TypeKind::Choice(_) => serde_json::from_str(text).ok(),
         TypeKind::Array { fields, .. } => list(text, |index, part| match fields.get(index) {
             Some(field) => read(spec, &field.ty, part),

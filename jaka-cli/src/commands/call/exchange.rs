@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_spec::json::{Reading, departures};
 use jaka_spec::{Command, Spec, first_sentence};
 use jaka_sync::proto::wire::DecodeError;
-use jaka_sync::{Client, Disconnect, Error};
+use jaka_sync::{Client, Disconnect, Error, Exchanges};
 
 use super::options::Options;
 use super::request::Request;
@@ -53,12 +53,12 @@ fn send(client: &mut Client, request: &Request<'_>, timeout: Duration) -> Result
 
 /// True if the error is about a reply that came.
 fn answered(error: &Error) -> bool {
-    matches!(error, Error::Refused(_) | Error::UnexpectedReply { .. })
+    matches!(error, Error::Refused { .. } | Error::UnexpectedReply { .. })
 }
 
 /// The error with what the spec or a pack says about the controller's code.
 fn explained(spec: &Spec, error: Error) -> Failure {
-    let Error::Refused(refusal) = error else { return error.into() };
+    let Error::Refused { refusal, .. } = error else { return error.into() };
     let known = spec.errors().find(|known| known.wire == refusal.code.0);
     let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
     Failure::Refused { refusal, meaning }
@@ -80,5 +80,5 @@ fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
         return Ok(());
     };
     let source = DecodeError::unfit(first.expected, &first.found).in_field(&first.field);
-    Err(Error::UnexpectedReply { command: command.wire.clone(), source }.into())
+    Err(Error::UnexpectedReply { command: command.wire.clone(), source, exchanges: Exchanges::default() }.into())
 }

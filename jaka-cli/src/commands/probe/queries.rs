@@ -53,7 +53,7 @@ impl Line<'_> {
         let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&reply)), reply);
         match asked {
             Ok(()) => finding(reply),
-            Err(Error::Refused(refusal)) => {
+            Err(Error::Refused { refusal, .. }) => {
                 let outcome = Outcome::Refused { code: refusal.code, message: refusal.message };
                 Finding { outcome, ..finding(reply) }
             }

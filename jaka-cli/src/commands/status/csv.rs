@@ -1,9 +1,8 @@
 //! Packets as CSV.
 
-use jaka_sync::Snapshot;
 use serde_json::Value;
 
-use super::packets::unix_time;
+use super::packets::Packet;
 use crate::fields::Field;
 
 /// The columns: those of the first packet, since a header comes but once.
@@ -21,15 +20,15 @@ impl Columns {
     }
 
     /// A packet's line, with the header before the first. A cell is empty where the packet says nothing.
-    pub(super) fn lines<S>(&mut self, packet: &Snapshot<S>, json: &Value) -> String {
+    pub(super) fn lines(&mut self, packet: &Packet) -> String {
         let mut text = String::new();
         if let Self::Wanted(fields) = self {
-            let columns: Vec<_> = fields.drain(..).flat_map(|field| field.leaves(json)).collect();
+            let columns: Vec<_> = fields.drain(..).flat_map(|field| field.leaves(&packet.json)).collect();
             text = row("time_s".to_owned(), columns.iter().map(|column| column.name.clone()));
             *self = Self::Found(columns);
         }
         let (Self::Wanted(columns) | Self::Found(columns)) = self;
-        text + &row(format!("{:.3}", unix_time(packet)), columns.iter().map(|column| cell(column.named_value(json))))
+        text + &row(format!("{:.3}", packet.time), columns.iter().map(|column| cell(column.named_value(&packet.json))))
     }
 }
 

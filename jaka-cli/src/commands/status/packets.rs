@@ -1,71 +1,67 @@
 //! Packets at the pace that is asked for.
 
-use std::sync::Arc;
-use std::thread;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
-use jaka_sync::{Error, Monitor, Snapshot, Subscription};
+use jaka_sync::{Error, StatusStream};
+use serde_json::Value;
 
-/// Some seconds of packets of the fastest firmware: standard output may be slow for so long.
-const CAPACITY: usize = 1000;
+use crate::failure::Failure;
 
-/// A packet's own text.
+/// A packet, ready to be printed.
 #[derive(Debug)]
-pub(super) struct RawText(pub(super) String);
-
-impl Decode for RawText {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        Ok(Self(reader.raw()?.to_owned()))
-    }
+pub(super) struct Packet {
+    /// The Unix time at which it was read, in seconds.
+    pub(super) time: f64,
+    /// Its JSON as the codec writes it, whatever form the controller used.
+    pub(super) json: Value,
 }
 
-/// Packets from a monitor, one each period, or all of them if that is zero.
+/// Packets from a stream, one each period, or all of them if that is zero.
 #[derive(Debug)]
-pub(super) struct Packets<'m, S> {
-    monitor: &'m Monitor<S>,
-    queue: Subscription<S>,
+pub(super) struct Packets {
+    stream: StatusStream,
     period: Duration,
     due: Option<Instant>,
 }
 
-impl<'m, S: Decode + Send + Sync + 'static> Packets<'m, S> {
-    pub(super) fn new(monitor: &'m Monitor<S>, period: Duration) -> Self {
-        Self { monitor, queue: monitor.subscribe(CAPACITY), period, due: None }
+impl Packets {
+    pub(super) fn new(stream: StatusStream, period: Duration) -> Self {
+        Self { stream, period, due: None }
     }
 
-    /// The next packet that is due. None is old: with a period, it comes after that has passed.
-    pub(super) fn next(&mut self) -> Result<Arc<Snapshot<S>>, Error> {
-        if self.period.is_zero() {
-            return self.queued();
-        }
-        if let Some(due) = self.due {
-            thread::sleep(due.saturating_duration_since(Instant::now()));
-        }
-        let packet = self.monitor.next()?;
-        // A period that is too long to count ends never.
-        let due = self.due.unwrap_or(packet.received).checked_add(self.period);
-        self.due = due.map(|due| due.max(packet.received));
-        Ok(packet)
+    /// The next packet that is due.
+    pub(super) fn next(&mut self) -> Result<Packet, Failure> {
+        let status = self.next_due(StatusStream::next_packet)?;
+        let json = serde_json::to_value(status);
+        Ok(Packet { time: unix_time(), json: json.map_err(|error| Failure::local("no JSON", error.into()))? })
     }
 
-    /// The next packet that has not been taken from the queue.
-    fn queued(&self) -> Result<Arc<Snapshot<S>>, Error> {
+    /// The text of the next packet that is due, also of one that does not fit the spec.
+    pub(super) fn next_text(&mut self) -> Result<String, Failure> {
+        self.next_due(|stream| match stream.next_packet() {
+            Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(()),
+            Err(error) => Err(error),
+        })?;
+        Ok(self.stream.last_packet().unwrap_or_default().to_owned())
+    }
+
+    /// Reads until a packet is due. Those before are read too, so that none is old and the controller need not wait.
+    fn next_due<T>(&mut self, read: impl Fn(&mut StatusStream) -> Result<T, Error>) -> Result<T, Error> {
         loop {
-            if let Some(packet) = self.queue.try_next() {
-                return Ok(packet);
-            }
-            // Each packet is in the queue before the monitor tells of it; also those before the connection ended.
-            if let Err(error) = self.monitor.next() {
-                return self.queue.try_next().ok_or(error);
+            let found = read(&mut self.stream)?;
+            let now = Instant::now();
+            if self.due.is_none_or(|due| now >= due) {
+                // The beat is kept, unless it is lost. A period that is too long to count never ends.
+                let next = self.due.unwrap_or(now).checked_add(self.period);
+                self.due = next.map(|next| next.max(now));
+                return Ok(found);
             }
         }
     }
 }
 
-/// The Unix time at which a packet came, in seconds.
-pub(super) fn unix_time<S>(packet: &Snapshot<S>) -> f64 {
-    let came = SystemTime::now().checked_sub(packet.age()).unwrap_or(UNIX_EPOCH);
-    let time = came.duration_since(UNIX_EPOCH).unwrap_or_default();
+/// Now, to the millisecond.
+fn unix_time() -> f64 {
+    let time = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     (time.as_secs_f64() * 1000.0).round() / 1000.0
 }

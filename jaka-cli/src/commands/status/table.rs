@@ -6,9 +6,8 @@ use serde_json::Value;
 
 use crate::fields::{Field, Shape};
 use crate::number::fixed;
+use crate::output::ABSENT;
 
-/// What stands for a value that the packet does not have.
-const ABSENT: &str = "–";
 /// Lists with more values than this are told in short.
 const SHORT: usize = 8;
 
@@ -38,15 +37,16 @@ impl Table {
             add(field, packet, &mut rows);
         }
         let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
-        let lines: String = rows.iter().map(|(name, value)| format!("{name:width$}  {value}\n")).collect();
-        format!("{}{lines}{}", self.around.0, self.around.1)
+        let lines: Vec<_> = rows.iter().map(|(name, value)| format!("{name:width$}  {value}\n")).collect();
+        format!("{}{}{}", self.around.0, lines.concat(), self.around.1)
     }
 }
 
 /// Adds a row for the field, or for each of its parts.
 fn add(field: &Field, packet: &Value, rows: &mut Vec<(String, String)>) {
     let parts = field.parts(packet);
-    if field.shape() != Shape::Nested || field.value(packet).is_none() || parts.is_empty() {
+    let single = field.value(packet).is_none() || field.is_other(packet) || parts.is_empty();
+    if single || field.shape() != Shape::Nested {
         rows.push((field.name.clone(), with_unit(field, packet)));
         return;
     }
@@ -121,16 +121,15 @@ mod tests {
         let names = ["din", "dout", "ain", "aout", "errmsg", "torqsensor", "enabled", "tcp_speed", "task_mode"];
         let fields = names.map(|name| Field::find(name).unwrap()).to_vec();
         expect![[r#"
-            digital_inputs          4, on: 1 3
-            digital_outputs         none
-            analog_inputs           9, not 0: [8] 2.5
-            analog_outputs          –
-            error_message           "a\u{1b}b"
-            torque_sensor.settings  –
-            torque_sensor.state     –
-            enabled                 –
-            tcp_speed               0.000 mm/s
-            task_mode               9
+            digital_inputs   4, on: 1 3
+            digital_outputs  none
+            analog_inputs    9, not 0: [8] 2.5
+            analog_outputs   –
+            error_message    "a\u{1b}b"
+            torque_sensor    5
+            enabled          –
+            tcp_speed        0.000 mm/s
+            task_mode        9
         "#]]
         .assert_eq(&Table::new(fields, false).text(&packet));
     }

@@ -1,0 +1,75 @@
+//! `jaka monitor`: a live dashboard in the terminal.
+
+use std::io::{self, IsTerminal, stdin, stdout};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use clap::Args;
+use jaka_sync::Reconnect;
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::{self, Event};
+
+use crate::dashboard::{Feed, Flow, View, draw};
+use crate::failure::Failure;
+use crate::interrupt::on_interrupt;
+use crate::target::RobotArgs;
+
+/// The screen is drawn so often, and at each key.
+const TICK: Duration = Duration::from_millis(100);
+
+/// A lost connection is tried again after so long, and then less and less often.
+const RECONNECT: Reconnect =
+    Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(250), longest: Duration::from_secs(2) };
+
+/// Show the robot's state live in the terminal.
+///
+/// Only reads, from the status port, so that it disturbs no other program. A lost connection is made anew.
+#[derive(Debug, Args)]
+pub(crate) struct Monitor {
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+impl Monitor {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        if !stdin().is_terminal() || !stdout().is_terminal() {
+            return Err(Failure::Usage("`jaka monitor` needs a terminal; `jaka status --watch` does not".to_owned()));
+        }
+        let target = self.robot.target()?;
+        let mut feed = Feed::new(target.monitor(RECONNECT)?);
+        let mut view = View::new(target.title());
+        let ended = Arc::new(AtomicBool::new(false));
+        let end = Arc::clone(&ended);
+        // Where the terminal is gone, the wait for keys never ends, and `on_interrupt` ends the program.
+        on_interrupt(move || end.store(true, Ordering::Relaxed))?;
+        // Also has a panic restore the terminal.
+        let mut terminal = ratatui::try_init().map_err(no_terminal)?;
+        let result = watch(&mut terminal, &mut feed, &mut view, &ended);
+        let restored = ratatui::try_restore();
+        result.and(restored).map_err(no_terminal)
+    }
+}
+
+fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended: &AtomicBool) -> io::Result<()> {
+    while !ended.load(Ordering::Relaxed) {
+        feed.update(view);
+        let mut most = 0;
+        terminal.draw(|frame| most = draw(frame, view))?;
+        view.scroll_at_most(most);
+        if !event::poll(TICK)? {
+            continue;
+        }
+        // Whatever else it is, such as a new size, is answered by drawing.
+        if let Event::Key(key) = event::read()? {
+            if view.key(key) == Flow::Quit {
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn no_terminal(error: io::Error) -> Failure {
+    Failure::local("the terminal cannot be used", error)
+}

@@ -1,0 +1,20 @@
+//! The dashboard of `jaka monitor`: what is on the screen follows from a [`View`] alone.
+
+mod alarms;
+mod draw;
+mod feed;
+mod io;
+mod joints;
+mod keys;
+mod measurements;
+mod overview;
+mod robot_state;
+mod style;
+#[cfg(test)]
+mod tests;
+mod view;
+
+pub(crate) use draw::draw;
+pub(crate) use feed::Feed;
+pub(crate) use keys::Flow;
+pub(crate) use view::View;

@@ -1,0 +1,169 @@
+//! From a monitor to the view.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::{Duration, Instant, SystemTime};
+
+use jaka_sync::{Monitor, Snapshot, Subscription};
+
+use super::View;
+use super::alarms::{Tone, duration};
+use super::view::{Link, STALE};
+
+/// Packets of some seconds, so that no alarm is missed while a terminal is slow.
+const CAPACITY: usize = 1000;
+/// The time over which the rate is taken.
+const OF_LATE: Duration = Duration::from_secs(2);
+
+/// Brings what a monitor has read into a view.
+#[derive(Debug)]
+pub(crate) struct Feed {
+    monitor: Monitor,
+    queue: Subscription<jaka_sync::status::RobotStatus>,
+    newest: Option<Arc<Snapshot>>,
+    shown: Option<Arc<Snapshot>>,
+    /// Whether no news has been told as an alarm, and not yet that there is some again.
+    silent: bool,
+    /// How often the connection had been made anew when packets last came.
+    reconnects: u64,
+    /// Packets counted at times of late.
+    counts: VecDeque<(Instant, u64)>,
+}
+
+impl Feed {
+    pub(crate) fn new(monitor: Monitor) -> Self {
+        let queue = monitor.subscribe(CAPACITY);
+        Self { monitor, queue, newest: None, shown: None, silent: false, reconnects: 0, counts: VecDeque::new() }
+    }
+
+    /// Brings the view up to date.
+    pub(crate) fn update(&mut self, view: &mut View) {
+        while let Some(packet) = self.queue.try_next() {
+            self.take(&packet, view);
+            self.newest = Some(packet);
+        }
+        self.watch_silence(view);
+        if !view.paused || self.shown.is_none() {
+            self.shown.clone_from(&self.newest);
+            view.status = self.shown.as_ref().map(|packet| packet.status.clone());
+        }
+        view.age = self.shown.as_ref().map(|packet| packet.age());
+        view.link = self.link();
+    }
+
+    fn take(&mut self, packet: &Snapshot, view: &mut View) {
+        let time = SystemTime::now().checked_sub(packet.age()).unwrap_or_else(SystemTime::now);
+        let reconnects = self.monitor.statistics().reconnects;
+        let again = if reconnects > self.reconnects { "connected anew" } else { "status packets come again" };
+        if self.silent || reconnects > self.reconnects {
+            let gap = self.newest.as_ref().map(|last| packet.received.saturating_duration_since(last.received));
+            let after = gap.map_or_else(String::new, |gap| format!(" after {}", duration(gap)));
+            view.alarms.add(time, Tone::Good, format!("{again}{after}"));
+        }
+        (self.silent, self.reconnects) = (false, reconnects);
+        view.alarms.packet(&packet.status, time);
+    }
+
+    /// Tells once that packets have stopped coming.
+    fn watch_silence(&mut self, view: &mut View) {
+        let stopped = self.newest.as_ref().is_some_and(|packet| packet.age() > STALE);
+        if stopped && !self.silent {
+            self.silent = true;
+            view.alarms.add(SystemTime::now(), Tone::Bad, "no status packets: connection lost, or controller silent");
+        }
+    }
+
+    fn link(&mut self) -> Link {
+        let found = self.monitor.statistics();
+        let now = Instant::now();
+        self.counts.push_back((now, found.packets + found.skipped));
+        while self.counts.front().is_some_and(|(time, _)| now.saturating_duration_since(*time) > OF_LATE) {
+            self.counts.pop_front();
+        }
+        Link {
+            rate: self.rate(),
+            jitter: found.period.map(|_| found.jitter),
+            longest_gap: found.period.map(|_| found.longest_gap),
+            skipped: found.skipped,
+            unfit: found.unfit + found.resyncs,
+            reconnects: found.reconnects,
+            ended: self.monitor.disconnect().map(|cause| cause.to_string()),
+        }
+    }
+
+    fn rate(&self) -> Option<f64> {
+        let ((first, before), (last, now)) = (self.counts.front()?, self.counts.back()?);
+        let time = last.saturating_duration_since(*first);
+        #[expect(clippy::cast_precision_loss, reason = "packets of two seconds are few")]
+        let packets = now.saturating_sub(*before) as f64;
+        (time >= OF_LATE / 4).then(|| packets / time.as_secs_f64())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use jaka_sim::Controller;
+    use jaka_sync::{Config, Reconnect};
+
+    use super::*;
+
+    /// Longer than anything takes.
+    const LONG: Duration = Duration::from_secs(30);
+
+    /// A controller that sends a packet on connecting and when it is told to, and a feed that has had the first.
+    fn started() -> (Controller, Feed, View) {
+        let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+        let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
+        let monitor = Config::new().reconnect(policy).monitor(controller.status_addr()).unwrap();
+        let (mut feed, mut view) = (Feed::new(monitor), View::default());
+        // The first may have come before there was a queue for it.
+        controller.publish();
+        update_until(&mut feed, &mut view, |view| view.status.is_some());
+        (controller, feed, view)
+    }
+
+    fn update_until(feed: &mut Feed, view: &mut View, wanted: impl Fn(&View) -> bool) {
+        let since = Instant::now();
+        while !wanted(view) {
+            assert!(since.elapsed() < LONG, "{view:?}");
+            // A packet, or the time without one, is what may change the view.
+            let _ = feed.monitor.wait_until(|_| false, Duration::from_millis(10));
+            feed.update(view);
+        }
+    }
+
+    fn newest_alarm(view: &View) -> &str {
+        view.alarms.entries().next().map_or("", |alarm| &alarm.text)
+    }
+
+    #[test]
+    fn silence_and_its_end_are_told() {
+        let (controller, mut feed, mut view) = started();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("no status packets"));
+        assert!(!view.is_fresh());
+        controller.publish();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("status packets come again after"));
+        assert!(view.status.is_some());
+    }
+
+    #[test]
+    fn a_connection_that_was_made_anew_is_told() {
+        let (controller, mut feed, mut view) = started();
+        controller.disconnect();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("connected anew after"));
+        assert_eq!(view.link.reconnects, 1);
+    }
+
+    #[test]
+    fn a_pause_keeps_what_is_shown_and_misses_no_alarm() {
+        let (controller, mut feed, mut view) = started();
+        view.paused = true;
+        controller.press_emergency_stop();
+        controller.publish();
+        update_until(&mut feed, &mut view, |view| newest_alarm(view) == "emergency stop");
+        assert_eq!(view.status.as_ref().and_then(|status| status.emergency_stop), Some(false));
+        view.paused = false;
+        feed.update(&mut view);
+        assert_eq!(view.status.as_ref().and_then(|status| status.emergency_stop), Some(true));
+    }
+}

@@ -1,0 +1,121 @@
+//! The robot's state: power, stops, modes, error.
+
+use jaka_sync::status::{InterpreterState, RobotStatus, TaskMode};
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+
+use super::alarms::is_error;
+use super::style;
+use crate::output::ABSENT;
+
+/// A value with its names, a long and a short one, and its look.
+#[derive(Clone)]
+struct Cell {
+    names: [&'static str; 2],
+    value: Option<(String, Style)>,
+}
+
+/// How cells are laid out.
+struct Grid {
+    columns: usize,
+    cell: usize,
+    name: usize,
+    /// Which of a cell's names is shown.
+    which: usize,
+}
+
+impl Grid {
+    /// The one for a window of this width.
+    fn of(width: usize) -> Self {
+        match width {
+            78.. => Self { columns: 3, cell: (width / 3).min(32), name: 16, which: 0 },
+            40.. => Self { columns: 2, cell: 20, name: 12, which: 1 },
+            _ => Self { columns: 1, cell: width, name: 12, which: 1 },
+        }
+    }
+}
+
+/// The state as lines that fit the width.
+pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
+    let grid = Grid::of(usize::from(width));
+    let mut cells = cells(status).to_vec();
+    let error = error(status);
+    // An error takes a line of its own; that there is none does not where lines are few.
+    if let (2, Cell { value: Some((_, look)), .. }) = (grid.columns, &error) {
+        if *look == Style::new() {
+            cells.push(error);
+            return cells.chunks(grid.columns).map(|row| line(row, &grid)).collect();
+        }
+    }
+    let rows = cells.chunks(grid.columns).chain([std::slice::from_ref(&error)]);
+    rows.map(|row| line(row, &grid)).collect()
+}
+
+fn line(cells: &[Cell], grid: &Grid) -> Line<'static> {
+    let mut spans = Vec::new();
+    for cell in cells {
+        let (value, look) = cell.value.clone().unwrap_or_else(|| (ABSENT.to_owned(), style::faint()));
+        let left = grid.cell.saturating_sub(grid.name + 1 + value.chars().count());
+        spans.push(Span::styled(format!(" {:<1$}", cell.names[grid.which], grid.name), style::faint()));
+        spans.extend([Span::styled(value, look), Span::raw(" ".repeat(left))]);
+    }
+    Line::from(spans)
+}
+
+fn cells(status: &RobotStatus) -> [Cell; 9] {
+    let yes_no = ["no", "yes"];
+    let alarm = [Style::new(), style::bad()];
+    let wanted = [style::notable(), style::good()];
+    [
+        flag(["Power", "Power"], status.powered_on, ["off", "on"], wanted),
+        flag(["Enabled", "Enabled"], status.enabled, yes_no, wanted),
+        flag(["In position", "In position"], status.in_position, yes_no, [style::notable(), Style::new()]),
+        flag(["Protective stop", "Prot. stop"], status.protective_stop, yes_no, alarm),
+        flag(["Emergency stop", "Em. stop"], status.emergency_stop, yes_no, alarm),
+        flag(["Drag mode", "Drag"], status.drag_status, ["off", "on"], [Style::new(), style::notable()]),
+        Cell { names: ["Program", "Program"], value: status.interpreter_state.map(program) },
+        Cell { names: ["Task mode", "Mode"], value: status.task_mode.map(|mode| (mode_name(mode), Style::new())) },
+        Cell { names: ["Rapid rate", "Rapid rate"], value: status.rapid_rate.map(rate) },
+    ]
+}
+
+fn flag(names: [&'static str; 2], value: Option<bool>, texts: [&str; 2], looks: [Style; 2]) -> Cell {
+    let value = value.map(usize::from).map(|at| (texts[at].to_owned(), looks[at]));
+    Cell { names, value }
+}
+
+fn program(state: InterpreterState) -> (String, Style) {
+    match state {
+        InterpreterState::Idle => ("idle".to_owned(), Style::new()),
+        InterpreterState::Loading => ("loading".to_owned(), style::notable()),
+        InterpreterState::Paused => ("paused".to_owned(), style::notable()),
+        InterpreterState::Running => ("running".to_owned(), style::good()),
+        other => (i64::from(other).to_string(), Style::new()),
+    }
+}
+
+fn mode_name(mode: TaskMode) -> String {
+    match mode {
+        TaskMode::Manual => "manual".to_owned(),
+        TaskMode::Automatic => "automatic".to_owned(),
+        TaskMode::Drag => "drag".to_owned(),
+        other => i64::from(other).to_string(),
+    }
+}
+
+fn rate(rate: f64) -> (String, Style) {
+    let look = if rate < 1.0 { style::notable() } else { Style::new() };
+    (format!("{} %", crate::number::fixed(rate * 100.0, 0)), look)
+}
+
+fn error(status: &RobotStatus) -> Cell {
+    let value = status.error_code.as_ref().map(|code| {
+        let message = status.error_message.as_deref().unwrap_or_default();
+        if is_error(code) {
+            (format!(" {} ", format!("{code} {message}").trim()), style::bad())
+        } else {
+            ("none".to_owned(), Style::new())
+        }
+    });
+    Cell { names: ["Error", "Error"], value }
+}

@@ -1,0 +1,65 @@
+//! How values look.
+
+use ratatui::style::{Color, Modifier, Style};
+use ratatui::text::{Line, Span};
+
+use super::alarms::Tone;
+use crate::number::fixed;
+use crate::output::ABSENT;
+
+/// Names of values, rules and what else is there to be overlooked.
+pub(super) fn faint() -> Style {
+    Style::new().fg(Color::DarkGray)
+}
+
+/// What the eye should find.
+pub(super) fn strong() -> Style {
+    Style::new().add_modifier(Modifier::BOLD)
+}
+
+/// What is as it should be.
+pub(super) fn good() -> Style {
+    Style::new().fg(Color::Green)
+}
+
+/// What asks for attention.
+pub(super) fn notable() -> Style {
+    Style::new().fg(Color::Yellow)
+}
+
+/// What must not be overlooked, also where there are no colours.
+pub(super) fn bad() -> Style {
+    Style::new().fg(Color::Red).add_modifier(Modifier::BOLD | Modifier::REVERSED)
+}
+
+/// What is not of now.
+pub(super) fn old() -> Style {
+    faint().add_modifier(Modifier::DIM).remove_modifier(Modifier::BOLD)
+}
+
+/// The look of what happened.
+pub(super) fn of_tone(tone: Tone) -> Style {
+    match tone {
+        Tone::Bad => Style::new().fg(Color::Red).add_modifier(Modifier::BOLD),
+        Tone::Good => good(),
+        Tone::Plain => Style::new(),
+    }
+}
+
+/// A number at the right of its column.
+pub(super) fn number(value: Option<f64>, width: usize, decimals: usize) -> Span<'static> {
+    match value {
+        Some(value) => Span::raw(format!("{:>width$}", fixed(value, decimals))),
+        None => Span::styled(format!("{ABSENT:>width$}"), faint()),
+    }
+}
+
+/// A rule with a title on it.
+pub(super) fn rule(title: &str, width: u16) -> Line<'static> {
+    let rest = usize::from(width).saturating_sub(title.chars().count() + 4);
+    Line::from(vec![
+        Span::styled("─ ", faint()),
+        Span::styled(title.to_owned(), strong()),
+        Span::styled(format!(" {}", "─".repeat(rest + 1)), faint()),
+    ])
+}

@@ -1,0 +1,104 @@
+//! All that is shown.
+
+use std::time::Duration;
+
+use jaka_sync::status::RobotStatus;
+
+use super::alarms::Alarms;
+
+/// A packet that is older than this is no news: several periods of any firmware.
+pub(super) const STALE: Duration = Duration::from_millis(500);
+
+/// All that is shown. Nothing else, no clock either, decides what is drawn.
+#[derive(Debug, Default)]
+pub(crate) struct View {
+    /// What people call the robot.
+    pub(super) title: String,
+    /// The packet that is shown.
+    pub(super) status: Option<RobotStatus>,
+    /// How long ago that packet came.
+    pub(super) age: Option<Duration>,
+    /// How packets come.
+    pub(super) link: Link,
+    /// What happened.
+    pub(super) alarms: Alarms,
+    /// The page that is shown.
+    pub(super) page: Page,
+    /// How many lines of the page are scrolled away.
+    pub(super) scroll: u16,
+    /// Whether the packet that is shown stays.
+    pub(super) paused: bool,
+    /// Whether the keys are explained.
+    pub(super) help: bool,
+}
+
+impl View {
+    /// Keeps what is scrolled away within what there is to scroll.
+    pub(crate) fn scroll_at_most(&mut self, most: u16) {
+        self.scroll = self.scroll.min(most);
+    }
+
+    /// A view of a robot of which nothing is known yet.
+    pub(crate) fn new(title: &str) -> Self {
+        Self { title: title.to_owned(), ..Self::default() }
+    }
+
+    /// True if what is shown is what the robot said just now.
+    pub(super) fn is_fresh(&self) -> bool {
+        !self.paused && self.age.is_some_and(|age| age <= STALE)
+    }
+}
+
+/// How packets come.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Link {
+    /// Packets a second, of late.
+    pub(super) rate: Option<f64>,
+    /// Mean deviation of the time between packets from the one before.
+    pub(super) jitter: Option<Duration>,
+    /// The longest time between two packets.
+    pub(super) longest_gap: Option<Duration>,
+    /// Packets that were passed over since a newer one had come.
+    pub(super) skipped: u64,
+    /// Packets that came and did not fit the spec, and times when none could be made out.
+    pub(super) unfit: u64,
+    /// How often the connection was made anew.
+    pub(super) reconnects: u64,
+    /// Why the connection has ended for good, if it has.
+    pub(super) ended: Option<String>,
+}
+
+/// A page of the dashboard.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Page {
+    /// What matters most.
+    #[default]
+    Overview,
+    /// All inputs and outputs.
+    Io,
+    /// All measurements.
+    Measurements,
+    /// What happened.
+    Alarms,
+}
+
+impl Page {
+    /// All of them, in order.
+    pub(super) const ALL: [Self; 4] = [Self::Overview, Self::Io, Self::Measurements, Self::Alarms];
+
+    /// Its name.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Overview => "Overview",
+            Self::Io => "I/O",
+            Self::Measurements => "Measurements",
+            Self::Alarms => "Alarms",
+        }
+    }
+
+    /// The page that is so many behind this one, around the end.
+    pub(super) fn step(self, by: usize) -> Self {
+        let at = Self::ALL.iter().position(|page| *page == self).unwrap_or_default();
+        Self::ALL[(at + by) % Self::ALL.len()]
+    }
+}

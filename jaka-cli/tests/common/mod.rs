@@ -1,0 +1,43 @@
+//! Runs the program, away from the user's own environment.
+
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitStatus, Output, Stdio};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+/// Longer than anything takes.
+const LONG: Duration = Duration::from_secs(60);
+
+/// The program with these arguments.
+pub(crate) fn jaka(args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_jaka"));
+    let nowhere = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("nowhere");
+    command.args(args).stdin(Stdio::null()).env("HOME", &nowhere);
+    for name in ["JAKA_ROBOT", "JAKA_CONFIG", "JAKA_PACK", "XDG_CONFIG_HOME", "APPDATA"] {
+        command.env_remove(name);
+    }
+    command
+}
+
+/// What it printed on standard output, on standard error, and its exit code.
+pub(crate) fn output(command: &mut Command) -> (String, String, Option<i32>) {
+    let Output { status, stdout, stderr } = command.output().unwrap();
+    (String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap(), status.code())
+}
+
+/// What it printed on standard error, and its exit code.
+#[allow(dead_code, reason = "not every test file needs it")]
+pub(crate) fn failure(command: &mut Command) -> String {
+    let (stdout, stderr, code) = output(command);
+    assert_eq!(stdout, "");
+    format!("{stderr}exit code {code:?}")
+}
+
+/// How it ended, which must be soon.
+#[allow(dead_code, reason = "not every test file needs it")]
+pub(crate) fn end(mut child: Child) -> ExitStatus {
+    let (sender, ended) = mpsc::channel();
+    thread::spawn(move || sender.send(child.wait().unwrap()));
+    ended.recv_timeout(LONG).expect("the program ends")
+}

@@ -1,0 +1,110 @@
+//! The commands that talk to no robot.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+mod common;
+
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+
+use expect_test::expect;
+
+use self::common::{failure, jaka, output};
+
+#[test]
+fn a_simulated_controller_serves_other_programs() {
+    let mut sim =
+        jaka(&["sim", "--commands", "0", "--status", "0", "--model", "zu3"]).stdout(Stdio::piped()).spawn().unwrap();
+    let mut line = String::new();
+    BufReader::new(sim.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    let port = line.trim_end().rsplit(':').next().unwrap();
+    let found = output(&mut jaka(&["status", "-r", "127.0.0.1", "--status-port", port, "-f", "enabled"]));
+    sim.kill().unwrap();
+    sim.wait().unwrap();
+    assert_eq!(found, ("enabled  false\n".to_owned(), String::new(), Some(0)));
+}
+
+#[test]
+fn what_the_simulated_controller_does_not_know_is_named() {
+    expect![[r#"
+        jaka: invalid value '9' for '--firmware <SHAPE>': there are 1.5.14, document, newer
+
+        For more information, try '--help'.
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));
+    expect![[r#"
+        jaka: invalid value 'drip' for '--faults <TEXT>': line 1: `drip`: there is no such fault
+
+        For more information, try '--help'.
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["sim", "--faults", "drip"])));
+    expect![[r#"
+        jaka: no model `zu99`; there are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--model", "zu99"])));
+}
+
+#[test]
+fn a_dashboard_needs_a_terminal() {
+    expect![[r#"
+        jaka: `jaka monitor` needs a terminal; `jaka status --watch` does not
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["monitor", "--sim"])));
+}
+
+#[test]
+fn shells_complete_commands_and_options() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let (script, _, code) = output(&mut jaka(&["completions", shell]));
+        assert_eq!(code, Some(0));
+        assert!(script.contains("monitor") && script.contains("status-port"), "{shell}");
+    }
+}
+
+#[test]
+fn the_help_explains_exit_codes() {
+    let (help, _, code) = output(&mut jaka(&["--help"]));
+    assert_eq!(code, Some(0));
+    expect![[r#"
+        Commands, status, live dashboard and simulated controller for JAKA robots
+
+        Usage: jaka <COMMAND>
+
+        Commands:
+          status       Print the robot's state, once or again and again
+          monitor      Show the robot's state live in the terminal
+          call         Send one command of the protocol, and print the reply
+          probe        Ask a controller every question of the protocol, and report where its answers depart from the spec
+          sim          Run a simulated controller until it is interrupted
+          completions  Print the completion script of a shell
+          help         Print this message or the help of the given subcommand(s)
+
+        Options:
+          -h, --help
+                  Print help (see a summary with '-h')
+
+          -V, --version
+                  Print version
+
+        The robot:
+          Commands that talk to a robot take its address from, in this order: --sim, --robot, the environment's
+          JAKA_ROBOT, and `robot = "NAME"` in the config file. Each may be an address or the name of a [robots.NAME]
+          in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
+
+        Command packs:
+          Commands that know packs take them from, in this order: --pack, the environment's JAKA_PACK, and
+          `packs = ["FILE"]` in the config file. The first of these that names any counts.
+
+        Exit codes:
+          0  done; also when a reader of the output has seen enough, and on Ctrl-C where a command runs until then
+          1  the controller refused the command, which did not run
+          2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
+             nothing was sent
+          3  no connection could be made; nothing was sent
+          4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
+          5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
+          6  something on this machine: a file, a port, the terminal
+          7  `jaka probe` found something that is not as the spec has it, or was not answered
+    "#]]
+    .assert_eq(&help);
+    assert!(output(&mut jaka(&["--version"])).0.starts_with("jaka "));
+}

@@ -1,0 +1,199 @@
+//! `jaka status`, with a simulated controller.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+mod common;
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use expect_test::expect;
+use jaka_sim::Controller;
+
+use self::common::{end, failure, jaka, output};
+
+/// What the program prints, which must succeed.
+fn printed(args: &[&str]) -> String {
+    let (stdout, stderr, code) = output(&mut jaka(&[&["status"], args].concat()));
+    assert_eq!((&*stderr, code), ("", Some(0)));
+    stdout
+}
+
+#[test]
+fn a_table_shows_the_usual_fields() {
+    expect![[r#"
+        powered_on             true
+        enabled                true
+        in_position            true
+        protective_stop        false
+        emergency_stop         false
+        drag_status            false
+        task_mode              Manual (1)
+        interpreter_state      Idle (0)
+        rapid_rate             1.000
+        error_code             0x0
+        error_message          ""
+        joint_actual_position  0.000  90.000  90.000  90.000  -90.000  0.000 deg
+        actual_position.x      -482.000 mm
+        actual_position.y      114.000 mm
+        actual_position.z      443.150 mm
+        actual_position.rx     -180.000 deg
+        actual_position.ry     0.000 deg
+        actual_position.rz     90.000 deg
+        tcp_speed              0.000 mm/s
+        current_tool_id        0
+        current_user_frame_id  0
+    "#]]
+    .assert_eq(&printed(&["--sim", "--sim-powered"]));
+}
+
+#[test]
+fn other_models_have_other_poses() {
+    expect![[r#"
+        actual_position.x   -686.500 mm
+        actual_position.y   131.500 mm
+        actual_position.z   634.150 mm
+        actual_position.rx  -180.000 deg
+        actual_position.ry  0.000 deg
+        actual_position.rz  90.000 deg
+        task_state          PoweredOff (1)
+    "#]]
+    .assert_eq(&printed(&["--sim=zu12", "--fields", "actual_position,task_state"]));
+}
+
+#[test]
+fn json_has_an_object_a_line() {
+    let text = printed(&[
+        "--sim",
+        "--format",
+        "json",
+        "--fields",
+        "inpos,task_mode,relay_io,din[3]",
+        "-n",
+        "2",
+        "--watch",
+        "0",
+    ]);
+    let lines: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(lines.len(), 2);
+    assert!(lines[0]["time_s"].as_f64() <= lines[1]["time_s"].as_f64());
+    let rest = lines[0].as_object().unwrap().iter().filter(|(name, _)| *name != "time_s");
+    let rest: Vec<_> = rest.map(|(name, value)| format!("{name}: {value}\n")).collect();
+    expect![[r#"
+        digital_inputs[3]: false
+        in_position: true
+        relay_outputs: null
+        task_mode: 1
+    "#]]
+    .assert_eq(&rest.concat());
+}
+
+#[test]
+fn csv_has_a_column_for_each_element() {
+    let text = printed(&[
+        "--sim",
+        "--format",
+        "csv",
+        "--fields",
+        "joint_actual_position,position,errcode",
+        "-n",
+        "2",
+        "--watch",
+        "0",
+    ]);
+    let without_time = |line: &str| line.split_once(',').unwrap().1.to_owned() + "\n";
+    let lines: Vec<_> = text.lines().map(without_time).collect();
+    expect![[r#"
+        joint_actual_position[0],joint_actual_position[1],joint_actual_position[2],joint_actual_position[3],joint_actual_position[4],joint_actual_position[5],commanded_position.x,commanded_position.y,commanded_position.z,commanded_position.rx,commanded_position.ry,commanded_position.rz,error_code
+        0,90,90,90,-90,0,,,,,,,0x0
+        0,90,90,90,-90,0,,,,,,,0x0
+    "#]].assert_eq(&lines.concat());
+}
+
+#[test]
+fn raw_is_what_came() {
+    let text = printed(&["--sim", "--raw"]);
+    let length = serde_json::from_str::<serde_json::Value>(&text).unwrap()["len"].as_u64();
+    assert_eq!(length, u64::try_from(text.trim_end().len()).ok());
+}
+
+#[test]
+fn a_name_that_does_not_exist_has_near_ones() {
+    let failed = failure(&mut jaka(&["status", "--sim", "--fields", "enabled,joint_actual_pos"]));
+    expect![[r#"
+        jaka: there is no status field `joint_actual_pos`; near it: `joint_actual_position`
+        exit code Some(2)"#]]
+    .assert_eq(&failed);
+}
+
+/// The program at work, and the first line that it printed.
+fn started(command: &mut Command) -> (Child, BufReader<std::process::ChildStdout>, String) {
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    (child, out, line)
+}
+
+#[test]
+fn it_ends_in_peace_when_nobody_reads_any_more() {
+    let (mut child, out, line) = started(&mut jaka(&["status", "--sim", "--watch", "0", "--fields", "enabled"]));
+    assert_eq!(line, "enabled  false\n");
+    drop(out);
+    let errors = child.stderr.take().unwrap();
+    assert_eq!(end(child).code(), Some(0));
+    assert_eq!(BufReader::new(errors).lines().count(), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn it_ends_in_peace_when_interrupted() {
+    let (child, _out, _) = started(&mut jaka(&["status", "--sim", "--watch"]));
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(killed.success());
+    assert_eq!(end(child).code(), Some(0));
+}
+
+#[test]
+fn a_lost_connection_is_told() {
+    let controller = Controller::start().unwrap();
+    let port = controller.status_addr().port().to_string();
+    let args = ["status", "--robot", "127.0.0.1", "--status-port", &port, "--watch", "0", "--fields", "enabled"];
+    let (mut child, mut out, _) = started(&mut jaka(&args));
+    controller.disconnect();
+    let mut rest = String::new();
+    while out.read_line(&mut rest).unwrap() > 0 {}
+    let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
+    expect!["jaka: the status connection is broken: the controller closed the connection; it may have shut down, or another client may have taken the command port"].assert_eq(&errors.join("\n"));
+    assert_eq!(end(child).code(), Some(5));
+}
+
+/// A controller that sends no packets on its own but the first, and the arguments to reach it.
+fn quiet_controller() -> (Controller, [String; 6]) {
+    let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+    let port = controller.status_addr().port().to_string();
+    (controller, ["status", "-r", "127.0.0.1", "--watch=0", "--status-port", &port].map(str::to_owned))
+}
+
+#[test]
+fn raw_is_what_came_also_where_it_does_not_fit() {
+    let (controller, args) = quiet_controller();
+    let (child, mut out, _) = started(jaka(&[]).args(args).args(["--raw", "--count", "2"]));
+    controller.send_status(br#"{"enabled": [ ]}"#);
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    assert_eq!(line, "{\"enabled\": [ ]}\n");
+    assert_eq!(end(child).code(), Some(0));
+}
+
+#[test]
+fn a_packet_that_does_not_fit_is_told() {
+    let (controller, args) = quiet_controller();
+    let (mut child, _out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled"]));
+    controller.send_status(br#"{"enabled": [ ]}"#);
+    let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
+    expect!["jaka: a status packet does not fit the spec: field `enabled`: expected a truth value, found `[ ]`"]
+        .assert_eq(&errors.join("\n"));
+    assert_eq!(end(child).code(), Some(5));
+}

@@ -1,0 +1,100 @@
+//! How a command finds its robot, and what it says if it does not.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+mod common;
+
+use std::net::TcpListener;
+use std::path::PathBuf;
+use std::{env, fs};
+
+use expect_test::expect;
+use jaka_sim::Controller;
+
+use self::common::{failure, jaka, output};
+
+/// A config file of this text, for one test.
+fn config(name: &str, text: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn without_an_address_the_ways_to_give_one_are_named() {
+    expect![[r#"
+        jaka: no robot is given; name its address by `--robot ADDRESS`, by the environment's JAKA_ROBOT, or by `robot = "NAME"` in the config file; or try a simulated one with `--sim`
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["status"])));
+}
+
+#[test]
+fn the_config_file_has_robots_by_name() {
+    let controller = Controller::start().unwrap();
+    let port = controller.status_addr().port();
+    let text = format!("robot = 'cell1'\n[robots.cell1]\naddress = '127.0.0.1'\nstatus_port = {port}\n");
+    let path = config("names.toml", &text);
+    let reads = |command: &mut std::process::Command| {
+        assert_eq!(output(command), ("enabled  false\n".to_owned(), String::new(), Some(0)));
+    };
+    reads(jaka(&["status", "-f", "enabled", "-r", "cell1"]).arg("--config").arg(&path));
+    // The one that is meant if none is named.
+    reads(jaka(&["status", "-f", "enabled"]).env("JAKA_CONFIG", &path));
+    // The environment counts more than the config file, the command line more than both.
+    let wrong = jaka(&["status"]).env("JAKA_CONFIG", &path).env("JAKA_ROBOT", "cell 2").output().unwrap();
+    assert_eq!(wrong.status.code(), Some(2));
+    reads(jaka(&["status", "-f", "enabled", "-r", "cell1"]).env("JAKA_CONFIG", &path).env("JAKA_ROBOT", "cell 2"));
+}
+
+#[test]
+fn the_usual_config_file_is_in_the_users_folder() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("usual");
+    fs::create_dir_all(folder.join("jaka")).unwrap();
+    fs::write(folder.join("jaka/config.toml"), "robot = 'cell 2'\n").unwrap();
+    expect![[r#"
+        jaka: `cell 2` is no address, and the config file has no robot of that name
+        exit code Some(2)"#]]
+    .assert_eq(&failure(jaka(&["status"]).env("XDG_CONFIG_HOME", &folder)));
+}
+
+#[test]
+fn a_config_file_that_is_wrong_is_named_with_the_line() {
+    let path = config("wrong.toml", "[robots.cell1]\naddress = '127.0.0.1'\nport = 10000\n");
+    let folder = format!("{}/", env!("CARGO_TARGET_TMPDIR"));
+    let failed = failure(jaka(&["status", "-r", "cell1"]).arg("--config").arg(&path));
+    expect![[r#"
+        jaka: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`
+        exit code Some(2)"#]].assert_eq(&failed.replace(&folder, ""));
+    let failed = failure(&mut jaka(&["status", "-r", "cell1", "--config", "nowhere.toml"]));
+    expect![[r#"
+        jaka: the config file nowhere.toml does not exist
+        exit code Some(2)"#]]
+    .assert_eq(&failed);
+}
+
+#[test]
+fn nobody_at_the_address() {
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port().to_string();
+    let (_, stderr, code) = output(&mut jaka(&["status", "-r", "127.0.0.1", "--status-port", &port]));
+    assert_eq!(code, Some(3));
+    assert!(stderr.starts_with(&format!("jaka: cannot connect to 127.0.0.1:{port}: ")), "{stderr}");
+}
+
+#[test]
+fn nothing_comes_from_the_address() {
+    let silent = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = silent.local_addr().unwrap().port().to_string();
+    let args = ["status", "-r", "127.0.0.1", "--status-port", &port, "--timeout", "0.2"];
+    expect![[r#"
+        jaka: no status packet within 200ms
+        exit code Some(5)"#]]
+    .assert_eq(&failure(&mut jaka(&args)));
+}
+
+#[test]
+fn a_simulated_robot_has_no_address() {
+    let (_, stderr, code) = output(&mut jaka(&["status", "--sim", "--robot", "127.0.0.1"]));
+    assert_eq!(code, Some(2));
+    assert!(stderr.contains("cannot be used with"), "{stderr}");
+    // The environment does not contradict the command line.
+    assert_eq!(output(jaka(&["status", "--sim"]).env("JAKA_ROBOT", "127.0.0.1")).2, Some(0));
+}

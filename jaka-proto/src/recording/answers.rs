@@ -1,0 +1,104 @@
+//! Which reply belongs to which request.
+
+use std::collections::HashMap;
+use std::time::Duration;
+
+use super::{Ending, Event, Message, Port, Recording};
+use crate::{Arrival, Envelope, Ledger, Ticket};
+
+/// A recorded request, and what came of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Answered {
+    /// The request.
+    pub request: Message,
+    /// When it was sent, counted from the start of the recording.
+    pub sent: Duration,
+    /// What came of it.
+    pub answer: Answer,
+}
+
+/// What came of a request.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Answer {
+    /// A reply, in time or late.
+    Reply {
+        /// The reply.
+        reply: Message,
+        /// How long after the request it arrived.
+        after: Duration,
+    },
+    /// No reply, and the connection ended from the other side.
+    Closed {
+        /// Who ended it.
+        by: Ending,
+    },
+    /// No reply.
+    Nothing,
+}
+
+impl Recording {
+    /// The requests of all command connections, in their order, each with the reply that belongs to it.
+    ///
+    /// Replies that belong to no request, and messages behind which replies can no longer be told apart, are left out.
+    pub fn answers(&self) -> Vec<Answered> {
+        let mut pairs = Pairs::default();
+        for entry in self.entries.iter().filter(|entry| entry.port == Port::Command) {
+            match &entry.event {
+                Event::Sent(request) => pairs.sent(entry.connection, request, entry.time),
+                Event::Received(reply) => pairs.received(entry.connection, reply, entry.time),
+                Event::Closed { by, .. } => pairs.closed(entry.connection, *by),
+                _ => {}
+            }
+        }
+        pairs.all
+    }
+}
+
+#[derive(Debug, Default)]
+struct Pairs {
+    all: Vec<Answered>,
+    connections: HashMap<u32, Connection>,
+}
+
+/// What one connection is owed.
+#[derive(Debug, Default)]
+struct Connection {
+    ledger: Ledger,
+    /// The places of the requests that have no reply yet.
+    open: Vec<(Ticket, usize)>,
+}
+
+impl Pairs {
+    fn sent(&mut self, connection: u32, request: &Message, sent: Duration) {
+        let name = request.text().and_then(|text| Envelope::read(text).ok()?.command).unwrap_or_default();
+        let connection = self.connections.entry(connection).or_default();
+        let ticket = connection.ledger.sent(name.into_owned().into());
+        connection.open.push((ticket, self.all.len()));
+        self.all.push(Answered { request: request.clone(), sent, answer: Answer::Nothing });
+    }
+
+    fn received(&mut self, connection: u32, reply: &Message, time: Duration) {
+        let Some(connection) = self.connections.get_mut(&connection) else { return };
+        let Some(ticket) = arrived(&mut connection.ledger, reply).map(|arrival| arrival.ticket) else { return };
+        let Some(place) = connection.open.iter().position(|(owner, _)| *owner == ticket) else { return };
+        let (_, place) = connection.open.swap_remove(place);
+        let after = time.saturating_sub(self.all[place].sent);
+        self.all[place].answer = Answer::Reply { reply: reply.clone(), after };
+    }
+
+    fn closed(&mut self, connection: u32, by: Ending) {
+        let last = self.connections.remove(&connection).and_then(|connection| connection.open.last().copied());
+        // What was sent before the last may have been lost before.
+        if let (Some((_, place)), Ending::Controller | Ending::Failure) = (last, by) {
+            self.all[place].answer = Answer::Closed { by };
+        }
+    }
+}
+
+fn arrived(ledger: &mut Ledger, reply: &Message) -> Option<Arrival> {
+    let text = reply.text()?;
+    let envelope = if text.starts_with('(') { None } else { Some(Envelope::read(text).ok()?) };
+    ledger.arrived_reply(envelope.as_ref()).ok()
+}

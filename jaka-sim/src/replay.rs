@@ -1,0 +1,157 @@
+//! Replay of a recording in place of the simulated arm.
+
+mod canonical;
+mod deviation;
+mod script;
+
+use std::collections::{HashMap, VecDeque};
+use std::fmt;
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use jaka_proto::recording::{Answer, Port, Recording};
+
+use self::canonical::canonical;
+pub(crate) use self::canonical::is_same;
+pub use self::deviation::Deviation;
+pub(crate) use self::script::{Script, Step};
+use crate::lock::lock;
+
+/// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Replay {
+    /// The n-th connection to a port is the n-th of the recording, message by message: requests must come in the recorded
+    /// order and be equal as JSON, and the controller sends what it sent then, also what was late, unasked or garbage, and
+    /// ends the connection where it did then.
+    ///
+    /// Anything else is a [`Deviation`], and ends the connection.
+    Strict,
+    /// Each request gets the reply to the first equal request of the recording, of whatever connection, that has not been
+    /// used yet. Where none came then, none comes now.
+    ///
+    /// A request is equal if it is the same JSON: no reply to another one is ever used. Where there is none left, the request
+    /// is refused, and a [`Deviation`]. Further status readers get the packets of the last one of the recording.
+    Matching,
+}
+
+/// When a replay sends what it sends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ReplayTiming {
+    /// As long after the request, or the beginning of the connection, as then.
+    #[default]
+    Recorded,
+    /// Replies at once, and status packets one each [`Builder::status_period`](crate::Builder::status_period).
+    Immediate,
+}
+
+/// A recording to be replayed, and how.
+#[derive(Debug, Clone)]
+pub(crate) struct Plan {
+    pub(crate) recording: Arc<Recording>,
+    pub(crate) mode: Replay,
+}
+
+/// A replay that runs.
+pub(crate) struct Stage {
+    pub(crate) mode: Replay,
+    timing: ReplayTiming,
+    commands: Vec<Arc<Script>>,
+    readers: Vec<Arc<Script>>,
+    progress: Mutex<Progress>,
+}
+
+#[derive(Debug, Default)]
+struct Progress {
+    commands: usize,
+    readers: usize,
+    /// The answers that have not been used, by their request.
+    answers: HashMap<String, VecDeque<Answer>>,
+    deviations: Vec<Deviation>,
+}
+
+impl Stage {
+    pub(crate) fn new(plan: &Plan, timing: ReplayTiming) -> Self {
+        let Plan { recording, mode } = plan;
+        let mut progress = Progress::default();
+        if *mode == Replay::Matching {
+            for answered in recording.answers() {
+                let same = progress.answers.entry(canonical(&answered.request.to_string())).or_default();
+                same.push_back(answered.answer);
+            }
+        }
+        Self {
+            mode: *mode,
+            timing,
+            commands: script::scripts(recording, Port::Command),
+            readers: script::scripts(recording, Port::Status),
+            progress: Mutex::new(progress),
+        }
+    }
+
+    /// What happens on the next command connection; `None` if the recording has no further one, which is a deviation.
+    pub(crate) fn next_commands(&self) -> Option<Arc<Script>> {
+        let mut progress = lock(&self.progress);
+        let script = self.commands.get(progress.commands).cloned();
+        progress.commands += 1;
+        self.known(script, Port::Command, &mut progress)
+    }
+
+    /// What happens on the next status connection.
+    pub(crate) fn next_reader(&self) -> Option<Arc<Script>> {
+        let mut progress = lock(&self.progress);
+        let again = self.readers.last().filter(|_| self.mode == Replay::Matching);
+        let script = self.readers.get(progress.readers).or(again).cloned();
+        progress.readers += 1;
+        self.known(script, Port::Status, &mut progress)
+    }
+
+    fn known(&self, script: Option<Arc<Script>>, port: Port, progress: &mut Progress) -> Option<Arc<Script>> {
+        if script.is_none() {
+            let recorded = if port == Port::Command { &self.commands } else { &self.readers };
+            progress.deviations.push(Deviation::Connection { port, recorded: recorded.len() });
+        }
+        script
+    }
+
+    /// The answer to a request; `None` if none is left, which is a deviation.
+    pub(crate) fn answer(&self, request: &str) -> Option<Answer> {
+        let mut progress = lock(&self.progress);
+        let same = progress.answers.get_mut(&canonical(request));
+        let answer = same.and_then(VecDeque::pop_front);
+        if answer.is_none() {
+            progress.deviations.push(Deviation::NoReplyLeft { received: request.to_owned() });
+        }
+        answer
+    }
+
+    /// How long after what came before it something is sent.
+    pub(crate) fn delay(&self, recorded: Duration) -> Duration {
+        match self.timing {
+            ReplayTiming::Recorded => recorded,
+            ReplayTiming::Immediate => Duration::ZERO,
+        }
+    }
+
+    /// How long after the beginning of its connection the n-th packet is sent, counted from 0.
+    pub(crate) fn packet_time(&self, recorded: Duration, number: u32, period: Duration) -> Duration {
+        match self.timing {
+            ReplayTiming::Recorded => recorded,
+            ReplayTiming::Immediate => period.saturating_mul(number),
+        }
+    }
+
+    pub(crate) fn deviates(&self, deviation: Deviation) {
+        log::debug!(target: "jaka_sim", "the replay deviates: {deviation}");
+        lock(&self.progress).deviations.push(deviation);
+    }
+
+    pub(crate) fn deviations(&self) -> Vec<Deviation> {
+        lock(&self.progress).deviations.clone()
+    }
+}
+
+impl fmt::Debug for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Stage").field("mode", &self.mode).field("timing", &self.timing).finish_non_exhaustive()
+    }
+}

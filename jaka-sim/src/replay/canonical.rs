@@ -1,0 +1,66 @@
+//! Whether two messages are the same JSON.
+
+use jaka_proto::wire::{Decode, Reader, Value, Writer};
+
+/// Up to here every whole number has a float of its own.
+const EXACT: f64 = 9_007_199_254_740_992.0;
+
+/// True if two messages are the same JSON, or, where one is none, the same text.
+pub(crate) fn is_same(a: &str, b: &str) -> bool {
+    a == b || canonical(a) == canonical(b)
+}
+
+/// The one text for all that is the same JSON: no blanks, keys in order, whole numbers without fraction. What is no JSON
+/// stays as it is.
+pub(super) fn canonical(text: &str) -> String {
+    let mut reader = Reader::new(text);
+    let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
+    let Ok(value) = value else { return text.to_owned() };
+    let mut out = Writer::new();
+    write(&value, &mut out);
+    out.into_string()
+}
+
+fn write(value: &Value, out: &mut Writer) {
+    match value {
+        Value::Number(number) => match number.as_f64() {
+            Some(float) if number.is_f64() || float.abs() < EXACT => out.float(float),
+            _ => out.raw(&number.to_string()),
+        },
+        Value::Array(elements) => out.array(elements, |out, element| write(element, out)),
+        Value::Object(fields) => {
+            let mut fields: Vec<_> = fields.iter().collect();
+            fields.sort_by_key(|(key, _)| *key);
+            out.raw("{");
+            for (key, value) in fields {
+                out.comma();
+                out.text(key);
+                out.raw(":");
+                write(value, out);
+            }
+            out.raw("}");
+        }
+        other => out.raw(&other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn order_blanks_and_forms_of_numbers_make_no_difference() {
+        assert!(is_same(r#"{"a": 1, "b": [1.50, "x"]}"#, r#"{"b":[1.5,"x"],"a":1.0}"#));
+        assert!(is_same(r#"{"a":{"c":null,"b":true}}"#, r#"{"a":{"b":true,"c":null}}"#));
+        assert!(is_same("garbage", "garbage"));
+    }
+
+    #[test]
+    fn all_else_does() {
+        for other in [r#"{"a":2}"#, r#"{"a":"1"}"#, r#"{"a":1,"b":1}"#, r#"{"a":[1]}"#, "{}", "a", r#"{"a":1}}"#] {
+            assert!(!is_same(r#"{"a":1}"#, other), "{other}");
+        }
+        assert!(!is_same("9007199254740993", "9007199254740992"));
+        assert!(!is_same("[1,2]", "[2,1]"));
+    }
+}

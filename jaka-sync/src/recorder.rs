@@ -1,0 +1,183 @@
+//! Recording sessions to a file.
+
+mod exchanges;
+mod queue;
+mod sampling;
+mod tap;
+
+use std::fmt;
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant, SystemTime};
+
+use jaka_proto::recording::{Entry, Header};
+use jaka_proto::wire::Writer;
+
+pub use self::exchanges::Exchanges;
+pub(crate) use self::exchanges::show;
+use self::queue::Queue;
+pub use self::sampling::StatusSampling;
+pub(crate) use self::tap::{Tap, connect};
+
+/// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.
+const LIMIT: usize = 8 << 20;
+
+/// How many bytes are written at once.
+const BLOCK: usize = 64 << 10;
+
+/// Records all that goes over connections: requests, replies, status packets, and how connections began and ended.
+///
+/// Given to a [`Config`](crate::Config), it records each client, status stream and monitor that the config connects. The
+/// clones of a recorder write the same recording, in the format of [`recording`](crate::recording).
+///
+/// A thread of its own writes the file, some milliseconds later. Calls never wait for it: where it falls behind by 8 MiB, entries are dropped, and a
+/// `dropped` entry in their place says how many. While recording is on, errors carry the last messages of their
+/// connection: see [`Error::exchanges`](crate::Error::exchanges).
+///
+/// A session that failed can be replayed by the simulator, and so becomes a unit test:
+///
+/// ```
+/// use jaka_sim::{Controller, Replay};
+/// use jaka_sync::recording::Recording;
+/// use jaka_sync::{Config, Error, Recorder};
+///
+/// /// The program under test.
+/// fn program(config: &Config, address: impl std::fmt::Display) -> Result<(), Error> {
+///     let mut robot = config.connect(address)?;
+///     robot.get_version()?;
+///     robot.enable_robot()?; // without power
+///     Ok(())
+/// }
+///
+/// // In the field: record a session that fails.
+/// # let folder = std::env::temp_dir();
+/// # let path = folder.join(format!("jaka-recorder-{}.jsonl", std::process::id()));
+/// # let robot = Controller::start()?;
+/// # let address = robot.command_addr();
+/// let recorder = Recorder::create(&path)?;
+/// let failed = program(&Config::new().recorder(recorder.clone()), address).unwrap_err();
+/// eprintln!("{failed:#}"); // with the last messages
+/// recorder.finish()?;
+///
+/// // In a unit test: replay it, without a robot.
+/// let recording = Recording::read(&std::fs::read(&path)?)?;
+/// # std::fs::remove_file(&path)?;
+/// let controller = Controller::builder().replay(recording, Replay::Strict).start()?;
+/// let again = program(&Config::new(), controller.command_addr()).unwrap_err();
+/// assert_eq!(again.to_string(), failed.to_string());
+/// assert!(controller.deviations().is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Recorder(Arc<Shared>);
+
+/// What the clones of a recorder share. Dropping it ends the thread.
+struct Shared {
+    queue: Arc<Queue>,
+    started: Instant,
+    connections: AtomicU32,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// What became of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct RecorderReport {
+    /// Entries that were written.
+    pub entries: u64,
+    /// Entries that were dropped, since the file could not be written as fast.
+    pub dropped: u64,
+}
+
+impl Recorder {
+    /// Records to a new file; one that exists is overwritten.
+    ///
+    /// # Errors
+    /// The file cannot be made, or a thread cannot be had.
+    pub fn create(path: impl AsRef<Path>) -> io::Result<Self> {
+        Self::new(File::create(path)?)
+    }
+
+    /// Records to any writer, which is flushed whenever all that has been recorded is written.
+    ///
+    /// # Errors
+    /// A thread cannot be had.
+    pub fn new(writer: impl Write + Send + 'static) -> io::Result<Self> {
+        let (queue, started) = (Arc::new(Queue::new(LIMIT)), Instant::now());
+        let theirs = Arc::clone(&queue);
+        let thread = thread::Builder::new().name("jaka-recorder".to_owned());
+        let thread = Some(thread.spawn(move || theirs.serve(|queue| write(queue, &header(), writer)))?);
+        Ok(Self(Arc::new(Shared { queue, started, connections: AtomicU32::new(0), thread })))
+    }
+
+    /// Ends the recording, also of the clones, and waits until all is written. What happens later is not recorded.
+    ///
+    /// Without this call, the recording ends when the last clone is dropped, and with it the connections that it records.
+    ///
+    /// # Errors
+    /// The first error of the file or writer; nothing was written after it.
+    pub fn finish(&self) -> io::Result<RecorderReport> {
+        self.0.queue.close();
+        self.0.queue.wait_until_done()
+    }
+
+    /// The time since the start of the recording.
+    fn now(&self) -> Duration {
+        self.0.started.elapsed()
+    }
+
+    /// A number for a new connection.
+    fn next_connection(&self) -> u32 {
+        self.0.connections.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    fn record(&self, entry: &Arc<Entry>) {
+        self.0.queue.push(entry);
+    }
+}
+
+impl Drop for Shared {
+    fn drop(&mut self) {
+        self.queue.close();
+        if let Some(thread) = self.thread.take() {
+            // A panic there is the writer's own, and has been reported.
+            drop(thread.join());
+        }
+    }
+}
+
+impl fmt::Debug for Shared {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Shared").field("connections", &self.connections).finish_non_exhaustive()
+    }
+}
+
+fn header() -> Header {
+    // A clock before 1970 is as wrong as it can be.
+    let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    Header::new(now, concat!("jaka-sync ", env!("CARGO_PKG_VERSION")))
+}
+
+/// Writes what comes through the queue, to its end.
+fn write(queue: &Queue, header: &Header, mut writer: impl Write) -> io::Result<()> {
+    let mut out = Writer::new();
+    header.write(&mut out);
+    while let Some(batch) = queue.next_batch() {
+        for entry in batch {
+            entry.write(&mut out);
+            if out.as_str().len() >= BLOCK {
+                writer.write_all(out.as_str().as_bytes())?;
+                out.clear();
+            }
+        }
+        writer.write_all(out.as_str().as_bytes())?;
+        writer.flush()?;
+        out.clear();
+    }
+    writer.write_all(out.as_str().as_bytes())?;
+    writer.flush()
+}

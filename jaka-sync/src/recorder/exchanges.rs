@@ -1,0 +1,58 @@
+//! The last messages of a connection, for errors to show.
+
+use std::fmt;
+
+use jaka_proto::recording::{Entry, Event, Message};
+
+/// How many messages an error keeps.
+pub(super) const KEPT: usize = 8;
+
+/// How many characters of a message are shown.
+const SHOWN: usize = 300;
+
+/// The last messages of the connection on which a call failed, where recording was on: see
+/// [`Error::exchanges`](crate::Error::exchanges).
+#[derive(Default)]
+pub struct Exchanges(Option<Box<[Entry]>>);
+
+impl Exchanges {
+    pub(super) fn new(entries: Box<[Entry]>) -> Self {
+        Self(Some(entries))
+    }
+
+    /// The messages, oldest first.
+    pub(crate) fn entries(&self) -> &[Entry] {
+        self.0.as_deref().unwrap_or_default()
+    }
+}
+
+/// Only their number: errors are printed often, and the messages are long.
+impl fmt::Debug for Exchanges {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Exchanges({})", self.entries().len())
+    }
+}
+
+/// Writes messages, a line each; nothing if there are none.
+pub(crate) fn show(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if !entries.is_empty() {
+        f.write_str("\nthe last messages of the connection, by seconds since the recording began:")?;
+    }
+    entries.iter().try_for_each(|entry| {
+        let (arrow, message) = match &entry.event {
+            Event::Sent(message) => ("->", message),
+            Event::Received(message) => ("<-", message),
+            _ => return Ok(()),
+        };
+        write!(f, "\n{:12.6} {arrow} ", entry.time.as_secs_f64())?;
+        show_message(message, f)
+    })
+}
+
+fn show_message(message: &Message, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let text = message.to_string();
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => write!(f, "{}… ({} bytes)", &text[..end], message.bytes().len()),
+        None => f.write_str(&text),
+    }
+}

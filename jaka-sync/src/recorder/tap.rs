@@ -1,0 +1,191 @@
+//! What a connection tells its recorder.
+
+use std::collections::VecDeque;
+use std::error::Error as StdError;
+use std::net::TcpStream;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
+
+use super::Recorder;
+use super::exchanges::{Exchanges, KEPT};
+use super::sampling::{Sampler, StatusSampling};
+use crate::{COMMAND_PORT, Config, Disconnect, Error, STATUS_PORT, address};
+
+/// What a connection tells its recorder; nothing where there is none.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Tap(Option<Arc<Connection>>);
+
+/// A connection that is recorded.
+#[derive(Debug)]
+struct Connection {
+    recorder: Recorder,
+    port: Port,
+    number: u32,
+    sampling: StatusSampling,
+    state: Mutex<State>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    is_open: bool,
+    /// When the bytes came that were read last.
+    arrived: Duration,
+    sampler: Sampler,
+    last: VecDeque<Arc<Entry>>,
+}
+
+/// Connects to a controller, and records it.
+pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(TcpStream, Tap), Error> {
+    let number = match port {
+        Port::Command => COMMAND_PORT,
+        Port::Status => STATUS_PORT,
+    };
+    let tap = Tap::new(port, config);
+    match address::connect(address, number, config) {
+        Ok(stream) => {
+            tap.connected(&stream);
+            Ok((stream, tap))
+        }
+        Err(error) => Err(tap.attach(error)),
+    }
+}
+
+impl Tap {
+    fn new(port: Port, config: &Config) -> Self {
+        Self(config.recorder.as_ref().map(|recorder| {
+            let (recorder, number) = (recorder.clone(), recorder.next_connection());
+            Arc::new(Connection { recorder, port, number, sampling: config.status_sampling, state: Mutex::default() })
+        }))
+    }
+
+    fn connected(&self, stream: &TcpStream) {
+        let Some(connection) = &self.0 else { return };
+        connection.lock().is_open = true;
+        let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();
+        connection.record(Event::Connected { address });
+    }
+
+    /// A request goes out.
+    pub(crate) fn sent(&self, text: &str) {
+        if let Some(connection) = &self.0 {
+            connection.message(connection.recorder.now(), Event::Sent(Message::new(text)));
+        }
+    }
+
+    /// Bytes have come, in which there may be messages.
+    pub(crate) fn arrived(&self) {
+        if let Some(connection) = &self.0 {
+            connection.lock().arrived = connection.recorder.now();
+        }
+    }
+
+    /// A message was found in the bytes that came.
+    pub(crate) fn received(&self, message: &[u8]) {
+        if let Some(connection) = &self.0 {
+            let time = connection.lock().arrived;
+            connection.message(time, Event::Received(Message::new(message)));
+        }
+    }
+
+    /// A status packet was found in the bytes that came.
+    pub(crate) fn packet(&self, packet: &[u8]) {
+        let Some(connection) = &self.0 else { return };
+        let mut state = connection.lock();
+        let time = state.arrived;
+        let takes = state.sampler.takes(connection.sampling, time);
+        drop(state);
+        let entry = connection.entry(time, Event::Received(Message::new(packet)));
+        connection.keep(&entry);
+        if takes {
+            connection.recorder.record(&entry);
+        }
+    }
+
+    /// Bytes that are no message, or come after what nobody will read.
+    pub(crate) fn stray(&self, bytes: &[u8]) {
+        if !bytes.is_empty() {
+            self.received(bytes);
+        }
+    }
+
+    /// A copy of bytes that may have to be recorded later; nothing where nothing is recorded.
+    pub(crate) fn copy(&self, bytes: &[u8]) -> Vec<u8> {
+        if self.0.is_some() { bytes.to_vec() } else { Vec::new() }
+    }
+
+    /// The connection is broken for good.
+    pub(crate) fn broken(&self, cause: &Disconnect) {
+        let by = match cause {
+            Disconnect::Closed { .. } => Ending::Controller,
+            Disconnect::Read(_) | Disconnect::Write(_) => Ending::Failure,
+            _ => Ending::Client,
+        };
+        self.closed(by, || with_source(cause));
+    }
+
+    /// This side ends the connection.
+    pub(crate) fn left(&self) {
+        self.closed(Ending::Client, || "the program has closed it".to_owned());
+    }
+
+    /// Only the first end counts.
+    fn closed(&self, by: Ending, why: impl FnOnce() -> String) {
+        let Some(connection) = &self.0 else { return };
+        if std::mem::take(&mut connection.lock().is_open) {
+            connection.record(Event::Closed { by, why: why() });
+        }
+    }
+
+    /// The same error, with the last messages. One that no other entry tells of is recorded.
+    pub(crate) fn attach(&self, mut error: Error) -> Error {
+        let Some(connection) = &self.0 else { return error };
+        if !error.is_refused() && !error.is_disconnected() {
+            connection.record(Event::Error { text: with_source(&error) });
+        }
+        if let Some(exchanges) = error.exchanges_mut() {
+            *exchanges = connection.exchanges();
+        }
+        error
+    }
+}
+
+impl Connection {
+    fn lock(&self) -> MutexGuard<'_, State> {
+        // Every change is made whole before the lock is left.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {
+        Arc::new(Entry::new(time, self.port, self.number, event))
+    }
+
+    fn record(&self, event: Event) {
+        self.recorder.record(&self.entry(self.recorder.now(), event));
+    }
+
+    fn message(&self, time: Duration, event: Event) {
+        let entry = self.entry(time, event);
+        self.keep(&entry);
+        self.recorder.record(&entry);
+    }
+
+    /// Keeps a message for errors.
+    fn keep(&self, entry: &Arc<Entry>) {
+        let mut state = self.lock();
+        if state.last.len() == KEPT {
+            state.last.pop_front();
+        }
+        state.last.push_back(Arc::clone(entry));
+    }
+
+    fn exchanges(&self) -> Exchanges {
+        Exchanges::new(self.lock().last.iter().map(|entry| Entry::clone(entry)).collect())
+    }
+}
+
+/// An error's text and its source's.
+fn with_source(error: &dyn StdError) -> String {
+    error.source().map_or_else(|| error.to_string(), |source| format!("{error}: {source}"))
+}

@@ -1,0 +1,22 @@
+//! What can be made from a spec beside code: a comparison with another spec, a reference to read, a JSON Schema.
+//!
+//! With the feature `tools`.
+//!
+//! ```
+//! use jaka_spec::tools;
+//!
+//! let spec = jaka_spec::builtin()?;
+//! assert!(tools::diff(&spec, &spec).is_empty());
+//! assert!(tools::reference(&spec).contains("### 4.7 `joint_move`"));
+//! assert_eq!(tools::schema(&spec)["$defs"]["request.joint_move"]["properties"]["speed"]["minimum"], 0);
+//! # Ok::<(), jaka_spec::Errors>(())
+//! ```
+
+mod diff;
+mod reference;
+mod schema;
+mod words;
+
+pub use diff::{Change, Impact, diff, impact};
+pub use reference::reference;
+pub use schema::schema;

@@ -1,0 +1,157 @@
+//! What differs between two specs, and what that means for the Rust interface that is generated from them.
+
+use std::fmt;
+
+use crate::{Command, ErrorCode, Spec, Topic, TypeDef};
+
+mod collect;
+mod command;
+mod field;
+mod rust;
+mod types;
+
+use collect::{Differ, Pair, pairs};
+
+/// What a change means for programs that use the generated Rust interface, in the terms of semantic versioning.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Impact {
+    /// Documentation, what the simulator answers, or the order in which keys are sent.
+    Patch,
+    /// There is more than before, or the client or the robot behaves otherwise at run time; every program compiles.
+    Minor,
+    /// A program may not compile any more, a request that was sent is refused, or a number means something else.
+    Major,
+}
+
+/// `patch`, `minor` or `major`.
+impl fmt::Display for Impact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Patch => "patch",
+            Self::Minor => "minor",
+            Self::Major => "major",
+        })
+    }
+}
+
+/// One difference between two specs.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Change {
+    /// What changed, such as ``command `joint_move`, request field `speed` ``.
+    pub place: String,
+    /// How it changed, such as ``unit changed from `deg/s` to `rad/s` ``.
+    pub what: String,
+    /// What that means for the Rust interface.
+    pub impact: Impact,
+}
+
+/// In one line: impact, place and change.
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { place, what, impact } = self;
+        write!(f, "{impact}: {place}: {what}")
+    }
+}
+
+/// Compares two specs: all changes, the gravest first, then by place.
+///
+/// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands for
+/// them on the wire, error codes by number, types by name. They are found in whichever topic they stand.
+///
+/// The impact follows from the code that the macros of `jaka-proto-derive` write:
+///
+/// | change | impact | because |
+/// |---|---|---|
+/// | command, type, error code, value of an enum: added | minor | new items; `Request` and the enums over values are `#[non_exhaustive]` |
+/// | any of these, or a field or variant: removed, or its Rust name changed | major | the item is gone |
+/// | command or type: moved to another topic | major | topics are modules, so the path changes |
+/// | variant added to a request's choice | major | that enum can be matched exhaustively |
+/// | variant added to an array's choice | minor | that enum is `#[non_exhaustive]` |
+/// | optional key added to an object, all of whose keys are optional | minor | such a struct is `#[non_exhaustive]` |
+/// | field added to anything else, also to what had none | major | the struct or variant is built and matched by its fields; a bare request is a unit struct, and a reply without fields is `()` |
+/// | field: another Rust type, `optional`, `or_raw` | major | the field's type changes |
+/// | the same Rust type, written in another form | minor | only the bytes change: `written`, `python(…)`, the key of a tag |
+/// | unit: another | major | the same number means something else |
+/// | unit: stated or left out | patch | the number means what it meant |
+/// | range, `ascii`, newer firmware's values: narrower, where requests are checked | major | what was sent before is refused |
+/// | the same, wider | minor | more is sent |
+/// | the same in what is only received | patch | nothing is checked there: documentation |
+/// | a struct is no longer `Copy`, as a field needs memory of its own | major | the derive is gone; minor where it comes |
+/// | array: `exact` set | major | longer arrays were read and are not any more |
+/// | effect, requirements, deadline | minor | `CommandInfo` says so at run time; the request is sent either way |
+/// | the session ends with the command, or a missing reply becomes an error | major | calls that succeeded fail |
+/// | the opposite of these two | minor | calls succeed that failed |
+/// | bare reply read | minor | a reply is understood that was not; major where it is given up |
+/// | deprecated | minor | the method gets `#[deprecated]`: a warning; patch where that goes |
+/// | doc, errata, disputed readings, firmware versions, section, evidence, refusal, examples, message of an error code | patch | documentation, and what the simulator answers |
+pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
+    let mut differ = Differ::new(old, new);
+    topics(&mut differ);
+    for pair in pairs(&placed(old, |topic| &topic.commands), &placed(new, |topic| &topic.commands), command_key) {
+        commands(&mut differ, &pair);
+    }
+    for pair in pairs(&placed(old, |topic| &topic.types), &placed(new, |topic| &topic.types), type_key) {
+        named_types(&mut differ, &pair);
+    }
+    for pair in pairs(&old.errors().collect::<Vec<_>>(), &new.errors().collect::<Vec<_>>(), |error| error.wire) {
+        error_codes(&mut differ, &pair);
+    }
+    differ.finish()
+}
+
+/// The gravest impact among the changes; nothing if there are none.
+pub fn impact(changes: &[Change]) -> Option<Impact> {
+    changes.iter().map(|change| change.impact).max()
+}
+
+/// Something of a topic, and the topic.
+type Placed<'s, T> = (&'s Topic, &'s T);
+
+fn placed<'s, T>(spec: &'s Spec, items: impl Fn(&'s Topic) -> &'s [T]) -> Vec<Placed<'s, T>> {
+    spec.topics.iter().flat_map(|topic| items(topic).iter().map(move |item| (topic, item))).collect()
+}
+
+fn command_key(placed: &Placed<'_, Command>) -> String {
+    placed.1.wire.clone()
+}
+
+fn type_key(placed: &Placed<'_, TypeDef>) -> String {
+    placed.1.name.clone()
+}
+
+fn topics(d: &mut Differ<'_>) {
+    let (old, new) = (d.old, d.new);
+    for pair in pairs(&old.topics, &new.topics, |topic| topic.name.clone()) {
+        // What a topic brings or takes away is told by its commands and types.
+        if let Pair::Both(old, new) = pair {
+            let place = format!("topic `{}`", new.name);
+            d.reworded(&place, "title", &old.title, &new.title);
+            d.reworded(&place, "doc", &old.doc, &new.doc);
+        }
+    }
+}
+
+fn commands(d: &mut Differ<'_>, pair: &Pair<'_, Placed<'_, Command>>) {
+    let place = format!("command `{}`", pair.any().1.wire);
+    if let Some(((old_topic, old), (new_topic, new))) = d.both(&place, pair, Impact::Minor) {
+        d.value(&place, "topic", &old_topic.name, &new_topic.name, Impact::Major);
+        command::compare(d, &place, old, new);
+    }
+}
+
+fn named_types(d: &mut Differ<'_>, pair: &Pair<'_, Placed<'_, TypeDef>>) {
+    let place = format!("type `{}`", pair.any().1.name);
+    if let Some(((old_topic, old), (new_topic, new))) = d.both(&place, pair, Impact::Minor) {
+        d.value(&place, "topic", &old_topic.name, &new_topic.name, Impact::Major);
+        types::compare(d, &place, old, new);
+    }
+}
+
+fn error_codes(d: &mut Differ<'_>, pair: &Pair<'_, &ErrorCode>) {
+    let place = format!("error code `{}`", pair.any().wire);
+    if let Some((old, new)) = d.both(&place, pair, Impact::Minor) {
+        d.value(&place, "name", &old.name, &new.name, Impact::Major);
+        d.reworded(&place, "message", &old.message, &new.message);
+        d.reworded(&place, "doc", &old.doc, &new.doc);
+    }
+}

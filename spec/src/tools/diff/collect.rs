@@ -1,0 +1,109 @@
+//! How changes are found and noted.
+
+use std::fmt::Display;
+
+use super::rust;
+use super::{Change, Impact};
+use crate::Spec;
+
+/// The two specs, and the changes noted so far.
+pub(super) struct Differ<'s> {
+    pub(super) old: &'s Spec,
+    pub(super) new: &'s Spec,
+    changes: Vec<Change>,
+}
+
+impl<'s> Differ<'s> {
+    pub(super) fn new(old: &'s Spec, new: &'s Spec) -> Self {
+        Self { old, new, changes: Vec::new() }
+    }
+
+    pub(super) fn note(&mut self, place: &str, what: impl Into<String>, impact: Impact) {
+        self.changes.push(Change { place: place.to_owned(), what: what.into(), impact });
+    }
+
+    /// Both items, or nothing after a note that there is only one. A removal is always major.
+    pub(super) fn both<'i, T>(&mut self, place: &str, pair: &Pair<'i, T>, added: Impact) -> Option<(&'i T, &'i T)> {
+        match pair {
+            Pair::Removed(_) => self.note(place, "removed", Impact::Major),
+            Pair::Added(_) => self.note(place, "added", added),
+            Pair::Both(old, new) => return Some((old, new)),
+        }
+        None
+    }
+
+    /// Notes that a text for people changed. What it says now, the spec shows better than a line here.
+    pub(super) fn reworded<T: PartialEq>(&mut self, place: &str, what: &str, old: &T, new: &T) {
+        if old != new {
+            self.note(place, format!("{what} changed"), Impact::Patch);
+        }
+    }
+
+    /// Notes that a value changed, and from what to what.
+    pub(super) fn value<T: PartialEq + Display>(&mut self, place: &str, what: &str, old: &T, new: &T, impact: Impact) {
+        if old != new {
+            self.note(place, format!("{what} changed from `{old}` to `{new}`"), impact);
+        }
+    }
+
+    /// The same for a value that may be absent.
+    pub(super) fn option<T: PartialEq + Display>(
+        &mut self,
+        place: &str,
+        what: &str,
+        values: (Option<&T>, Option<&T>),
+        impact: Impact,
+    ) {
+        match values {
+            (Some(old), Some(new)) => self.value(place, what, old, new, impact),
+            (Some(old), None) => self.note(place, format!("{what} removed, was `{old}`"), impact),
+            (None, Some(new)) => self.note(place, format!("{what} added: `{new}`"), impact),
+            (None, None) => {}
+        }
+    }
+
+    /// Notes that something is so in one spec alone: the words and the impact of its coming, and of its going.
+    pub(super) fn flag(&mut self, place: &str, (old, new): (bool, bool), comes: (&str, Impact), goes: (&str, Impact)) {
+        match (old, new) {
+            (false, true) => self.note(place, comes.0, comes.1),
+            (true, false) => self.note(place, goes.0, goes.1),
+            _ => {}
+        }
+    }
+
+    /// Notes that the generated item is `Copy` in one spec alone.
+    pub(super) fn copies(&mut self, place: &str, is_copy: impl Fn(&rust::Interface<'_>) -> bool) {
+        let values = (is_copy(&rust::Interface(self.old)), is_copy(&rust::Interface(self.new)));
+        self.flag(place, values, ("becomes `Copy`", Impact::Minor), ("is no longer `Copy`", Impact::Major));
+    }
+
+    /// The changes, the gravest first, then by place.
+    pub(super) fn finish(mut self) -> Vec<Change> {
+        self.changes.sort_by(|a, b| b.impact.cmp(&a.impact).then_with(|| a.place.cmp(&b.place)));
+        self.changes
+    }
+}
+
+/// An item of either list, or one of each that belong together.
+pub(super) enum Pair<'i, T> {
+    Removed(&'i T),
+    Added(&'i T),
+    Both(&'i T, &'i T),
+}
+
+impl<'i, T> Pair<'i, T> {
+    /// The newer item of the two.
+    pub(super) fn any(&self) -> &'i T {
+        match self {
+            Self::Removed(item) | Self::Added(item) | Self::Both(_, item) => item,
+        }
+    }
+}
+
+/// The items of both lists, matched by their keys: in the order of the new list, and then what it lacks.
+pub(super) fn pairs<'i, T, K: PartialEq>(old: &'i [T], new: &'i [T], key: impl Fn(&T) -> K) -> Vec<Pair<'i, T>> {
+    let find = |list: &'i [T], wanted: &T| list.iter().find(|item| key(item) == key(wanted));
+    let present = new.iter().map(|new| find(old, new).map_or(Pair::Added(new), |old| Pair::Both(old, new)));
+    let removed = old.iter().filter(|old| find(new, old).is_none()).map(Pair::Removed);
+    present.chain(removed).collect()
+}

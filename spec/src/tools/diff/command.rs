@@ -1,0 +1,73 @@
+//! Commands.
+
+use super::collect::Differ;
+use super::field::{Holder, fields};
+use super::{Impact, rust, types};
+use crate::tools::words;
+use crate::{Command, Request};
+
+/// Compares one command of both specs.
+pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
+    d.value(place, "name", &old.name, &new.name, Impact::Major);
+    info(d, place, old, new);
+    texts(d, place, old, new);
+    request(d, place, old, new);
+    fields(d, place, &Holder::reply(&old.reply), &old.reply, &new.reply);
+    if rust::both_answer(old, new) {
+        d.copies(&format!("{place}, reply"), |rust| rust.reply_is_copy(&new.wire));
+    }
+}
+
+/// What programs read from `CommandInfo`, and what the client does by it.
+fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
+    d.value(place, "effect", &words::effect(old.effect), &words::effect(new.effect), Impact::Minor);
+    let (was, is) = (words::requirements(&old.requires), words::requirements(&new.requires));
+    d.option(place, "requirement", (was.as_ref(), is.as_ref()), Impact::Minor);
+    let ms = |command: &Command| command.deadline.map(|deadline| format!("{} ms", deadline.as_millis()));
+    d.option(place, "deadline", (ms(old).as_ref(), ms(new).as_ref()), Impact::Minor);
+    let now_certain = ("the reply is certain now, and an error if it is missing", Impact::Major);
+    let uncertain = ("the reply is no longer certain", Impact::Minor);
+    d.flag(place, (old.reply_certain, new.reply_certain), now_certain, uncertain);
+    let ends = ("the session ends with it", Impact::Major);
+    let goes_on = ("the session goes on after it", Impact::Minor);
+    d.flag(place, (old.ends_session, new.ends_session), ends, goes_on);
+    let bare = if old.bare_reply.is_none() { Impact::Minor } else { Impact::Major };
+    d.option(place, "bare reply", (old.bare_reply.as_ref(), new.bare_reply.as_ref()), bare);
+    match (&old.deprecated, &new.deprecated) {
+        (None, Some(instead)) => d.note(place, format!("deprecated: {instead}"), Impact::Minor),
+        (Some(_), None) => d.note(place, "no longer deprecated", Impact::Patch),
+        (old, new) => d.reworded(place, "note of the deprecation", old, new),
+    }
+}
+
+/// What stands in the docs, and what the simulator answers.
+fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
+    d.option(place, "section", (old.section.as_ref(), new.section.as_ref()), Impact::Patch);
+    versions(d, place, &old.versions, &new.versions);
+    d.reworded(place, "doc", &old.doc, &new.doc);
+    d.reworded(place, "errata", &old.errata, &new.errata);
+    d.reworded(place, "evidence of the reconstruction", &old.reconstructed, &new.reconstructed);
+    d.reworded(place, "refusal", &old.refusal, &new.refusal);
+    d.reworded(place, "examples", &old.examples, &new.examples);
+}
+
+/// Since and until which firmware there is an item.
+pub(super) fn versions(d: &mut Differ<'_>, place: &str, old: &crate::Versions, new: &crate::Versions) {
+    d.option(place, "`since`", (old.since.as_ref(), new.since.as_ref()), Impact::Patch);
+    d.option(place, "`until`", (old.until.as_ref(), new.until.as_ref()), Impact::Patch);
+}
+
+fn request(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
+    match (&old.request, &new.request) {
+        (Request::Fields(was), Request::Fields(is)) => fields(d, place, &Holder::request(was), was, is),
+        (Request::Choice(was), Request::Choice(is)) => {
+            d.value(place, "key of the tag", &was.tag, &is.tag, Impact::Minor);
+            types::variants(d, place, (&Holder::REQUEST_VARIANT, Impact::Major), &was.variants, &is.variants);
+        }
+        (Request::Fields(_), Request::Choice(_)) => d.note(place, "the request becomes a choice", Impact::Major),
+        (Request::Choice(_), Request::Fields(_)) => d.note(place, "the request is no longer a choice", Impact::Major),
+    }
+    if !old.is_bare() && !new.is_bare() {
+        d.copies(&format!("{place}, request"), |rust| rust.request_is_copy(&new.wire));
+    }
+}

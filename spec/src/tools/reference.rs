@@ -1,0 +1,101 @@
+//! The protocol as a text to read.
+
+use std::fmt::Write as _;
+
+use super::words::first_sentence;
+use crate::{Command, ErrorCode, Spec, Topic};
+
+mod command;
+mod fields;
+mod markdown;
+mod types;
+
+use markdown::{Table, code, escape, link};
+
+/// A reference of the protocol in Markdown, for readers who write no Rust.
+///
+/// It has an index by topic and one by section, then a chapter for each topic with its commands, types and error codes. The
+/// anchors are those that GitHub gives to headings.
+pub fn reference(spec: &Spec) -> String {
+    let mut out = String::from("# The JAKA TCP protocol\n\n");
+    out += include_str!("reference/intro.md");
+    index_by_topic(&mut out, spec);
+    index_by_section(&mut out, spec);
+    for topic in &spec.topics {
+        chapter(&mut out, spec, topic);
+    }
+    out.truncate(out.trim_end().len());
+    out + "\n"
+}
+
+fn index_by_topic(out: &mut String, spec: &Spec) {
+    *out += "\n## Topics\n\n";
+    for topic in &spec.topics {
+        let _ = writeln!(out, "**{}**\n", link(&topic.title, &topic.title));
+        for command in &topic.commands {
+            let first = first_sentence(&command.doc).0;
+            let _ = writeln!(out, "- {}: {}", command_link(command), escape(first));
+        }
+        let types: Vec<_> = topic.types.iter().map(|def| types::name_link(&def.name)).collect();
+        if !types.is_empty() {
+            let _ = writeln!(out, "- Types: {}", types.join(", "));
+        }
+        if !topic.errors.is_empty() {
+            let codes: Vec<_> = topic.errors.iter().map(|error| error.wire.to_string()).collect();
+            let _ = writeln!(out, "- Codes: {}", codes.join(", "));
+        }
+        *out += "\n";
+    }
+}
+
+fn index_by_section(out: &mut String, spec: &Spec) {
+    *out += "## Sections of the document\n\n";
+    let mut commands: Vec<_> =
+        spec.topics.iter().flat_map(|topic| topic.commands.iter().map(move |command| (topic, command))).collect();
+    commands.sort_by_key(|(_, command)| section_order(command));
+    let mut table = Table::new(&["section", "command", "topic", "effect"]);
+    for (topic, command) in commands {
+        let section = command.section.clone().unwrap_or_default();
+        let effect = super::words::effect(command.effect).to_owned();
+        table.row([section, command_link(command), link(&topic.title, &topic.title), effect]);
+    }
+    table.render(out);
+}
+
+/// The section's numbers; what the document does not have comes last.
+fn section_order(command: &Command) -> (bool, Vec<u32>) {
+    let section = command.section.as_deref();
+    let numbers = section.map(|section| section.split('.').map(|part| part.parse().unwrap_or(u32::MAX)).collect());
+    (section.is_none(), numbers.unwrap_or_default())
+}
+
+/// The heading of a command, with its section so that no other heading has the same anchor.
+fn command_heading(command: &Command) -> String {
+    let number = command.section.as_deref().unwrap_or("Command");
+    format!("{number} `{}`", command.wire)
+}
+
+fn command_link(command: &Command) -> String {
+    link(&code(&command.wire), &command_heading(command))
+}
+
+fn chapter(out: &mut String, spec: &Spec, topic: &Topic) {
+    let _ = writeln!(out, "## {}\n\n{}\n", escape(&topic.title), escape(&topic.doc));
+    for command in &topic.commands {
+        command::render(out, spec, command);
+    }
+    for def in &topic.types {
+        types::render(out, spec, def);
+    }
+    error_codes(out, &topic.errors);
+}
+
+fn error_codes(out: &mut String, errors: &[ErrorCode]) {
+    let mut table = Table::new(&["code", "name", "message", "meaning"]);
+    for error in errors {
+        let message = error.message.as_deref().map(code).unwrap_or_default();
+        table.row([error.wire.to_string(), error.name.clone(), message, first_sentence(&error.doc).0.to_owned()]);
+    }
+    table.render(out);
+    fields::longer_docs(out, errors.iter().map(|error| (error.wire.to_string(), error.doc.as_str())));
+}

@@ -1,0 +1,96 @@
+//! One command.
+
+use std::fmt::Write as _;
+
+use super::markdown::{code, escape};
+use super::{command_heading, fields};
+use crate::tools::words;
+use crate::{Command, Request, Spec};
+
+/// All there is to know about a command.
+pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
+    let _ = writeln!(out, "### {}\n\n{}\n", command_heading(command), escape(&command.doc));
+    for fact in facts(command) {
+        let _ = writeln!(out, "- {}", escape(&fact));
+    }
+    *out += "\n";
+    request(out, spec, command);
+    reply(out, spec, command);
+    if !command.errata.is_empty() {
+        *out += "**Errata**\n\n";
+        for erratum in &command.errata {
+            let _ = writeln!(out, "- {}", escape(erratum));
+        }
+        *out += "\n";
+    }
+    examples(out, command);
+}
+
+/// What can be said in a line each.
+fn facts(command: &Command) -> Vec<String> {
+    let mut facts =
+        vec![format!("Effect: {}.", words::effect(command.effect)), format!("In Rust: `Client::{}`.", command.name)];
+    if let Some(states) = words::requirements(&command.requires) {
+        let refusal = command.refusal.as_ref().map(|refusal| {
+            format!(" Otherwise the controller answers error code {}, `{}`.", refusal.code, refusal.message)
+        });
+        facts.push(format!("The robot must be {states}.{}", refusal.unwrap_or_default()));
+    }
+    if let Some(deadline) = command.deadline {
+        facts.push(format!("The reply may take up to {} s.", deadline.as_secs_f64()));
+    }
+    if !command.reply_certain {
+        facts.push("The controller may close the connection instead of replying.".to_owned());
+    }
+    if command.ends_session {
+        facts.push("The connection is of no use after the reply.".to_owned());
+    }
+    if let Some(versions) = words::versions(&command.versions) {
+        facts.push(format!("Known to firmware {versions}."));
+    }
+    if let Some(instead) = &command.deprecated {
+        facts.push(format!("Withdrawn by the vendor: {instead}."));
+    }
+    if let Some(evidence) = &command.reconstructed {
+        facts.push(format!("Reconstructed: {evidence}"));
+    }
+    facts
+}
+
+fn request(out: &mut String, spec: &Spec, command: &Command) {
+    match &command.request {
+        Request::Fields(fields) if fields.is_empty() => *out += "**Request**: `cmdName` alone.\n\n",
+        Request::Fields(fields) => {
+            *out += "**Request**, beside `cmdName`:\n\n";
+            fields::render(out, spec, fields, 0);
+        }
+        Request::Choice(choice) => {
+            let tag = code(&choice.tag);
+            let _ = writeln!(out, "**Request**, beside `cmdName`: {tag}, an integer that tells which keys follow.\n");
+            fields::variants(out, spec, choice);
+        }
+    }
+}
+
+fn reply(out: &mut String, spec: &Spec, command: &Command) {
+    if command.reply.is_empty() {
+        *out += "**Reply**: `errorCode`, `errorMsg` and `cmdName` alone.\n\n";
+        return;
+    }
+    *out += "**Reply**, beside `errorCode`, `errorMsg` and `cmdName`:\n\n";
+    fields::render(out, spec, &command.reply, 0);
+    let bare = command.bare_reply.as_ref().and_then(|name| command.reply.iter().find(|field| field.name == *name));
+    if let Some(field) = bare {
+        let _ = writeln!(out, "A bare Python tuple in place of a JSON reply stands for `{}`.\n", field.wire);
+    }
+}
+
+fn examples(out: &mut String, command: &Command) {
+    for example in &command.examples {
+        for (title, message) in [("Sent", &example.request), ("Answered", &example.reply)] {
+            if let Some(message) = message {
+                let _ = writeln!(out, "{title}:\n\n```json\n{message}\n```\n");
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! The protocol as JSON Schema.
+
+use serde_json::{Map, Value, json};
+
+use self::defs::{Defs, Form, reference};
+use crate::Spec;
+
+mod defs;
+mod describe;
+mod lenient;
+mod message;
+
+/// The type of the packets of port 10000.
+const STATUS: &str = "RobotStatus";
+
+/// A JSON Schema of all messages, in the draft 2020-12.
+///
+/// The schema as a whole describes a message of port 10001, request or reply. Its `$defs` are:
+///
+/// | definition | what it describes |
+/// |---|---|
+/// | `request.joint_move` and so on | a request as the client sends it: nothing else passes |
+/// | `reply.joint_move` and so on | a reply, or a refusal, as the client reads it: any form that controllers use passes |
+/// | `request`, `reply` | any request, any reply |
+/// | `refusal` | the reply to a command that was refused |
+/// | `status` | a packet of port 10000 |
+/// | `Pose` and so on | a type as requests have it |
+/// | `lenient.Pose` and so on | a type as it is read; all types have one |
+///
+/// What newer firmware takes beyond a range, or as a further value of an enum, does not pass in a request. The text inside
+/// a Python literal is described, not checked.
+///
+/// ```
+/// let schema = jaka_spec::tools::schema(&jaka_spec::builtin()?);
+/// assert_eq!(schema["$defs"]["request.rapid_rate"]["properties"]["rate_value"]["maximum"], 1);
+/// # Ok::<(), jaka_spec::Errors>(())
+/// ```
+pub fn schema(spec: &Spec) -> Value {
+    let mut defs = Defs::new(spec);
+    let (mut requests, mut replies) = (Vec::new(), Vec::new());
+    for command in spec.commands() {
+        let request = message::request(&mut defs, command);
+        requests.push(defs.add(&format!("request.{}", command.wire), request));
+        let reply = message::reply(&mut defs, command);
+        replies.push(defs.add(&format!("reply.{}", command.wire), reply));
+    }
+    defs.add("request", alternatives("oneOf", &requests));
+    defs.add("reply", alternatives("anyOf", &replies));
+    defs.add("refusal", message::refusal());
+    for def in spec.types() {
+        defs.named(&def.name, Form::Received);
+    }
+    if spec.type_def(STATUS).is_some() {
+        let status = defs.named(STATUS, Form::Received);
+        defs.add("status", status);
+    }
+    root(&defs.finish())
+}
+
+fn root(defs: &Map<String, Value>) -> Value {
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "JAKA TCP protocol",
+        "description": "A message of port 10001. A packet of port 10000 is described by `#/$defs/status`.",
+        "oneOf": [reference("request"), reference("reply")],
+        "$defs": defs,
+    })
+}
+
+/// A schema that passes what one of the schemas passes; none passes nothing.
+fn alternatives(keyword: &str, schemas: &[Value]) -> Value {
+    if schemas.is_empty() { json!(false) } else { json!({ keyword: schemas }) }
+}

@@ -1,0 +1,58 @@
+//! What the descriptions say.
+
+use std::fmt::Display;
+
+use crate::tools::words;
+use crate::{Command, EnumValue, Field, Type};
+
+/// The texts that are not empty, as paragraphs.
+pub(super) fn join(texts: &[&str]) -> String {
+    let texts: Vec<_> = texts.iter().map(|text| text.trim()).filter(|text| !text.is_empty()).collect();
+    texts.join("\n\n")
+}
+
+/// `In deg/s.`, where there is a unit.
+pub(super) fn unit(unit: Option<&str>) -> String {
+    unit.map(|unit| format!("In {unit}.")).unwrap_or_default()
+}
+
+/// What a field means, in which unit, and what sources disagree on.
+pub(super) fn field(field: &Field) -> String {
+    let python = match &field.ty {
+        Type::Python(inner) => format!("The value of the Python literal is {}.", words::notation(inner)),
+        _ => String::new(),
+    };
+    let newer = if field.range.advisory { "Newer firmware takes more than this range." } else { "" };
+    let shape = if field.or_raw { "The sources leave doubt about the shape: another may come." } else { "" };
+    let disputed = if field.disputed.is_empty() {
+        String::new()
+    } else {
+        format!("Sources contradict each other: {}.", field.disputed.join("; "))
+    };
+    let versions = words::versions(&field.versions).map(|versions| format!("Known to firmware {versions}."));
+    let versions = versions.unwrap_or_default();
+    join(&[&field.doc, &unit(field.unit.as_deref()), &python, newer, shape, &disputed, &versions])
+}
+
+/// What a request does and needs.
+pub(super) fn request(command: &Command) -> String {
+    let needs = words::requirements(&command.requires).map(|states| format!("The robot must be {states}."));
+    let versions = words::versions(&command.versions).map(|versions| format!("Known to firmware {versions}."));
+    join(&[&command.doc, &needs.unwrap_or_default(), &versions.unwrap_or_default()])
+}
+
+/// The values that only newer firmware takes.
+pub(super) fn newer_values<T: Display>(values: &[EnumValue<T>]) -> String {
+    let newer: Vec<_> = values.iter().filter(|value| value.advisory).map(named).collect();
+    if newer.is_empty() { String::new() } else { format!("Newer firmware also takes {}.", words::list(&newer)) }
+}
+
+/// The values that the spec lists, where others are read too.
+pub(super) fn known_values<T: Display>(values: &[EnumValue<T>]) -> String {
+    let known: Vec<_> = values.iter().map(named).collect();
+    format!("Known are {}; others are read too.", words::list(&known))
+}
+
+fn named<T: Display>(value: &EnumValue<T>) -> String {
+    format!("{} ({})", value.wire, value.name)
+}

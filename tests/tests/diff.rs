@@ -1,0 +1,458 @@
+//! Differences between two specs, and what each means for programs that use the generated Rust.
+
+use expect_test::{Expect, expect};
+use jaka_spec::tools::{Change, Impact, diff, impact};
+use jaka_spec::{BUILTIN, Source, Spec, load};
+use jaka_tests::spec;
+
+/// A place such as `motion/joint_move/speed`, a text behind it, and what stands there instead.
+type Edit<'t> = (&'t str, &'t str, &'t str);
+
+/// The built-in spec with texts replaced.
+fn edited(edits: &[Edit<'_>]) -> Spec {
+    let mut files: Vec<_> = BUILTIN.iter().map(|source| (source.path, source.text.to_owned())).collect();
+    for (place, from, to) in edits {
+        let mut steps = place.split('/');
+        let path = format!("spec/{}.toml", steps.next().expect("a place begins with a file"));
+        let (_, text) = files.iter_mut().find(|(known, _)| *known == path).expect("the file is built in");
+        let start = steps.fold(0, |start, step| start + behind(&text[start..], step));
+        let at = start + text[start..].find(from).unwrap_or_else(|| panic!("{place} has no {from}"));
+        text.replace_range(at..at + from.len(), to);
+    }
+    let sources: Vec<_> = files.iter().map(|(path, text)| Source { path, text }).collect();
+    load(&sources).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Where the line is that begins the item `name`, which is a wire spelling, a number or a Rust name.
+fn behind(text: &str, name: &str) -> usize {
+    let lines = [format!("wire = \"{name}\"\n"), format!("wire = {name}\n"), format!("name = \"{name}\"\n")];
+    let found = lines.iter().filter_map(|line| text.find(line)).min();
+    found.unwrap_or_else(|| panic!("there is no {name}"))
+}
+
+/// The text of a command, from its `[[command]]` to the next.
+fn command_text(file: &str, wire: &str) -> &'static str {
+    let path = format!("spec/{file}.toml");
+    let text = BUILTIN.iter().find(|source| source.path == path).expect("the file is built in").text;
+    let start = text.find(&format!("[[command]]\nwire = \"{wire}\"")).expect("the command is there");
+    let end = text[start + 1..].find("\n[[command]]").map_or(text.len(), |end| start + 2 + end);
+    &text[start..end]
+}
+
+fn lines(changes: &[Change]) -> String {
+    changes.iter().map(|change| change.to_string() + "\n").collect()
+}
+
+/// What the edits change, and what undoing them changes.
+fn check(edits: &[Edit<'_>], done: &Expect, undone: &Expect) {
+    let edited = edited(edits);
+    done.assert_eq(&lines(&diff(&spec(), &edited)));
+    undone.assert_eq(&lines(&diff(&edited, &spec())));
+}
+
+#[test]
+fn a_spec_does_not_differ_from_itself() {
+    assert_eq!(diff(&spec(), &spec()), []);
+    assert_eq!(impact(&[]), None);
+}
+
+#[test]
+fn the_gravest_impact_decides() {
+    let reworded = ("motion/movc", "along an arc", "on an arc");
+    let renamed = ("motion/movc", r#"name = "move_c""#, r#"name = "move_arc""#);
+    assert_eq!(impact(&diff(&spec(), &edited(&[reworded]))), Some(Impact::Patch));
+    assert_eq!(impact(&diff(&spec(), &edited(&[reworded, renamed]))), Some(Impact::Major));
+    assert!(Impact::Patch < Impact::Minor && Impact::Minor < Impact::Major);
+}
+
+#[test]
+fn commands_come_go_and_move() {
+    let (quit, move_c) = (command_text("session", "quit"), command_text("motion", "movc"));
+    let added =
+        "[[command]]\nwire = \"get_motion_state\"\neffect = \"query\"\ndoc = \"Reads how the motion stands.\"\n";
+    let with_move_c = format!("{move_c}\n[[type]]");
+    check(
+        &[("session", quit, added), ("motion", move_c, ""), ("network", "[[type]]", &with_move_c)],
+        &expect![[r"
+            major: command `movc`: topic changed from `motion` to `network`
+            major: command `quit`: removed
+            minor: command `get_motion_state`: added
+        "]],
+        &expect![[r"
+            major: command `get_motion_state`: removed
+            major: command `movc`: topic changed from `network` to `motion`
+            minor: command `quit`: added
+        "]],
+    );
+}
+
+#[test]
+fn what_is_said_about_a_command() {
+    check(
+        &[
+            ("motion/movc", r#"name = "move_c""#, r#"name = "move_arc""#),
+            ("motion/movc", "\"The `cmdName` is `movc`, while the section is titled MoveC.\",", ""),
+            ("motion/joint_move", r#"section = "4.7""#, "section = \"4.107\"\nsince = \"1.6\"\nuntil = \"2\""),
+            ("motion/joint_move", r#"effect = "motion""#, r#"effect = "setting""#),
+            ("motion/end_move", "deadline_ms = 60000\n", ""),
+            ("motion/moveL", "deadline_ms = 60000\n", "deadline_ms = 1500\nends_session = true\n"),
+            (
+                "motion/wait_complete",
+                "deprecated = \"watch the status of port 10000 until the robot is in position\"\n",
+                "",
+            ),
+            ("motion/wait_complete", "Waits until", "Waits as long as it takes until"),
+            ("motion/wait_complete", r#"{"cmdName":"wait_complete"}"#, r#"{"cmdName": "wait_complete"}"#),
+            ("servo/servo_j", "can only be excuted", "is executed only"),
+            ("servo/set_servo_move_filter", r#"requires = ["not_servo_mode"]"#, r#"requires = ["powered", "enabled"]"#),
+            ("servo/servo_move", r#"requires = ["powered", "enabled"]"#, ""),
+            ("io/get_extio_status", "bare_reply = \"extio_status\"\n", ""),
+            ("io/set_digital_output", "request and reply certain", "all certain"),
+            ("power/shutdown", "reply_certain = false\n", ""),
+            ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
+            ("types", "Angles are degrees", "Angles are in degrees"),
+        ],
+        &expect![[r"
+            major: command `get_extio_status`: bare reply removed, was `extio_status`
+            major: command `movc`: name changed from `move_c` to `move_arc`
+            major: command `moveL`: the session ends with it
+            major: command `shutdown`: the reply is certain now, and an error if it is missing
+            minor: command `end_move`: deadline removed, was `60000 ms`
+            minor: command `joint_move`: effect changed from `motion` to `setting`
+            minor: command `moveL`: deadline changed from `60000 ms` to `1500 ms`
+            minor: command `servo_move`: requirement removed, was `powered and enabled`
+            minor: command `set_servo_move_filter`: requirement changed from `outside servo mode` to `powered and enabled`
+            patch: command `joint_move`: section changed from `4.7` to `4.107`
+            patch: command `joint_move`: `since` added: `1.6`
+            patch: command `joint_move`: `until` added: `2`
+            patch: command `movc`: errata changed
+            patch: command `servo_j`: refusal changed
+            patch: command `set_digital_output`: evidence of the reconstruction changed
+            patch: command `wait_complete`: no longer deprecated
+            patch: command `wait_complete`: doc changed
+            patch: command `wait_complete`: examples changed
+            patch: topic `payload`: title changed
+            patch: topic `types`: doc changed
+        "]],
+        &expect![[r"
+            major: command `movc`: name changed from `move_arc` to `move_c`
+            minor: command `end_move`: deadline added: `60000 ms`
+            minor: command `get_extio_status`: bare reply added: `extio_status`
+            minor: command `joint_move`: effect changed from `setting` to `motion`
+            minor: command `moveL`: deadline changed from `1500 ms` to `60000 ms`
+            minor: command `moveL`: the session goes on after it
+            minor: command `servo_move`: requirement added: `powered and enabled`
+            minor: command `set_servo_move_filter`: requirement changed from `powered and enabled` to `outside servo mode`
+            minor: command `shutdown`: the reply is no longer certain
+            minor: command `wait_complete`: deprecated: watch the status of port 10000 until the robot is in position
+            patch: command `joint_move`: section changed from `4.107` to `4.7`
+            patch: command `joint_move`: `since` removed, was `1.6`
+            patch: command `joint_move`: `until` removed, was `2`
+            patch: command `movc`: errata changed
+            patch: command `servo_j`: refusal changed
+            patch: command `set_digital_output`: evidence of the reconstruction changed
+            patch: command `wait_complete`: doc changed
+            patch: command `wait_complete`: examples changed
+            patch: topic `payload`: title changed
+            patch: topic `types`: doc changed
+        "]],
+    );
+}
+
+#[test]
+fn fields_of_requests() {
+    let extra = "\n[[command.request]]\nwire = \"blend\"\ntype = \"float\"\noptional = true\ndoc = \"Blending.\"\n";
+    let with_extra = format!("{extra}\n[[command.example]]");
+    let last = "[[command.request]]\nwire = \"motType\"\nname = \"action\"\ntype = \"NetworkExceptionAction\"\ndoc = \"What the arm does.\"\n";
+    let last_first = format!("{last}\n[[command.request]]");
+    check(
+        &[
+            ("motion/joint_move/speed", r#"type = "float""#, r#"type = "int""#),
+            ("motion/joint_move/speed", r#"unit = "deg/s""#, r#"unit = "rad/s""#),
+            ("motion/joint_move/speed", "min = 0", "min = 1\nmax = 180"),
+            ("motion/joint_move/accel", r#"name = "acceleration""#, r#"name = "joint_acceleration""#),
+            ("motion/joint_move/accel", "min = 0\noptional = true", "min = 0\nsince = \"1.6\""),
+            ("motion/joint_move/accel", "The document advises 720 at most. ", ""),
+            ("motion/joint_move/accel", "[[command.example]]", &with_extra),
+            ("motion/end_move/endPosition", r#"wire = "endPosition""#, r#"wire = "cartPosition""#),
+            ("motion/moveL/speed", r#"unit = "mm/s""#, ""),
+            ("motion/moveL/speed", "min = 0", ""),
+            ("motion/movc/tol", "min = 0", "min = 0\nmax = 10\nadvisory = true"),
+            ("program/load_program", "ascii = true", ""),
+            ("program/rapid_rate", "max = 1", "max = 2\nadvisory = true"),
+            ("network/set_network_exception_handle", last, ""),
+            ("network/set_network_exception_handle", "[[command.request]]", &last_first),
+            ("io/set_tio_vout_param/tio_vout_ena", "vendor header, SDK 2.2.2", "vendor header"),
+            ("collision/clear_error", "[[command.example]]", &with_extra),
+        ],
+        &expect![[r"
+            major: command `clear_error`, request field `blend`: added
+            major: command `end_move`, request field `cartPosition`: added
+            major: command `end_move`, request field `endPosition`: removed
+            major: command `joint_move`, request field `accel`: name changed from `acceleration` to `joint_acceleration`
+            major: command `joint_move`, request field `accel`: is no longer optional
+            major: command `joint_move`, request field `blend`: added
+            major: command `joint_move`, request field `speed`: type changed from `float` to `int`
+            major: command `joint_move`, request field `speed`: unit changed from `deg/s` to `rad/s`
+            major: command `joint_move`, request field `speed`: range changed from `at least 0` to `1 to 180`
+            major: command `movc`, request field `tol`: range changed from `at least 0` to `0 to 10, advisory`
+            minor: command `load_program`, request field `programName`: takes any text
+            minor: command `moveL`, request field `speed`: range removed, was `at least 0`
+            minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 2, advisory`
+            patch: command `joint_move`, request field `accel`: doc changed
+            patch: command `joint_move`, request field `accel`: `since` added: `1.6`
+            patch: command `moveL`, request field `speed`: unit removed, was `mm/s`
+            patch: command `set_network_exception_handle`: order of the request fields changed
+            patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
+        "]],
+        &expect![[r"
+            major: command `clear_error`, request field `blend`: removed
+            major: command `end_move`, request field `cartPosition`: removed
+            major: command `end_move`, request field `endPosition`: added
+            major: command `joint_move`, request field `accel`: name changed from `joint_acceleration` to `acceleration`
+            major: command `joint_move`, request field `accel`: becomes optional
+            major: command `joint_move`, request field `blend`: removed
+            major: command `joint_move`, request field `speed`: type changed from `int` to `float`
+            major: command `joint_move`, request field `speed`: unit changed from `rad/s` to `deg/s`
+            major: command `load_program`, request field `programName`: takes printable ASCII only
+            major: command `movc`, request field `tol`: range changed from `0 to 10, advisory` to `at least 0`
+            major: command `moveL`, request field `speed`: range added: `at least 0`
+            major: command `rapid_rate`, request field `rate_value`: range changed from `0 to 2, advisory` to `0 to 1`
+            minor: command `joint_move`, request field `speed`: range changed from `1 to 180` to `at least 0`
+            patch: command `joint_move`, request field `accel`: doc changed
+            patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
+            patch: command `moveL`, request field `speed`: unit added: `mm/s`
+            patch: command `set_network_exception_handle`: order of the request fields changed
+            patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
+        "]],
+    );
+}
+
+#[test]
+fn fields_of_replies() {
+    let extra = "\n[[command.reply]]\nwire = \"note\"\ntype = \"text\"\noptional = true\ndoc = \"A note.\"\n";
+    let number = extra.replace("\"text\"", "\"int\"");
+    let with = |field: &str| format!("{field}\n[[command.example]]");
+    check(
+        &[
+            // All keys of both are optional; but with a text the first is no longer `Copy`.
+            ("power/power_on", "[[command.example]]", &with(extra)),
+            ("power/enable_robot", "[[command.example]]", &with(&number)),
+            ("power/disable_robot", "[[command.example]]", &with(&number)),
+            ("power/get_version", "[[command.example]]", &with(&number)),
+            ("power/get_robot_state/enable", r#"written = ["robot_disabled", "robot_enabled"]"#, "written = [0, 1]"),
+            ("power/get_robot_state/errcode", "or_raw = true\n", ""),
+            ("kinematics/get_joint_pos", r#"type = "JointPosition""#, "type = \"float[6]\"\nmin = -360\nmax = 360"),
+        ],
+        &expect![[r#"
+            major: command `disable_robot`, reply field `note`: added
+            major: command `get_joint_pos`, reply field `joint_pos`: type changed from `JointPosition` to `float[6]`
+            major: command `get_robot_state`, reply field `errcode`: has no other shape any more
+            major: command `get_version`, reply field `note`: added
+            major: command `power_on`, reply: is no longer `Copy`
+            minor: command `enable_robot`, reply field `note`: added
+            minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written ["robot_disabled", "robot_enabled"]` to `bool written [0, 1]`
+            minor: command `power_on`, reply field `note`: added
+            patch: command `get_joint_pos`, reply field `joint_pos`: range added: `-360 to 360`
+        "#]],
+        &expect![[r#"
+            major: command `disable_robot`, reply field `note`: removed
+            major: command `enable_robot`, reply field `note`: removed
+            major: command `get_joint_pos`, reply field `joint_pos`: type changed from `float[6]` to `JointPosition`
+            major: command `get_robot_state`, reply field `errcode`: may have another shape, kept as raw JSON
+            major: command `get_version`, reply field `note`: removed
+            major: command `power_on`, reply field `note`: removed
+            minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written [0, 1]` to `bool written ["robot_disabled", "robot_enabled"]`
+            minor: command `power_on`, reply: becomes `Copy`
+            patch: command `get_joint_pos`, reply field `joint_pos`: range removed, was `-360 to 360`
+        "#]],
+    );
+}
+
+#[test]
+fn types_and_their_parts() {
+    let field = "[[type.field]]\nwire = \"speed_limit\"\ntype = \"float\"\noptional = true\ndoc = \"A limit.\"\n\n";
+    let with_field = format!("{field}[[type.field]]");
+    let element = "[[type.field]]\nname = \"frame\"\ntype = \"int\"\noptional = true\ndoc = \"A frame.\"\n\n[[type]]\n";
+    check(
+        &[
+            ("types/JointPosition", "type = \"float[6]\"\nunit = \"deg\"", "type = \"float[7]\"\nunit = \"rad\""),
+            ("types/Pose", "exact = true\n", ""),
+            ("types/Pose/rz", "[[type]]\n", element),
+            ("types/Pose", r#"name = "x""#, r#"name = "swap""#),
+            ("types/Pose", r#"name = "y""#, r#"name = "x""#),
+            ("types/Pose", r#"name = "swap""#, r#"name = "y""#),
+            ("network", r#"type = "NetworkExceptionAction""#, r#"type = "NetworkAction""#),
+            ("network", r#"name = "NetworkExceptionAction""#, r#"name = "NetworkAction""#),
+            ("status/RobotStatus", "[[type.field]]", &with_field),
+            ("status/RobotStatus/inpos", "It stays true", "It remains true"),
+            ("types/Switch/0", "wire = 0", r#"wire = "off""#),
+            ("types/Switch/1", "wire = 1", r#"wire = "on""#),
+        ],
+        &expect![[r"
+            major: command `enable_admittance_ctrl`, request: is no longer `Copy`
+            major: command `servo_move`, request: is no longer `Copy`
+            major: command `set_admit_ctrl_config`, request: is no longer `Copy`
+            major: command `set_compliant_type`, request: is no longer `Copy`
+            major: command `set_digital_output`, request: is no longer `Copy`
+            major: command `set_network_exception_handle`, request field `motType`: type changed from `NetworkExceptionAction` to `NetworkAction`
+            major: command `torque_control_enable`, request: is no longer `Copy`
+            major: type `JointPosition`: type changed from `float[6]` to `float[7]`
+            major: type `JointPosition`: unit changed from `deg` to `rad`
+            major: type `NetworkExceptionAction`: removed
+            major: type `Pose`: order of the fields changed
+            major: type `Pose`, field `frame`: added
+            major: type `Switch`: kind changed from `enum of integers` to `enum of strings`
+            minor: type `NetworkAction`: added
+            minor: type `Pose`: an array may have further elements
+            minor: type `RobotStatus`, field `speed_limit`: added
+            patch: type `Pose`, field `x`: doc changed
+            patch: type `Pose`, field `y`: doc changed
+            patch: type `RobotStatus`, field `inpos`: doc changed
+        "]],
+        &expect![[r"
+            major: command `set_network_exception_handle`, request field `motType`: type changed from `NetworkAction` to `NetworkExceptionAction`
+            major: type `JointPosition`: type changed from `float[7]` to `float[6]`
+            major: type `JointPosition`: unit changed from `rad` to `deg`
+            major: type `NetworkAction`: removed
+            major: type `Pose`: an array with further elements becomes an error
+            major: type `Pose`, field `frame`: removed
+            major: type `RobotStatus`, field `speed_limit`: removed
+            major: type `Switch`: kind changed from `enum of strings` to `enum of integers`
+            minor: command `enable_admittance_ctrl`, request: becomes `Copy`
+            minor: command `servo_move`, request: becomes `Copy`
+            minor: command `set_admit_ctrl_config`, request: becomes `Copy`
+            minor: command `set_compliant_type`, request: becomes `Copy`
+            minor: command `set_digital_output`, request: becomes `Copy`
+            minor: command `torque_control_enable`, request: becomes `Copy`
+            minor: type `NetworkExceptionAction`: added
+            minor: type `Pose`: order of the fields changed
+            patch: type `Pose`, field `x`: doc changed
+            patch: type `Pose`, field `y`: doc changed
+            patch: type `RobotStatus`, field `inpos`: doc changed
+        "]],
+    );
+}
+
+#[test]
+fn values_variants_and_error_codes() {
+    check(
+        &[
+            ("motion/jog", r#"tag = "jog_mode""#, r#"tag = "mode""#),
+            ("motion/jog/3", "wire = 3", "wire = 4"),
+            ("motion/jog/2", r#"name = "Increment""#, r#"name = "Offset""#),
+            ("motion/jog/1/jnum", "max = 5", "max = 6"),
+            ("motion/jog/0", "Stops the jog", "Ends the jog"),
+            ("io/DigitalOutputKind/6", "wire = 6", "wire = 7"),
+            ("io/DigitalOutputKind/5", r#"name = "Profinet""#, r#"name = "ProfinetDevice""#),
+            ("io/DigitalOutputKind/5", "advisory = true\n", ""),
+            ("io/DigitalOutputKind/2", "[[type.value]]", "advisory = true\n\n[[type.value]]"),
+            ("io/DigitalOutputKind/0", "In the control cabinet.", "In the cabinet."),
+            ("io/ExtioSetup/0", "wire = 0", "wire = 2"),
+            (
+                "io/ExtioSetup/Tcp/pins",
+                "[[type]]",
+                "[[type.variant.field]]\nname = \"note\"\ntype = \"text\"\noptional = true\ndoc = \"A note.\"\n\n[[type]]",
+            ),
+            ("program/ProgramState/idle", r#"wire = "idle""#, r#"wire = "waiting""#),
+            ("errors/3", "wire = 3", "wire = 4"),
+            ("errors/2", r#"name = "CallFailed""#, r#"name = "Failed""#),
+            ("errors/2", "The command failed;", "The call failed;"),
+            ("errors/1", "Exception:function call failed", "exception"),
+        ],
+        &expect![[r"
+            major: command `jog`, variant `2`: name changed from `Increment` to `Offset`
+            major: command `jog`, variant `3`: removed
+            major: command `jog`, variant `4`: added
+            major: error code `2`: name changed from `CallFailed` to `Failed`
+            major: error code `3`: removed
+            major: type `DigitalOutputKind`, value `2`: only newer firmware takes it
+            major: type `DigitalOutputKind`, value `5`: name changed from `Profinet` to `ProfinetDevice`
+            major: type `DigitalOutputKind`, value `6`: removed
+            major: type `ExtioSetup`, variant `0`: removed
+            major: type `ExtioSetup`, variant `1`, field `note`: added
+            major: type `ProgramState`, value `idle`: removed
+            minor: command `jog`: key of the tag changed from `jog_mode` to `mode`
+            minor: command `jog`, variant `1`, field `jnum`: range changed from `0 to 5` to `0 to 6`
+            minor: error code `4`: added
+            minor: type `DigitalOutputKind`, value `5`: every firmware takes it
+            minor: type `DigitalOutputKind`, value `7`: added
+            minor: type `ExtioSetup`, variant `2`: added
+            minor: type `ProgramState`, value `waiting`: added
+            patch: command `jog`, variant `0`: doc changed
+            patch: error code `1`: message changed
+            patch: error code `2`: doc changed
+            patch: type `DigitalOutputKind`, value `0`: doc changed
+        "]],
+        &expect![[r"
+            major: command `jog`, variant `1`, field `jnum`: range changed from `0 to 6` to `0 to 5`
+            major: command `jog`, variant `2`: name changed from `Offset` to `Increment`
+            major: command `jog`, variant `3`: added
+            major: command `jog`, variant `4`: removed
+            major: error code `2`: name changed from `Failed` to `CallFailed`
+            major: error code `4`: removed
+            major: type `DigitalOutputKind`, value `5`: name changed from `ProfinetDevice` to `Profinet`
+            major: type `DigitalOutputKind`, value `5`: only newer firmware takes it
+            major: type `DigitalOutputKind`, value `7`: removed
+            major: type `ExtioSetup`, variant `1`, field `note`: removed
+            major: type `ExtioSetup`, variant `2`: removed
+            major: type `ProgramState`, value `waiting`: removed
+            minor: command `jog`: key of the tag changed from `mode` to `jog_mode`
+            minor: error code `3`: added
+            minor: type `DigitalOutputKind`, value `2`: every firmware takes it
+            minor: type `DigitalOutputKind`, value `6`: added
+            minor: type `ExtioSetup`, variant `0`: added
+            minor: type `ProgramState`, value `idle`: added
+            patch: command `jog`, variant `0`: doc changed
+            patch: error code `1`: message changed
+            patch: error code `2`: doc changed
+            patch: type `DigitalOutputKind`, value `0`: doc changed
+        "]],
+    );
+}
+
+#[test]
+fn a_type_that_moves_takes_its_path_along() {
+    let old = "[[type]]\nname = \"JogFrame\"\nkind = \"enum\"\ndoc = \"What a jog moves along or about.\"\n";
+    let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";
+    let whole = format!("{old}{values}");
+    let moved = format!("{whole}\n[[type]]\nname = \"Switch\"");
+    check(
+        &[("motion", &whole, ""), ("types", "[[type]]\nname = \"Switch\"", &moved)],
+        &expect![[r"
+            major: type `JogFrame`: topic changed from `motion` to `types`
+        "]],
+        &expect![[r"
+            major: type `JogFrame`: topic changed from `types` to `motion`
+        "]],
+    );
+}
+
+#[test]
+fn requests_and_types_of_another_shape() {
+    let fields = "[[command.request]]\nwire = \"rate_value\"\nname = \"rate\"\n";
+    let choice = "[command.choice]\ntag = \"kind\"\n\n[[command.choice.variant]]\nwire = 0\nname = \"Rate\"\ndoc = \"A rate.\"\n\n[[command.choice.variant.field]]\nwire = \"rate_value\"\nname = \"rate\"\n";
+    let text = "[[type.field]]\nname = \"label\"\ntype = \"text\"\ndoc = \"A label.\"\n\n[[type]]";
+    check(
+        &[
+            ("program/rapid_rate", fields, choice),
+            ("motion/wait_complete", "deprecated = \"watch the status", "deprecated = \"look at the status"),
+            ("io/get_extio_status", "python(ExtioStatus)", "ExtioStatus"),
+            ("io/FunctionInput/index", "[[type]]", text),
+        ],
+        &expect![[r"
+            major: command `rapid_rate`: the request becomes a choice
+            major: type `FunctionInput`: is no longer `Copy`
+            major: type `FunctionInput`, field `label`: added
+            minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `python(ExtioStatus)` to `ExtioStatus`
+            patch: command `wait_complete`: note of the deprecation changed
+        "]],
+        &expect![[r"
+            major: command `rapid_rate`: the request is no longer a choice
+            major: type `FunctionInput`, field `label`: removed
+            minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `ExtioStatus` to `python(ExtioStatus)`
+            minor: type `FunctionInput`: becomes `Copy`
+            patch: command `wait_complete`: note of the deprecation changed
+        "]],
+    );
+}

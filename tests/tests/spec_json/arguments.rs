@@ -1,0 +1,279 @@
+//! Commands as command lines.
+
+use expect_test::{Expect, expect};
+use jaka_proto::Request;
+use jaka_proto::wire::Writer;
+use jaka_spec::Type;
+use jaka_spec::json::{self, AdvisoryRanges, Argument};
+use serde_json::{Map, Value};
+
+use super::{SPEC, command, object, pack};
+
+fn check_arguments(wire: &str, expected: &Expect) {
+    let line = |argument: &Argument| {
+        let Argument { name, wire, field, hint, help, required, values, variants, .. } = argument;
+        let flags = if *required { "" } else { " (optional)" };
+        let values: Vec<_> =
+            values.iter().map(|value| format!("\n    {} = {}: {}", value.name, value.wire, value.help)).collect();
+        format!("--{name} {hint}{flags} [{wire}, {field}] {variants:?}\n  {help}{}\n", values.concat())
+    };
+    let text: String = json::arguments(&SPEC, command(wire)).iter().map(line).collect();
+    expected.assert_eq(&text);
+}
+
+#[test]
+fn each_field_is_an_argument() {
+    check_arguments(
+        "joint_move",
+        &expect![[r#"
+        --mode absolute|relative [relFlag, mode] []
+          Whether `joint_position` is a target or an offset.
+            absolute = 0: The coordinates are the target.
+            relative = 1: The coordinates are an offset.
+        --joint-position [NUMBER; 6] [jointPosition, joint_position] []
+          Target or offset of the six joints. In deg.
+        --speed NUMBER [speed, speed] []
+          Joint speed; the direction comes from `joint_position` alone. In deg/s. Allowed: at least 0.
+        --acceleration NUMBER (optional) [accel, acceleration] []
+          Joint acceleration. In deg/s². Allowed: at least 0.
+    "#]],
+    );
+    check_arguments(
+        "set_tio_vout_param",
+        &expect![[r#"
+        --output-enable INTEGER [tio_vout_ena, output_enable] []
+          Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = enabled, 1 = not enabled; vendor header, SDK 2.2.2: 0 = off, 1 = on.
+        --output-voltage INTEGER [tio_vout_vol, output_voltage] []
+          Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = 12 V, 1 = 24 V; vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V.
+    "#]],
+    );
+    check_arguments(
+        "moveL",
+        &expect![[r#"
+        --mode absolute|relative [relFlag, mode] []
+          Whether `pose` is a target or an offset.
+            absolute = 0: The coordinates are the target.
+            relative = 1: The coordinates are an offset.
+        --pose [X,Y,Z,RX,RY,RZ] [cartPosition, pose] []
+          Target pose, or offset, of the tool centre point.
+        --speed NUMBER [speed, speed] []
+          Speed of the tool centre point along the line. In mm/s. Allowed: at least 0.
+        --acceleration NUMBER (optional) [accel, acceleration] []
+          Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0.
+        --tolerance NUMBER (optional) [tol, tolerance] []
+          Greatest error allowed, or 0 where none is needed. In mm. Allowed: at least 0.
+    "#]],
+    );
+    check_arguments("power_on", &expect![[""]]);
+}
+
+#[test]
+fn a_tag_says_which_arguments_there_are() {
+    check_arguments(
+        "jog",
+        &expect![[r#"
+        --jog-mode stop|continuous|increment|absolute [jog_mode, jog_mode] []
+          What is asked for, and so which further arguments there are.
+            stop = 0: Stops the jog of one axis.
+            continuous = 1: Moves on and on.
+            increment = 2: Moves by a distance from the present position.
+            absolute = 3: Moves to a position of the axis.
+        --frame world|joint|tool [coord_map, frame] ["stop", "continuous", "increment", "absolute"]
+          Frame of the motion to stop. With `continuous`: Frame of the motion.
+            world = 0: The axes of the world frame.
+            joint = 1: A joint.
+            tool = 2: The axes of the tool frame.
+        --axis INTEGER [jnum, axis] ["stop", "continuous", "increment", "absolute"]
+          Index of joint 1 to 6, or of x, y, z, rx, ry, rz. Allowed: 0 to 5.
+        --velocity NUMBER [jogvel, velocity] ["continuous", "increment", "absolute"]
+          Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. With `increment`: Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
+        --distance NUMBER [poscmd, distance] ["increment"]
+          Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
+        --position NUMBER [poscmd, position] ["absolute"]
+          Position to move to. In deg for a joint or a rotation, mm for a translation.
+    "#]],
+    );
+    check_arguments(
+        "set_servo_move_filter",
+        &expect![[r#"
+        --filter-type disabled|joint-low-pass|joint-nonlinear|joint-mean|cartesian-nonlinear|speed-lookahead [filter_type, filter_type] []
+          What is asked for, and so which further arguments there are.
+            disabled = 0: No filter.
+            joint-low-pass = 1: First-order low-pass filter on the joints.
+            joint-nonlinear = 2: Nonlinear filter on the joints.
+            joint-mean = 3: Multi-stage mean filter on the joints.
+            cartesian-nonlinear = 4: Nonlinear filter in Cartesian space.
+            speed-lookahead = 5: Speed look-ahead.
+        --cutoff-frequency NUMBER [lpf_cf, cutoff_frequency] ["joint-low-pass"]
+          Cut-off frequency. In Hz. Allowed: at least 0.
+        --max-rotation-speed NUMBER [nlf_max_vr, max_rotation_speed] ["joint-nonlinear", "cartesian-nonlinear"]
+          Greatest speed at which the orientation changes. In deg/s (printed as %/s). Allowed: at least 0.
+        --max-rotation-acceleration NUMBER [nlf_max_ar, max_rotation_acceleration] ["joint-nonlinear", "cartesian-nonlinear"]
+          Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²). Allowed: at least 0.
+        --max-rotation-jerk NUMBER [nlf_max_jr, max_rotation_jerk] ["joint-nonlinear", "cartesian-nonlinear"]
+          Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³). Allowed: at least 0.
+        --window-width INTEGER [mmf_max_buf, window_width] ["joint-mean"]
+          Width of the filter's window. Allowed: at least 0.
+        --position-coefficient NUMBER [mmf_kp, position_coefficient] ["joint-mean"]
+          How closely the position is followed.
+        --speed-coefficient NUMBER [mmf_kv, speed_coefficient] ["joint-mean"]
+          How closely the speed is followed.
+        --acceleration-coefficient NUMBER [mmf_ka, acceleration_coefficient] ["joint-mean"]
+          How closely the acceleration is followed.
+        --max-translation-speed NUMBER [nlf_max_vp, max_translation_speed] ["cartesian-nonlinear"]
+          Greatest speed of the commanded translation in Cartesian space. In mm/s. Allowed: at least 0.
+        --max-translation-acceleration NUMBER [nlf_max_ap, max_translation_acceleration] ["cartesian-nonlinear"]
+          Greatest acceleration of the commanded translation in Cartesian space. In mm/s². Allowed: at least 0.
+        --max-translation-jerk NUMBER [nlf_max_jp, max_translation_jerk] ["cartesian-nonlinear"]
+          Greatest jerk of the commanded translation in Cartesian space. In mm/s³. Allowed: at least 0.
+        --buffer-size INTEGER [mmf_max_buf, buffer_size] ["speed-lookahead"]
+          Size of the mean filter's buffer. Allowed: at least 0.
+        --coefficient NUMBER [mmf_kp, coefficient] ["speed-lookahead"]
+          Filter coefficient.
+    "#]],
+    );
+}
+
+#[test]
+fn fields_of_variants_with_one_name_and_two_types_are_two_arguments() {
+    let pack = pack();
+    let arguments = json::arguments(&pack, pack.command("choose").expect("the pack has it"));
+    let names: Vec<_> = arguments.iter().map(|argument| (argument.name.as_str(), argument.hint.as_str())).collect();
+    assert_eq!(names, [("kind", "first|second"), ("size", "INTEGER"), ("second-size", "TEXT")]);
+    let tag = |text| arguments[0].value(&pack, text);
+    assert_eq!(tag("Second"), Ok(1.into()));
+    assert_eq!(tag("1"), Ok(1.into()));
+    assert_eq!(tag("third"), Err("`third` is not first|second".to_owned()));
+}
+
+#[test]
+fn names_of_arguments_are_unique() {
+    for command in SPEC.commands() {
+        let mut names: Vec<_> = json::arguments(&SPEC, command).into_iter().map(|argument| argument.name).collect();
+        let len = names.len();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), len, "{}", command.wire);
+    }
+}
+
+/// The field of a message that an argument gives, as it would be typed.
+fn typed(argument: &Argument, message: &Map<String, Value>) -> Option<String> {
+    let value = message.get(&argument.wire)?;
+    Some(match (argument.values.iter().find(|listed| listed.wire == *value), value) {
+        (Some(listed), _) => listed.name.clone(),
+        (None, Value::String(text)) => text.clone(),
+        (None, Value::Array(_)) => value.to_string().trim_matches(['[', ']']).to_owned(),
+        (None, value) => value.to_string(),
+    })
+}
+
+#[test]
+fn the_examples_can_be_typed() {
+    for command in SPEC.commands() {
+        let arguments = json::arguments(&SPEC, command);
+        for text in command.examples.iter().filter_map(|example| example.request.as_ref()) {
+            let message = object(serde_json::from_str(text).expect("the examples are JSON"));
+            let tag = arguments.first().and_then(|tag| typed(tag, &message));
+            let applies = |argument: &&Argument| {
+                argument.variants.is_empty() || tag.as_ref().is_some_and(|tag| argument.variants.contains(tag))
+            };
+            let mut fields = Map::new();
+            for argument in arguments.iter().filter(applies) {
+                if let Some(text) = typed(argument, &message) {
+                    let value = argument.value(&SPEC, &text).expect("the examples have values of their types");
+                    fields.insert(argument.field.clone(), value);
+                }
+            }
+            let mut out = Writer::new();
+            Request::read(text).expect("the examples decode").write(&mut out);
+            let request = json::request(&SPEC, command, &fields, AdvisoryRanges::Enforced);
+            assert_eq!(request.as_deref(), Ok(out.as_str()));
+        }
+    }
+}
+
+#[test]
+fn values_are_read_by_their_types() {
+    let spec = pack();
+    let named = |name: &str| Type::Named(name.to_owned());
+    let flag = || Type::Bool { off: "\"out\"".to_owned(), on: "\"in\"".to_owned() };
+    let list = |element: Type| Type::List(Box::new(element));
+    let read = [
+        (Type::Float, "20"),
+        (Type::Float, "-2.5e1"),
+        (Type::Float, "nan"),
+        (Type::Float, "1e999"),
+        (Type::Float, "fast"),
+        (Type::Int, "20"),
+        (Type::Int, "20.0"),
+        (Type::Int, "20.5"),
+        (flag(), "on"),
+        (flag(), "True"),
+        (flag(), "0"),
+        (flag(), "in"),
+        (flag(), "2"),
+        (Type::Text, " a,b "),
+        (Type::Json, "{\"a\": [1]}"),
+        (Type::Json, "a b"),
+        (named("Mode"), "very-fast"),
+        (named("Mode"), "1"),
+        (named("Mode"), "7"),
+        (named("Mode"), "fast"),
+        (named("Tool"), "GRIPPER"),
+        (named("Tool"), "grip"),
+        (named("Tool"), "hammer"),
+        (list(Type::Float), "0,90, -90.5"),
+        (list(Type::Float), "[0, 90]"),
+        (list(Type::Float), ""),
+        (list(Type::Float), "0,,1"),
+        (list(flag()), "[on, off]"),
+        (list(list(Type::Int)), "[[1],[2]]"),
+        (named("Pair"), "on,slow"),
+        (named("Pair"), "{\"on\": true, \"mode\": 0}"),
+        (named("Pair"), "on,slow,3"),
+        (named("Size"), "{\"a\": [1, 2, 3]}"),
+        (named("Size"), "1,2,3"),
+    ];
+    let lines = read.map(|(ty, text)| match json::value(&spec, &ty, text) {
+        Ok(value) => format!("{text:?} is {value}\n"),
+        Err(error) => format!("error: {error}\n"),
+    });
+    expect![[r#"
+        "20" is 20.0
+        "-2.5e1" is -25.0
+        error: `nan` is not a number
+        error: `1e999` is not a number
+        error: `fast` is not a number
+        "20" is 20
+        "20.0" is 20
+        error: `20.5` is not a whole number
+        "on" is true
+        "True" is true
+        "0" is false
+        "in" is true
+        error: `2` is not on or off
+        " a,b " is " a,b "
+        "{\"a\": [1]}" is {"a":[1]}
+        "a b" is "a b"
+        "very-fast" is 1
+        "1" is 1
+        "7" is 7
+        error: `fast` is not 0 (Slow) or 1 (VeryFast)
+        "GRIPPER" is "grip"
+        "grip" is "grip"
+        "hammer" is "hammer"
+        "0,90, -90.5" is [0.0,90.0,-90.5]
+        "[0, 90]" is [0,90]
+        "" is []
+        error: `0,,1` is not an array, each a number
+        "[on, off]" is [true,false]
+        "[[1],[2]]" is [[1],[2]]
+        "on,slow" is [true,0]
+        "{\"on\": true, \"mode\": 0}" is {"mode":0,"on":true}
+        "on,slow,3" is [true,0,"3"]
+        "{\"a\": [1, 2, 3]}" is {"a":[1,2,3]}
+        error: `1,2,3` is not an object
+    "#]]
+    .assert_eq(&lines.concat());
+}
