@@ -42,7 +42,7 @@ Exit codes:
   6  something on this machine: a file, a port, the terminal
   7  `jaka probe` found something that is not as the spec has it, or was not answered";
 
-/// Status, live dashboard and simulated controller for JAKA robots.
+/// Commands, status, live dashboard and simulated controller for JAKA robots.
 #[derive(Debug, Parser)]
 #[command(name = "jaka", version, after_long_help = NOTES, after_help = "`jaka --help` also explains exit codes.")]
 struct Cli {

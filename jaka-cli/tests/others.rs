@@ -65,13 +65,15 @@ fn the_help_explains_exit_codes() {
     let (help, _, code) = output(&mut jaka(&["--help"]));
     assert_eq!(code, Some(0));
     expect![[r#"
-        Status, live dashboard and simulated controller for JAKA robots
+        Commands, status, live dashboard and simulated controller for JAKA robots
 
         Usage: jaka <COMMAND>
 
         Commands:
           status       Print the robot's state, once or again and again
           monitor      Show the robot's state live in the terminal
+          call         Send one command of the protocol, and print the reply
+          probe        Ask a controller every question of the protocol, and report where its answers depart from the spec
           sim          Run a simulated controller until it is interrupted
           completions  Print the completion script of a shell
           help         Print this message or the help of the given subcommand(s)
@@ -88,14 +90,20 @@ fn the_help_explains_exit_codes() {
           JAKA_ROBOT, and `robot = "NAME"` in the config file. Each may be an address or the name of a [robots.NAME]
           in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
 
+        Command packs:
+          Commands that know packs take them from, in this order: --pack, the environment's JAKA_PACK, and
+          `packs = ["FILE"]` in the config file. The first of these that names any counts.
+
         Exit codes:
           0  done; also when a reader of the output has seen enough, and on Ctrl-C where a command runs until then
           1  the controller refused the command, which did not run
-          2  the command line, the config file or an argument is wrong; nothing was sent
+          2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
+             nothing was sent
           3  no connection could be made; nothing was sent
           4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
           5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
           6  something on this machine: a file, a port, the terminal
+          7  `jaka probe` found something that is not as the spec has it, or was not answered
     "#]]
     .assert_eq(&help);
     assert!(output(&mut jaka(&["--version"])).0.starts_with("jaka "));

@@ -1,5 +1,7 @@
 //! `jaka call`, as its users run it.
 
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../program/mod.rs"]
 mod program;
 

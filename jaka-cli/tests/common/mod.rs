@@ -14,7 +14,7 @@ pub(crate) fn jaka(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_jaka"));
     let nowhere = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("nowhere");
     command.args(args).stdin(Stdio::null()).env("HOME", &nowhere);
-    for name in ["JAKA_ROBOT", "JAKA_CONFIG", "XDG_CONFIG_HOME", "APPDATA"] {
+    for name in ["JAKA_ROBOT", "JAKA_CONFIG", "JAKA_PACK", "XDG_CONFIG_HOME", "APPDATA"] {
         command.env_remove(name);
     }
     command

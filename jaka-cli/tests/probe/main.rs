@@ -1,5 +1,7 @@
 //! `jaka probe`, as its users run it.
 
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../program/mod.rs"]
 mod program;
 
@@ -188,6 +190,7 @@ fn the_report_as_json_has_the_same() {
               "field": "build",
               "found": "17",
               "kind": "unknown",
+              "more": 0,
               "readable": true
             },
             {
@@ -196,6 +199,7 @@ fn the_report_as_json_has_the_same() {
               "field": "type",
               "found": "\"x\"",
               "kind": "unknown",
+              "more": 0,
               "readable": true
             }
           ],

@@ -1,4 +1,4 @@
-//! The `jaka` program as its users run it, without a config file and without what the environment says.
+//! Runs the program with input, options made from controllers, and its results as text.
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use jaka_sim::Controller;
+
+use crate::common;
 
 /// What a run gave.
 #[derive(Debug)]
@@ -29,11 +31,7 @@ impl Run {
 
 /// The program with these arguments.
 pub(crate) fn command<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_jaka"));
-    for variable in ["JAKA_ROBOT", "JAKA_CONFIG", "JAKA_PACK", "APPDATA"] {
-        command.env_remove(variable);
-    }
-    command.env("XDG_CONFIG_HOME", Path::new(env!("CARGO_TARGET_TMPDIR")).join("nothing"));
+    let mut command = common::jaka(&[]);
     command.args(arguments);
     command
 }

@@ -38,7 +38,7 @@ fn finding(finding: &Finding) -> Value {
 }
 
 fn departure(departure: &Departure) -> Value {
-    let Departure { field, kind, found, expected, reading, advisory, .. } = departure;
+    let Departure { field, kind, found, expected, reading, advisory, more, .. } = departure;
     json!({
         "field": field,
         "kind": name(*kind),
@@ -46,6 +46,7 @@ fn departure(departure: &Departure) -> Value {
         "expected": expected,
         "readable": *reading == Reading::Lenient,
         "advisory": advisory,
+        "more": more,
     })
 }
 
