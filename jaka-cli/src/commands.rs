@@ -10,6 +10,7 @@ mod completions;
 mod monitor;
 mod probe;
 mod sim;
+mod spec;
 mod status;
 
 use clap::Subcommand;
@@ -24,6 +25,7 @@ pub(crate) enum Command {
     Call(call::Call),
     Probe(probe::Probe),
     Sim(sim::Sim),
+    Spec(spec::Spec),
     Completions(completions::Completions),
 }
 
@@ -36,6 +38,7 @@ impl Command {
             Self::Call(command) => command.run(),
             Self::Probe(command) => command.run(),
             Self::Sim(command) => command.run(),
+            Self::Spec(command) => command.run(),
             Self::Completions(command) => command.run(),
         }
     }
