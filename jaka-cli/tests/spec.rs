@@ -1,5 +1,7 @@
 //! `jaka spec`, as its users run it.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 mod common;
 mod program;
 
