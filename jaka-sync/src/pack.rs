@@ -38,6 +38,9 @@
 /// `Monitor<newer::RobotStatus>`. The format is described with
 /// [jaka-spec](https://docs.rs/jaka-spec).
 ///
+/// From the first look at a controller with newer firmware to a finished pack: the guide in
+/// [`newer_firmware`](crate::newer_firmware).
+///
 /// Where a later version of this crate has an entry of your pack in its own spec, the compiler warns that the entry can be
 /// deleted; until then it goes on to work.
 #[macro_export]
