@@ -38,6 +38,9 @@
 /// `Monitor<newer::RobotStatus>`. The format is described with
 /// [jaka-spec](https://docs.rs/jaka-spec).
 ///
+/// A motion of a pack can be waited for by [`Robot::run`](crate::Robot::run) once you implement [`Motion`](crate::Motion) for it,
+/// which says where it ends.
+///
 /// From the first look at a controller with newer firmware to a finished pack: the guide in
 /// [`newer_firmware`](crate::newer_firmware).
 ///
