@@ -9,7 +9,10 @@ mod call;
 mod completions;
 mod monitor;
 mod probe;
+mod record;
+mod replay;
 mod sim;
+mod spec;
 mod status;
 
 use clap::Subcommand;
@@ -24,6 +27,9 @@ pub(crate) enum Command {
     Call(call::Call),
     Probe(probe::Probe),
     Sim(sim::Sim),
+    Record(record::Record),
+    Replay(replay::Replay),
+    Spec(spec::Spec),
     Completions(completions::Completions),
 }
 
@@ -36,6 +42,9 @@ impl Command {
             Self::Call(command) => command.run(),
             Self::Probe(command) => command.run(),
             Self::Sim(command) => command.run(),
+            Self::Record(command) => command.run(),
+            Self::Replay(command) => command.run(),
+            Self::Spec(command) => command.run(),
             Self::Completions(command) => command.run(),
         }
     }

@@ -1,5 +1,6 @@
 //! Exit codes: what a script can do about a failure.
 
+use jaka_spec::tools::Impact;
 use jaka_sync::Error;
 
 /// The controller refused the command, which did not run.
@@ -17,6 +18,15 @@ pub(crate) const LOCAL: u8 = 6;
 
 /// `jaka probe` found what is not as the spec has it.
 pub(crate) const DEPARTS: u8 = 7;
+
+/// The exit code of `jaka spec diff --exit-code` where the gravest change is this.
+pub(crate) fn difference(impact: Impact) -> u8 {
+    match impact {
+        Impact::Patch => 10,
+        Impact::Minor => 11,
+        Impact::Major => 12,
+    }
+}
 
 /// The exit code that tells what a script can do about an error of the robot's.
 pub(crate) fn exit_code(error: &Error) -> u8 {

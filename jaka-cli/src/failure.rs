@@ -5,6 +5,7 @@ use std::fmt;
 use std::io::{self, ErrorKind, Write, stderr};
 use std::process::ExitCode;
 
+use jaka_spec::tools::Impact;
 use jaka_sync::{Explanation, Refusal};
 
 use crate::exit;
@@ -27,6 +28,8 @@ pub(crate) enum Failure {
     },
     /// What the controller says is not as the spec has it: how much of it.
     Departs(String),
+    /// Two specs differ, so much at most: what the exit code was asked to tell.
+    Differs(Impact),
     /// Something on this machine.
     Local {
         /// What cannot be done, such as "cannot start the simulated controller".
@@ -60,6 +63,7 @@ impl Failure {
             Self::Refused { .. } => exit::REFUSED,
             Self::Departs(_) => exit::DEPARTS,
             Self::Local { .. } => exit::LOCAL,
+            Self::Differs(impact) => return ExitCode::from(exit::difference(*impact)),
             Self::OutputClosed => return ExitCode::SUCCESS,
         };
         // Nobody may be reading: the code tells enough.
@@ -88,6 +92,7 @@ impl fmt::Display for Failure {
             }
             Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe spec does not know the code."),
             Self::Local { what, .. } => f.write_str(what),
+            Self::Differs(impact) => write!(f, "the specs differ: {impact}"),
             Self::OutputClosed => f.write_str("the output is closed"),
         }
     }

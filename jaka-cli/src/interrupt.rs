@@ -5,6 +5,7 @@ use std::time::Duration;
 use std::{process, thread};
 
 use crate::failure::Failure;
+use crate::{exit, record};
 
 /// How long the program may take to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -12,12 +13,12 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. What it does should end the program soon, which
 /// is ended with success otherwise.
 pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
-    let end = move || {
+    let handler = move || {
         call();
         thread::sleep(PATIENCE);
-        process::exit(0);
+        end();
     };
-    ctrlc::set_handler(end).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
+    ctrlc::set_handler(handler).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
 }
 
 /// Ends the program with success on Ctrl-C, but not in the middle of what it writes.
@@ -26,7 +27,16 @@ pub(crate) fn end_on_interrupt() -> Result<(), Failure> {
         // Not here, since who reads the output may never read on.
         thread::spawn(|| {
             let _whole = stdout().lock();
-            process::exit(0);
+            end();
         });
     })
+}
+
+/// Ends the program with success, unless what it recorded cannot be written.
+fn end() -> ! {
+    if let Err(failure) = record::finish() {
+        failure.report();
+        process::exit(exit::LOCAL.into());
+    }
+    process::exit(0)
 }

@@ -6,11 +6,15 @@ mod exit;
 mod failure;
 mod fields;
 mod interrupt;
+mod listen;
 mod number;
 mod output;
 mod packs;
+mod proxy;
+mod record;
 mod seconds;
 mod target;
+mod utc;
 mod wire_log;
 
 use std::io::{Write, stderr};
@@ -52,7 +56,11 @@ struct Cli {
 
 fn main() -> ExitCode {
     let result = match Cli::try_parse() {
-        Ok(cli) => cli.command.run(),
+        Ok(cli) => {
+            let result = cli.command.run();
+            let recorded = record::finish();
+            result.and(recorded)
+        }
         Err(error) => return told(&error),
     };
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)

@@ -41,16 +41,28 @@ impl SpecArgs {
     /// Everything that is wrong with a pack, a line each.
     pub(crate) fn load(&self, config: Option<&Path>) -> Result<Protocol, Failure> {
         let packs = if self.packs.is_empty() { usual_packs(config)? } else { self.packs.clone() };
-        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
-        let spec = packs.iter().try_fold(spec, |spec, path| add(&spec, path))?;
+        let spec = packs.iter().try_fold(builtin(), |spec, path| add(&spec, path))?;
         Ok(Protocol { spec, packs })
     }
 }
 
-fn add(spec: &Spec, path: &Path) -> Result<Spec, Failure> {
+/// The built-in spec.
+pub(crate) fn builtin() -> Spec {
+    jaka_spec::builtin().expect("the spec's own tests load it")
+}
+
+/// The text of a file of the command line.
+pub(crate) fn read(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))
+}
+
+/// The spec with a pack. What the pack has to note goes to standard error.
+///
+/// # Errors
+/// Everything that is wrong with the pack, a line each.
+pub(crate) fn add(spec: &Spec, path: &Path) -> Result<Spec, Failure> {
     let name = path.display().to_string();
-    let text =
-        fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read the pack {name}: {error}")))?;
+    let text = read(path)?;
     let pack = jaka_spec::load_pack(spec, Source { path: &name, text: &text })
         .map_err(|errors| Failure::Usage(format!("the pack {name} has errors:\n{errors}")))?;
     for note in &pack.notes {

@@ -9,17 +9,33 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, Model};
-use jaka_sync::{Client, Config, Monitor, Reconnect, StatusStream};
+use jaka_sync::recording::Port;
+use jaka_sync::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
 
 use self::environment::Environment;
 use self::place::Place;
 use crate::failure::Failure;
+use crate::record::Tape;
 use crate::seconds::some_seconds;
+
+/// How long connecting may take where nothing else is said.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+
+/// The options of a command that talks to a robot.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Robot")]
+pub(crate) struct RobotArgs {
+    #[command(flatten)]
+    place: PlaceArgs,
+    /// Record all that is sent and received to a new file
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+}
 
 /// The options by which a command finds its robot.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Robot")]
-pub(crate) struct RobotArgs {
+pub(crate) struct PlaceArgs {
     /// Its address, or its name in the config file.
     #[arg(
         long,
@@ -73,21 +89,33 @@ pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure
 impl RobotArgs {
     /// The config file that is named.
     pub(crate) fn config(&self) -> Option<&Path> {
-        self.config.as_deref()
+        self.place.config.as_deref()
     }
 
     /// True if the robot is a simulated one.
     pub(crate) fn is_simulated(&self) -> bool {
-        self.sim.is_some()
+        self.place.sim.is_some()
     }
 
-    /// Finds the robot, or starts the simulated controller. Connects to nothing yet.
+    /// Finds the robot, or starts the simulated controller, and begins the recording. Connects to nothing yet.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
         self.target_with_packs(&[])
     }
 
     /// The same, with a simulated controller that knows these packs.
     pub(crate) fn target_with_packs(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
+        let target = self.place.target(packs)?;
+        let Some(path) = &self.record else { return Ok(target) };
+        let tape = Tape::create(path)?;
+        let target = target.recorded(tape.recorder(), StatusSampling::All);
+        tape.keep();
+        Ok(target)
+    }
+}
+
+impl PlaceArgs {
+    /// Finds the robot, or starts the simulated controller, which knows these packs. Connects to nothing yet.
+    pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         if let Some(model) = self.sim {
             return self.simulated(model, packs);
         }
@@ -97,6 +125,7 @@ impl RobotArgs {
             commands: place.address(place.command_port),
             status: place.address(place.status_port),
             config: place.config(),
+            connect_timeout: place.connect_timeout(),
             controller: None,
         })
     }
@@ -115,6 +144,7 @@ impl RobotArgs {
             commands: controller.command_addr().to_string(),
             status: controller.status_addr().to_string(),
             config: place::config(self.timeout, self.timeout),
+            connect_timeout: self.timeout.unwrap_or(CONNECT_TIMEOUT),
             controller: Some(controller),
         })
     }
@@ -127,6 +157,7 @@ pub(crate) struct Target {
     commands: String,
     status: String,
     config: Config,
+    connect_timeout: Duration,
     /// Kept for as long as the command talks to it.
     #[expect(dead_code, reason = "it is dropped with the target")]
     controller: Option<Controller>,
@@ -136,6 +167,21 @@ impl Target {
     /// What people call the robot: its name and address.
     pub(crate) fn title(&self) -> &str {
         &self.title
+    }
+
+    /// The same robot, with all recorded that goes over its connections.
+    pub(crate) fn recorded(mut self, recorder: Recorder, sampling: StatusSampling) -> Self {
+        self.config = self.config.recorder(recorder).status_sampling(sampling);
+        self
+    }
+
+    /// The address of one of its ports, and how long connecting may take.
+    pub(crate) fn address(&self, port: Port) -> (&str, Duration) {
+        let address = match port {
+            Port::Command => &self.commands,
+            Port::Status => &self.status,
+        };
+        (address, self.connect_timeout)
     }
 
     /// Connects to the command port, which has one seat.

@@ -156,6 +156,12 @@ impl Controller {
         self.shared.stage.as_ref().map(Stage::deviations).unwrap_or_default()
     }
 
+    /// Waits until there are `count` [`deviations`](Self::deviations) in all; false if there are not after `timeout`, or nothing
+    /// is replayed.
+    pub fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
+        self.shared.stage.as_ref().is_some_and(|stage| stage.wait_for_deviations(count, timeout))
+    }
+
     /// Sends bytes to the command client, unasked.
     ///
     /// # Errors

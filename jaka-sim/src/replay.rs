@@ -7,7 +7,7 @@ mod script;
 
 use std::collections::{HashMap, VecDeque};
 use std::fmt;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
 use jaka_proto::recording::{Answer, Port, Recording};
@@ -17,7 +17,7 @@ pub(crate) use self::canonical::is_same;
 use self::cues::{Cue, Cues};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, Step};
-use crate::lock::lock;
+use crate::lock::{lock, wait};
 
 /// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +63,8 @@ pub(crate) struct Stage {
     /// What status packets of a strict replay wait for.
     cues: Option<Cues>,
     progress: Mutex<Progress>,
+    /// Signalled at each deviation.
+    deviated: Condvar,
 }
 
 #[derive(Debug, Default)]
@@ -91,6 +93,7 @@ impl Stage {
             readers: script::scripts(recording, Port::Status),
             cues: (*mode == Replay::Strict).then(|| Cues::new(recording)),
             progress: Mutex::new(progress),
+            deviated: Condvar::new(),
         }
     }
 
@@ -114,7 +117,7 @@ impl Stage {
     fn known(&self, script: Option<Arc<Script>>, port: Port, progress: &mut Progress) -> Option<Arc<Script>> {
         if script.is_none() {
             let recorded = if port == Port::Command { &self.commands } else { &self.readers };
-            progress.deviations.push(Deviation::Connection { port, recorded: recorded.len() });
+            self.note(progress, Deviation::Connection { port, recorded: recorded.len() });
         }
         script
     }
@@ -125,7 +128,7 @@ impl Stage {
         let same = progress.answers.get_mut(&canonical(request));
         let answer = same.and_then(VecDeque::pop_front);
         if answer.is_none() {
-            progress.deviations.push(Deviation::NoReplyLeft { received: request.to_owned() });
+            self.note(&mut progress, Deviation::NoReplyLeft { received: request.to_owned() });
         }
         answer
     }
@@ -161,12 +164,23 @@ impl Stage {
     }
 
     pub(crate) fn deviates(&self, deviation: Deviation) {
+        self.note(&mut lock(&self.progress), deviation);
+    }
+
+    fn note(&self, progress: &mut Progress, deviation: Deviation) {
         log::debug!(target: "jaka_sim", "the replay deviates: {deviation}");
-        lock(&self.progress).deviations.push(deviation);
+        progress.deviations.push(deviation);
+        self.deviated.notify_all();
     }
 
     pub(crate) fn deviations(&self) -> Vec<Deviation> {
         lock(&self.progress).deviations.clone()
+    }
+
+    /// Waits until there are so many deviations in all; false where there are not in time.
+    pub(crate) fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
+        let enough = |progress: &Progress| progress.deviations.len() >= count;
+        enough(&wait(&self.deviated, lock(&self.progress), timeout, enough))
     }
 }
 

@@ -36,7 +36,7 @@ pub use jaka_proto::{
     wire::{DecodeError, Typed},
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
-pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling};
+pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;

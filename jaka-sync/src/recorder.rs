@@ -4,6 +4,7 @@ mod exchanges;
 mod queue;
 mod sampling;
 mod tap;
+mod track;
 
 use std::fmt;
 use std::fs::File;
@@ -22,6 +23,7 @@ pub(crate) use self::exchanges::show;
 use self::queue::Queue;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::{Tap, connect};
+pub use self::track::Track;
 
 /// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.
 const LIMIT: usize = 8 << 20;

@@ -37,6 +37,13 @@ pub struct Source<'s> {
     pub text: &'s str,
 }
 
+impl Source<'_> {
+    /// An error at an offset into the text, in bytes.
+    pub fn error(self, offset: usize, message: impl Into<String>) -> Error {
+        report::At { source: self, offset }.error(message)
+    }
+}
+
 /// Loads a spec from its files, or says everything that is wrong with it.
 ///
 /// # Errors

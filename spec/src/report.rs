@@ -74,6 +74,11 @@ impl<'s> At<'s> {
         Self { source, offset: span.start }
     }
 
+    pub(crate) fn error(self, message: impl Into<String>) -> Error {
+        let (line, column) = self.line_and_column();
+        Error { path: self.source.path.to_owned(), line, column, message: message.into() }
+    }
+
     fn line_and_column(self) -> (usize, usize) {
         let before = self.source.text.get(..self.offset).unwrap_or(self.source.text);
         let line_start = before.rfind('\n').map_or(0, |i| i + 1);
@@ -94,9 +99,7 @@ pub(crate) struct Report(RefCell<Vec<Error>>);
 
 impl Report {
     pub(crate) fn error(&self, at: At<'_>, message: impl Into<String>) {
-        let (line, column) = at.line_and_column();
-        let path = at.source.path.to_owned();
-        self.0.borrow_mut().push(Error { path, line, column, message: message.into() });
+        self.0.borrow_mut().push(at.error(message));
     }
 
     /// All errors, or nothing if there are none.

@@ -1,4 +1,5 @@
-//! What can be made from a spec beside code: a comparison with another spec, a reference to read, a JSON Schema.
+//! What can be made from a spec beside code: a comparison with another spec, a reference to read, a JSON Schema, a
+//! check of its examples.
 //!
 //! With the feature `tools`.
 //!
@@ -13,9 +14,11 @@
 //! ```
 
 mod diff;
+mod examples;
 mod reference;
 mod schema;
 
-pub use diff::{Change, Impact, diff, impact};
+pub use diff::{Change, Impact, diff, impact, summary};
+pub use examples::{Misfit, misfits};
 pub use reference::reference;
 pub use schema::schema;

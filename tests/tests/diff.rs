@@ -1,7 +1,7 @@
 //! Differences between two specs, and what each means for programs that use the generated Rust.
 
 use expect_test::{Expect, expect};
-use jaka_spec::tools::{Change, Impact, diff, impact};
+use jaka_spec::tools::{Change, Impact, diff, impact, summary};
 use jaka_spec::{BUILTIN, Source, Spec, load};
 use jaka_tests::spec;
 
@@ -63,6 +63,8 @@ fn the_gravest_impact_decides() {
     assert_eq!(impact(&diff(&spec(), &edited(&[reworded]))), Some(Impact::Patch));
     assert_eq!(impact(&diff(&spec(), &edited(&[reworded, renamed]))), Some(Impact::Major));
     assert!(Impact::Patch < Impact::Minor && Impact::Minor < Impact::Major);
+    assert_eq!(summary(&diff(&edited(&[reworded, renamed]), &spec())), "2 changes, major");
+    assert_eq!(summary(&[]), "no differences");
 }
 
 #[test]

@@ -298,8 +298,9 @@ fn requests_too_few_and_too_many_are_deviations() {
     let controller = replay(&recording, Replay::Strict);
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     client.rapid_rate(0.5).expect("it was recorded");
+    assert!(!controller.wait_for_deviations(1, Duration::ZERO));
     drop(client);
-    assert!(controller.wait_for_disconnect(LIMIT));
+    assert!(controller.wait_for_deviations(1, LIMIT));
     let expected = r#"{"cmdName":"get_joint_pos"}"#.to_owned();
     assert_eq!(controller.deviations(), [Deviation::MissingRequest { expected }]);
 

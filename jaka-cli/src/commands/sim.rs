@@ -1,7 +1,6 @@
 //! `jaka sim`: a simulated controller for clients in any language.
 
 use std::fs;
-use std::net::IpAddr;
 use std::path::PathBuf;
 use std::thread;
 use std::time::Duration;
@@ -11,6 +10,7 @@ use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Model};
 
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
+use crate::listen::ListenArgs;
 use crate::packs::SpecArgs;
 use crate::target::model;
 use crate::{output, wire_log};
@@ -20,15 +20,8 @@ use crate::{output, wire_log};
 /// Anyone who can reach the ports can move the simulated arm, and nothing else.
 #[derive(Debug, Args)]
 pub(crate) struct Sim {
-    /// Address to listen at
-    #[arg(long, default_value = "127.0.0.1")]
-    address: IpAddr,
-    /// Port for commands, 0 for a free one
-    #[arg(long, value_name = "PORT", default_value_t = jaka_sync::COMMAND_PORT)]
-    commands: u16,
-    /// Port for status packets, 0 for a free one
-    #[arg(long, value_name = "PORT", default_value_t = jaka_sync::STATUS_PORT)]
-    status: u16,
+    #[command(flatten)]
+    listen: ListenArgs,
     /// The arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
@@ -63,31 +56,29 @@ impl Sim {
             wire_log::print_all("jaka_sim");
         }
         end_on_interrupt()?;
-        let started = self.builder()?.start();
-        let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
-        output::line(&format!("commands at {}, status at {}", controller.command_addr(), controller.status_addr()))?;
+        let _controller = self.listen.start(self.builder()?)?;
         loop {
             thread::park();
         }
     }
 
-    fn builder(self) -> Result<Builder, Failure> {
+    fn builder(&self) -> Result<Builder, Failure> {
         let mut builder = Controller::builder();
         let packs = self.spec.load(None)?.packs;
         builder = packs.iter().fold(builder, Builder::pack);
-        builder = builder.address(self.address).ports(self.commands, self.status).firmware(self.firmware);
-        if let Some(name) = self.model {
-            let model = model(&name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;
+        builder = builder.firmware(self.firmware);
+        if let Some(name) = &self.model {
+            let model = model(name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;
             builder = builder.model(model.clone());
         }
         if let Some(ms) = self.period {
             builder = builder.status_period(Duration::from_millis(ms));
         }
-        if let Some(folder) = self.programs {
+        if let Some(folder) = &self.programs {
             builder = builder.programs_from(folder);
         }
-        if let Some(plan) = self.faults {
-            builder = builder.faults(plan);
+        if let Some(plan) = &self.faults {
+            builder = builder.faults(plan.clone());
         }
         Ok(if self.fast { builder.delays(Delays::NONE) } else { builder })
     }

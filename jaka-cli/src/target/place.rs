@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use jaka_sync::{COMMAND_PORT, Config, STATUS_PORT};
 
-use super::RobotArgs;
 use super::config_file::{ConfigFile, Entry};
 use super::environment::Environment;
+use super::{CONNECT_TIMEOUT, PlaceArgs};
 use crate::failure::Failure;
 
 /// What to say where nothing tells the robot's address.
@@ -30,7 +30,7 @@ pub(super) struct Place {
 
 impl Place {
     /// Finds the robot: what the command line says counts more than the environment, and that more than the config file.
-    pub(super) fn find(args: &RobotArgs, environment: &Environment) -> Result<Self, Failure> {
+    pub(super) fn find(args: &PlaceArgs, environment: &Environment) -> Result<Self, Failure> {
         let file = config_file(args.config.as_deref(), environment)?;
         let named = match (&args.robot, &environment.robot, &file.robot) {
             (Some(robot), ..) | (None, None, Some(robot)) => robot.clone(),
@@ -61,6 +61,11 @@ impl Place {
     /// The address of one of its ports.
     pub(super) fn address(&self, port: u16) -> String {
         if self.host.contains(':') { format!("[{}]:{port}", self.host) } else { format!("{}:{port}", self.host) }
+    }
+
+    /// How long connecting may take.
+    pub(super) fn connect_timeout(&self) -> Duration {
+        self.connect_timeout.unwrap_or(CONNECT_TIMEOUT)
     }
 
     /// How to connect.
@@ -122,8 +127,8 @@ fn host(address: &str) -> Result<String, Failure> {
 mod tests {
     use super::*;
 
-    fn args(robot: Option<&str>) -> RobotArgs {
-        RobotArgs { robot: robot.map(str::to_owned), ..RobotArgs::default() }
+    fn args(robot: Option<&str>) -> PlaceArgs {
+        PlaceArgs { robot: robot.map(str::to_owned), ..PlaceArgs::default() }
     }
 
     fn environment(robot: &str) -> Environment {

@@ -8,9 +8,8 @@ use std::time::Duration;
 
 use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
 
-use super::Recorder;
 use super::exchanges::{Exchanges, KEPT};
-use super::sampling::{Sampler, StatusSampling};
+use super::track::Track;
 use crate::{COMMAND_PORT, Config, Disconnect, Error, STATUS_PORT, address};
 
 /// What a connection tells its recorder; nothing where there is none.
@@ -20,10 +19,7 @@ pub(crate) struct Tap(Option<Arc<Connection>>);
 /// A connection that is recorded.
 #[derive(Debug)]
 struct Connection {
-    recorder: Recorder,
-    port: Port,
-    number: u32,
-    sampling: StatusSampling,
+    track: Track,
     state: Mutex<State>,
 }
 
@@ -32,7 +28,6 @@ struct State {
     is_open: bool,
     /// When the bytes came that were read last.
     arrived: Duration,
-    sampler: Sampler,
     last: VecDeque<Arc<Entry>>,
 }
 
@@ -55,8 +50,7 @@ pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Tcp
 impl Tap {
     fn new(port: Port, config: &Config) -> Self {
         Self(config.recorder.as_ref().map(|recorder| {
-            let (recorder, number) = (recorder.clone(), recorder.next_connection());
-            Arc::new(Connection { recorder, port, number, sampling: config.status_sampling, state: Mutex::default() })
+            Arc::new(Connection { track: recorder.track(port, config.status_sampling), state: Mutex::default() })
         }))
     }
 
@@ -64,20 +58,20 @@ impl Tap {
         let Some(connection) = &self.0 else { return };
         connection.lock().is_open = true;
         let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();
-        connection.record(Event::Connected { address });
+        connection.track.record(Event::Connected { address });
     }
 
     /// A request goes out.
     pub(crate) fn sent(&self, text: &str) {
         if let Some(connection) = &self.0 {
-            connection.message(connection.recorder.now(), Event::Sent(Message::new(text)));
+            connection.message(connection.track.now(), Event::Sent(Message::new(text)));
         }
     }
 
     /// Bytes have come, in which there may be messages.
     pub(crate) fn arrived(&self) {
         if let Some(connection) = &self.0 {
-            connection.lock().arrived = connection.recorder.now();
+            connection.lock().arrived = connection.track.now();
         }
     }
 
@@ -92,15 +86,10 @@ impl Tap {
     /// A status packet was found in the bytes that came.
     pub(crate) fn packet(&self, packet: &[u8]) {
         let Some(connection) = &self.0 else { return };
-        let mut state = connection.lock();
-        let time = state.arrived;
-        let takes = state.sampler.takes(connection.sampling, time);
-        drop(state);
-        let entry = connection.entry(time, Event::Received(Message::new(packet)));
+        let time = connection.lock().arrived;
+        let entry = connection.track.entry(time, Event::Received(Message::new(packet)));
         connection.keep(&entry);
-        if takes {
-            connection.recorder.record(&entry);
-        }
+        connection.track.push_packet(&entry);
     }
 
     /// Bytes that are no message, or come after what nobody will read.
@@ -134,7 +123,7 @@ impl Tap {
     fn closed(&self, by: Ending, why: impl FnOnce() -> String) {
         let Some(connection) = &self.0 else { return };
         if std::mem::take(&mut connection.lock().is_open) {
-            connection.record(Event::Closed { by, why: why() });
+            connection.track.record(Event::Closed { by, why: why() });
         }
     }
 
@@ -142,7 +131,7 @@ impl Tap {
     pub(crate) fn attach(&self, mut error: Error) -> Error {
         let Some(connection) = &self.0 else { return error };
         if !error.is_refused() && !error.is_disconnected() {
-            connection.record(Event::Error { text: with_source(&error) });
+            connection.track.record(Event::Error { text: with_source(&error) });
         }
         if let Some(exchanges) = error.exchanges_mut() {
             *exchanges = connection.exchanges();
@@ -157,18 +146,10 @@ impl Connection {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {
-        Arc::new(Entry::new(time, self.port, self.number, event))
-    }
-
-    fn record(&self, event: Event) {
-        self.recorder.record(&self.entry(self.recorder.now(), event));
-    }
-
     fn message(&self, time: Duration, event: Event) {
-        let entry = self.entry(time, event);
+        let entry = self.track.entry(time, event);
         self.keep(&entry);
-        self.recorder.record(&entry);
+        self.track.push(&entry);
     }
 
     /// Keeps a message for errors.

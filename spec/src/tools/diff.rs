@@ -10,7 +10,7 @@ mod field;
 mod rust;
 mod types;
 
-use collect::{Differ, Pair, pairs};
+use collect::{ADDED, Differ, Pair, REMOVED, pairs};
 
 /// What a change means for programs that use the generated Rust interface, in the terms of semantic versioning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -102,6 +102,21 @@ pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
 /// The gravest impact among the changes; nothing if there are none.
 pub fn impact(changes: &[Change]) -> Option<Impact> {
     changes.iter().map(|change| change.impact).max()
+}
+
+/// How many changes there are and the gravest impact, such as `3 additions, 1 change, minor`; `no differences` if there are none.
+pub fn summary(changes: &[Change]) -> String {
+    let Some(impact) = impact(changes) else { return "no differences".to_owned() };
+    let count = |what: &str| changes.iter().filter(|change| change.what == what).count();
+    let (added, removed) = (count(ADDED), count(REMOVED));
+    let counts = [(added, "addition"), (removed, "removal"), (changes.len() - added - removed, "change")];
+    let counts = counts.iter().filter(|(count, _)| *count > 0);
+    let parts: Vec<_> = counts.map(|(count, noun)| format!("{count} {noun}{}", plural(*count))).collect();
+    format!("{}, {impact}", parts.join(", "))
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
 }
 
 /// Something of a topic, and the topic.

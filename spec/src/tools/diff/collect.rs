@@ -6,6 +6,11 @@ use super::rust;
 use super::{Change, Impact};
 use crate::Spec;
 
+/// What is said of an item that only the new spec has.
+pub(super) const ADDED: &str = "added";
+/// What is said of an item that only the old spec has.
+pub(super) const REMOVED: &str = "removed";
+
 /// The two specs, and the changes noted so far.
 pub(super) struct Differ<'s> {
     pub(super) old: &'s Spec,
@@ -25,8 +30,8 @@ impl<'s> Differ<'s> {
     /// Both items, or nothing after a note that there is only one. A removal is always major.
     pub(super) fn both<'i, T>(&mut self, place: &str, pair: &Pair<'i, T>, added: Impact) -> Option<(&'i T, &'i T)> {
         match pair {
-            Pair::Removed(_) => self.note(place, "removed", Impact::Major),
-            Pair::Added(_) => self.note(place, "added", added),
+            Pair::Removed(_) => self.note(place, REMOVED, Impact::Major),
+            Pair::Added(_) => self.note(place, ADDED, added),
             Pair::Both(old, new) => return Some((old, new)),
         }
         None

@@ -1,0 +1,130 @@
+//! `jaka record`: a robot's session in a file.
+
+use std::net::IpAddr;
+use std::path::PathBuf;
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+use std::time::Duration;
+
+use clap::{ArgGroup, Args};
+use jaka_sync::recording::Port;
+use jaka_sync::{Error, RecorderReport, StatusSampling, StatusStream};
+
+use crate::failure::Failure;
+use crate::interrupt::on_interrupt;
+use crate::proxy::Gate;
+use crate::record::Tape;
+use crate::seconds::some_seconds;
+use crate::target::{PlaceArgs, Target};
+use crate::{listen, output};
+
+/// Record a session to a new file, until it is interrupted.
+///
+/// Either what any program and the robot say to each other, by standing between them (--listen): the program connects to
+/// this one as if it were the robot. Or the robot's status packets alone (--status-only), which disturbs no other program.
+///
+/// `jaka replay` shows the file, and answers from it in place of the robot.
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("source").required(true).args(["listen", "status_only"]))]
+pub(crate) struct Record {
+    /// The file, which must not exist
+    file: PathBuf,
+    /// Stand between programs and the robot, and listen for them at this address, such as 127.0.0.1
+    ///
+    /// Bytes are passed on unchanged and at once, in both directions. Anyone who can reach the address can move the robot.
+    #[arg(long, value_name = "ADDRESS")]
+    listen: Option<IpAddr>,
+    /// Port at which programs find the robot's command port, 0 for a free one
+    #[arg(long, value_name = "PORT", default_value_t = jaka_sync::COMMAND_PORT, requires = "listen")]
+    listen_commands: u16,
+    /// Port at which programs find the robot's status port, 0 for a free one
+    #[arg(long, value_name = "PORT", default_value_t = jaka_sync::STATUS_PORT, requires = "listen")]
+    listen_status: u16,
+    /// Record the robot's status packets
+    #[arg(long)]
+    status_only: bool,
+    /// Record no more than one status packet in so many seconds, of each connection; all pass
+    #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
+    status_every: Option<Duration>,
+    /// End after so many status packets, recorded or not
+    #[arg(long, short = 'n', value_name = "N", requires = "status_only")]
+    count: Option<u64>,
+    /// End after so long
+    #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
+    seconds: Option<Duration>,
+    #[command(flatten)]
+    robot: PlaceArgs,
+}
+
+impl Record {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let target = self.robot.target(&[])?;
+        let tape = Tape::create(&self.file)?;
+        let (sender, ended) = mpsc::channel();
+        let interrupted = sender.clone();
+        on_interrupt(move || drop(interrupted.send(Ok(()))))?;
+        let target = match self.listen {
+            Some(address) => self.stand_between(address, target, &tape)?,
+            None => self.read_packets(target, &tape, sender)?,
+        };
+        let result = self.wait(&ended);
+        drop(target);
+        self.tell(tape.finish()?)?;
+        result
+    }
+
+    /// Serves programs from now on.
+    fn stand_between(&self, address: IpAddr, target: Target, tape: &Tape) -> Result<Target, Failure> {
+        let open = |port, own_port| {
+            let (robot, timeout) = target.address(port);
+            let (robot, recorder, sampling) = (robot.to_owned(), tape.recorder(), self.sampling());
+            let opened = Gate { port, robot, timeout, recorder, sampling }.open(address, own_port);
+            opened.map_err(|error| Failure::local(format!("cannot listen at {address}, port {own_port}"), error))
+        };
+        listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)?;
+        Ok(target)
+    }
+
+    /// Reads status packets from now on, and tells when there have been enough, or there are no more.
+    fn read_packets(&self, target: Target, tape: &Tape, ended: Sender<Result<(), Failure>>) -> Result<Target, Failure> {
+        let target = target.recorded(tape.recorder(), self.sampling());
+        let mut stream = target.status_stream()?;
+        let count = self.count.unwrap_or(u64::MAX);
+        thread::spawn(move || {
+            let result = read(&mut stream, count);
+            // Its end is recorded, too.
+            drop(stream);
+            ended.send(result)
+        });
+        Ok(target)
+    }
+
+    fn sampling(&self) -> StatusSampling {
+        self.status_every.map_or(StatusSampling::All, StatusSampling::AtMostEach)
+    }
+
+    fn wait(&self, ended: &Receiver<Result<(), Failure>>) -> Result<(), Failure> {
+        match self.seconds {
+            Some(time) => ended.recv_timeout(time).unwrap_or(Ok(())),
+            None => ended.recv().unwrap_or(Ok(())),
+        }
+    }
+
+    fn tell(&self, RecorderReport { entries, dropped, .. }: RecorderReport) -> Result<(), Failure> {
+        let file = self.file.display();
+        output::line(&match dropped {
+            0 => format!("{file}: {entries} entries"),
+            _ => format!(
+                "{file}: {entries} entries; {dropped} were dropped, since the file could not be written as fast"
+            ),
+        })
+    }
+}
+
+/// Reads so many packets, also such as do not fit the spec.
+fn read(stream: &mut StatusStream, count: u64) -> Result<(), Failure> {
+    (0..count).try_for_each(|_| match stream.next_packet() {
+        Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(()),
+        Err(error) => Err(error.into()),
+    })
+}

@@ -1,0 +1,116 @@
+//! `jaka replay`: a recording in place of a robot, or as text.
+
+mod filter;
+mod show;
+mod summary;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use clap::{Args, ValueEnum};
+use jaka_sim::{Controller, Replay as Mode, ReplayTiming};
+use jaka_sync::recording::Recording;
+
+use self::filter::FilterArgs;
+use crate::failure::Failure;
+use crate::interrupt::on_interrupt;
+use crate::listen::ListenArgs;
+use crate::output;
+
+/// How often Ctrl-C is looked for.
+const TICK: Duration = Duration::from_millis(100);
+
+/// Serve a recording in place of a robot until it is interrupted, or show it.
+///
+/// Says what clients do otherwise than the recorded ones, and then ends with exit code 7.
+#[derive(Debug, Args)]
+pub(crate) struct Replay {
+    /// The recording
+    file: PathBuf,
+    /// Which requests get which replies
+    #[arg(long, value_enum, default_value_t)]
+    mode: ModeName,
+    /// When replies and status packets are sent
+    #[arg(long, value_enum, default_value_t)]
+    timing: TimingName,
+    #[command(flatten)]
+    listen: ListenArgs,
+    /// Print the recording, with a summary, and serve nothing
+    #[arg(long, conflicts_with_all = ["mode", "timing", "address", "commands", "status"])]
+    show: bool,
+    #[command(flatten)]
+    filter: FilterArgs,
+}
+
+/// Which requests get which replies.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum ModeName {
+    /// The session is played message by message; another request than the recorded one ends the connection
+    #[default]
+    Strict,
+    /// Each request gets the reply to an equal one of the recording, in any order
+    Matching,
+}
+
+/// When replies and status packets are sent.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum TimingName {
+    /// As long after the request as then
+    #[default]
+    Recorded,
+    /// Replies at once, and status packets at the usual pace
+    Immediate,
+}
+
+impl Replay {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let recording = read(&self.file)?;
+        if self.show {
+            return show::print(&recording, &self.filter.filter(&recording));
+        }
+        let ended = Arc::new(AtomicBool::new(false));
+        let end = Arc::clone(&ended);
+        on_interrupt(move || end.store(true, Ordering::Relaxed))?;
+        let mode = match self.mode {
+            ModeName::Strict => Mode::Strict,
+            ModeName::Matching => Mode::Matching,
+        };
+        let timing = match self.timing {
+            TimingName::Recorded => ReplayTiming::Recorded,
+            TimingName::Immediate => ReplayTiming::Immediate,
+        };
+        let builder = Controller::builder().replay(recording, mode).replay_timing(timing);
+        match report(&self.listen.start(builder)?, &ended)? {
+            0 => Ok(()),
+            1 => Err(Failure::Departs("1 deviation from the recording".to_owned())),
+            count => Err(Failure::Departs(format!("{count} deviations from the recording"))),
+        }
+    }
+}
+
+/// Reads a recording. One whose last line is cut off, as after a crash, is used all the same.
+fn read(path: &Path) -> Result<Recording, Failure> {
+    let file = fs::read(path);
+    let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
+    let recording = Recording::read(&file).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
+    if let Some(error) = &recording.truncated {
+        eprintln!("jaka: warning: {}: the file ends within a line: {error}", path.display());
+    }
+    Ok(recording)
+}
+
+/// Prints deviations as they come, and says in the end how many they were.
+fn report(controller: &Controller, ended: &AtomicBool) -> Result<usize, Failure> {
+    let mut told = 0;
+    while !ended.load(Ordering::Relaxed) {
+        controller.wait_for_deviations(told + 1, TICK);
+        for deviation in controller.deviations().iter().skip(told) {
+            output::line(&format!("deviation: {deviation}"))?;
+            told += 1;
+        }
+    }
+    Ok(told)
+}

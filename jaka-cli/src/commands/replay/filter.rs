@@ -1,0 +1,106 @@
+//! Which entries of a recording are shown.
+
+use std::collections::HashSet;
+use std::time::Duration;
+
+use clap::{Args, ValueEnum};
+use jaka_sync::proto::Envelope;
+use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
+
+use crate::packs;
+
+/// The options that say which entries are shown.
+#[derive(Debug, Args)]
+pub(super) struct FilterArgs {
+    /// Show the connections to this port alone
+    #[arg(long, value_enum, requires = "show")]
+    port: Option<PortName>,
+    /// Show the requests of this command alone, and their replies
+    #[arg(long, value_name = "NAME", requires = "show", conflicts_with = "port")]
+    command: Option<String>,
+}
+
+/// A port of a controller.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum PortName {
+    /// Requests and replies
+    Command,
+    /// Status packets
+    Status,
+}
+
+/// Which entries of a recording are shown.
+#[derive(Debug)]
+pub(super) enum Filter {
+    All,
+    Port(Port),
+    Command(CommandFilter),
+}
+
+/// The requests of a command and their replies.
+#[derive(Debug)]
+pub(super) struct CommandFilter {
+    name: String,
+    /// The replies, also those that do not name their command, by the time at which they came.
+    replies: HashSet<(Duration, Message)>,
+}
+
+impl FilterArgs {
+    pub(super) fn filter(&self, recording: &Recording) -> Filter {
+        match (&self.command, self.port) {
+            (Some(name), _) => Filter::Command(CommandFilter::new(name, recording)),
+            (None, Some(PortName::Command)) => Filter::Port(Port::Command),
+            (None, Some(PortName::Status)) => Filter::Port(Port::Status),
+            (None, None) => Filter::All,
+        }
+    }
+}
+
+impl Filter {
+    /// Whether an entry is shown.
+    pub(super) fn shows(&self, entry: &Entry) -> bool {
+        match self {
+            Self::All => true,
+            Self::Port(port) => entry.port == *port,
+            Self::Command(command) => entry.event.message().is_some_and(|message| command.shows(entry, message)),
+        }
+    }
+
+    /// The requests that are shown, with what came of them.
+    pub(super) fn answers(&self, recording: &Recording) -> Vec<Answered> {
+        let mut answers = recording.answers();
+        match self {
+            Self::All | Self::Port(Port::Command) => {}
+            Self::Port(Port::Status) => answers.clear(),
+            Self::Command(command) => {
+                answers.retain(|answered| name(&answered.request).as_ref() == Some(&command.name));
+            }
+        }
+        answers
+    }
+}
+
+impl CommandFilter {
+    /// The command by its `cmdName` or its name in Rust, or one that no spec knows.
+    fn new(called: &str, recording: &Recording) -> Self {
+        let known = packs::builtin().command_called(called).map(|command| command.wire.clone());
+        let command = known.unwrap_or_else(|| called.to_owned());
+        let of_it = |answered: &Answered| name(&answered.request).as_ref() == Some(&command);
+        let reply = |answered: Answered| match answered.answer {
+            Answer::Reply { reply, after } => Some((answered.sent + after, reply)),
+            _ => None,
+        };
+        let replies = recording.answers().into_iter().filter(of_it).filter_map(reply).collect();
+        Self { name: command, replies }
+    }
+
+    fn shows(&self, entry: &Entry, message: &Message) -> bool {
+        let is_named = || name(message).as_ref() == Some(&self.name);
+        entry.port == Port::Command && (is_named() || self.replies.contains(&(entry.time, message.clone())))
+    }
+}
+
+/// The command that a message names.
+pub(super) fn name(message: &Message) -> Option<String> {
+    Envelope::read(message.text()?).ok()?.command.map(|name| name.trim().to_owned())
+}

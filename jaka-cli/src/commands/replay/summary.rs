@@ -1,0 +1,122 @@
+//! A recording in a few numbers.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::time::Duration;
+
+use jaka_sync::proto::Envelope;
+use jaka_sync::recording::{Answer, Answered, Entry, Event, Message, Port, Recording};
+
+use super::filter::{Filter, name};
+
+/// How many requests are listed.
+const LISTED: usize = 5;
+
+/// What a recording has in it.
+#[derive(Debug)]
+pub(super) struct Summary {
+    requests: usize,
+    refused: usize,
+    /// The slowest first.
+    replies: Vec<Line>,
+    /// The first first.
+    unanswered: Vec<Line>,
+    packets: usize,
+    /// Between two packets of a connection, and when it ended.
+    longest_gap: Option<(Duration, Duration)>,
+    dropped: u64,
+}
+
+/// A request in a list.
+#[derive(Debug)]
+struct Line {
+    command: String,
+    sent: Duration,
+    after: Duration,
+}
+
+impl Summary {
+    /// Sums up what a filter shows.
+    pub(super) fn new(recording: &Recording, filter: &Filter) -> Self {
+        let answers = filter.answers(recording);
+        let (mut replies, mut unanswered) = (Vec::new(), Vec::new());
+        let mut refused = 0;
+        for answered in &answers {
+            if let Answer::Reply { reply, after } = &answered.answer {
+                refused += usize::from(is_refusal(reply));
+                replies.push(Line::new(answered, *after));
+            } else {
+                unanswered.push(Line::new(answered, Duration::ZERO));
+            }
+        }
+        replies.sort_by_key(|line| std::cmp::Reverse(line.after));
+        let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
+        let packets: Vec<_> = shown().filter(|entry| is_packet(entry)).collect();
+        let missing = |entry: &Entry| if let Event::Dropped { count } = entry.event { count } else { 0 };
+        Self {
+            requests: answers.len(),
+            refused,
+            replies,
+            unanswered,
+            packets: packets.len(),
+            longest_gap: longest_gap(&packets),
+            dropped: shown().map(missing).sum(),
+        }
+    }
+}
+
+impl Line {
+    fn new(answered: &Answered, after: Duration) -> Self {
+        let command = name(&answered.request).unwrap_or_else(|| "a request without a name".to_owned());
+        Self { command, sent: answered.sent, after }
+    }
+}
+
+fn is_refusal(reply: &Message) -> bool {
+    reply.text().and_then(|text| Envelope::read(text).ok()).is_some_and(|envelope| envelope.refusal().is_some())
+}
+
+fn is_packet(entry: &Entry) -> bool {
+    entry.port == Port::Status && matches!(entry.event, Event::Received(_))
+}
+
+fn longest_gap(packets: &[&Entry]) -> Option<(Duration, Duration)> {
+    let mut last = HashMap::new();
+    let gaps = packets.iter().filter_map(|entry| {
+        let before = last.insert(entry.connection, entry.time)?;
+        Some((entry.time.saturating_sub(before), entry.time))
+    });
+    gaps.max_by_key(|(gap, _)| *gap)
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { requests, refused, replies, unanswered, packets, .. } = self;
+        let done = replies.len() - refused;
+        write!(f, "{requests} requests: {done} carried out, {refused} refused, {} without reply", unanswered.len())?;
+        list(f, "slowest replies", replies, |line| {
+            format!("{:12.6}  {} after {:.6} s", line.sent.as_secs_f64(), line.command, line.after.as_secs_f64())
+        })?;
+        list(f, "without reply", unanswered, |line| format!("{:12.6}  {}", line.sent.as_secs_f64(), line.command))?;
+        write!(f, "\n{packets} status packets")?;
+        if let Some((gap, at)) = self.longest_gap {
+            write!(f, ", the longest gap {:.6} s before {:.6}", gap.as_secs_f64(), at.as_secs_f64())?;
+        }
+        match self.dropped {
+            0 => Ok(()),
+            dropped => write!(f, "\n{dropped} entries are missing, since the file could not be written as fast"),
+        }
+    }
+}
+
+/// Writes the first of some requests, if there are any.
+fn list(f: &mut fmt::Formatter<'_>, title: &str, lines: &[Line], text: impl Fn(&Line) -> String) -> fmt::Result {
+    if !lines.is_empty() {
+        write!(f, "\n{title}:")?;
+    }
+    lines.iter().take(LISTED).try_for_each(|line| write!(f, "\n{}", text(line)))?;
+    match lines.len().saturating_sub(LISTED) {
+        0 => Ok(()),
+        more => write!(f, "\n{:12}  and {more} more", ""),
+    }
+}

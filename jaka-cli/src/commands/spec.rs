@@ -1,0 +1,40 @@
+//! `jaka spec`: checks, comparisons and documents made from a spec.
+
+mod check;
+mod diff;
+mod document;
+mod files;
+
+use clap::{Args, Subcommand};
+
+use crate::failure::Failure;
+
+/// Check specs and packs, compare them, and make documents from them.
+///
+/// Talks to no robot.
+#[derive(Debug, Args)]
+pub(crate) struct Spec {
+    #[command(subcommand)]
+    command: SpecCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum SpecCommand {
+    Check(check::Check),
+    Diff(diff::Diff),
+    /// Write the protocol's reference, in Markdown
+    Doc(document::Document),
+    /// Write the JSON Schema of all messages
+    Schema(document::Document),
+}
+
+impl Spec {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        match self.command {
+            SpecCommand::Check(command) => command.run(),
+            SpecCommand::Diff(command) => command.run(),
+            SpecCommand::Doc(command) => command.run(jaka_spec::tools::reference),
+            SpecCommand::Schema(command) => command.run(document::schema),
+        }
+    }
+}

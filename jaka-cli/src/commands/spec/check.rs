@@ -1,0 +1,116 @@
+//! `jaka spec check`: everything that is wrong with packs and specs.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use jaka_spec::{Command, Error, Source, Spec, tools};
+
+use super::files::Files;
+use crate::failure::Failure;
+use crate::{output, packs};
+
+/// Check packs, or a whole spec, and say what they add and change.
+///
+/// Prints all errors at file, line and column. Examples are held against the fields of their commands. Each pack is
+/// checked on top of the spec and the packs before it.
+#[derive(Debug, Args)]
+pub(super) struct Check {
+    /// The packs, in order
+    #[arg(value_name = "FILE", required_unless_present = "spec")]
+    packs: Vec<PathBuf>,
+    /// A folder of TOML files that is the whole spec, instead of the built-in one
+    #[arg(long, value_name = "FOLDER")]
+    spec: Option<PathBuf>,
+}
+
+impl Check {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let mut findings = Findings::default();
+        let mut spec = match &self.spec {
+            Some(folder) => whole(folder, &mut findings)?,
+            None => packs::builtin(),
+        };
+        for path in &self.packs {
+            if let Some(with_pack) = pack(&spec, path, &mut findings)? {
+                spec = with_pack;
+            }
+        }
+        match findings.errors {
+            0 => Ok(()),
+            1 => Err(Failure::Usage("there is 1 error".to_owned())),
+            errors => Err(Failure::Usage(format!("there are {errors} errors"))),
+        }
+    }
+}
+
+/// What was found, which is printed at once.
+#[derive(Debug, Default)]
+struct Findings {
+    errors: usize,
+}
+
+impl Findings {
+    fn errors<'e>(&mut self, errors: impl IntoIterator<Item = &'e Error>) -> Result<(), Failure> {
+        errors.into_iter().try_for_each(|error| {
+            self.errors += 1;
+            output::line(&error.to_string())
+        })
+    }
+
+    /// Holds the examples of the commands of a file against their fields.
+    fn examples(&mut self, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
+        let mut misfits = commands.iter().flat_map(|command| tools::misfits(spec, command));
+        misfits.try_for_each(|misfit| {
+            let error = error(&misfit, source);
+            if misfit.is_lenient { note(&error) } else { self.errors([&error]) }
+        })
+    }
+}
+
+/// Prints what is no error.
+fn note(Error { path, line, column, message }: &Error) -> Result<(), Failure> {
+    output::line(&format!("{path}:{line}:{column}: note: {message}"))
+}
+
+/// A misfit at the place of its example.
+fn error(misfit: &tools::Misfit, source: Source<'_>) -> Error {
+    // Its text stands there as it is where it needs no escapes, as between single quotes.
+    let place = source.text.find(&misfit.message).or_else(|| source.text.find(&misfit.command));
+    source.error(place.unwrap_or_default(), misfit.to_string())
+}
+
+/// Checks a folder that is a whole spec; without its spec, packs could not be checked.
+fn whole(folder: &Path, findings: &mut Findings) -> Result<Spec, Failure> {
+    let files = Files::read(folder)?;
+    let sources = files.sources();
+    let spec = match jaka_spec::load(&sources) {
+        Ok(spec) => spec,
+        Err(errors) => {
+            findings.errors(&errors)?;
+            return Err(Failure::Usage(format!("the spec in {} has errors", folder.display())));
+        }
+    };
+    for (topic, source) in spec.topics.iter().zip(sources) {
+        findings.examples(&spec, &topic.commands, source)?;
+    }
+    let (commands, types, codes) = (spec.commands().count(), spec.types().count(), spec.errors().count());
+    output::line(&format!("{}: {commands} commands, {types} types, {codes} error codes", folder.display()))?;
+    Ok(spec)
+}
+
+/// Checks a pack on top of a spec, and gives the spec with it if it can be loaded.
+fn pack(spec: &Spec, path: &Path, findings: &mut Findings) -> Result<Option<Spec>, Failure> {
+    let name = path.display().to_string();
+    let source = Source { path: &name, text: &packs::read(path)? };
+    let pack = match jaka_spec::load_pack(spec, source) {
+        Ok(pack) => pack,
+        Err(errors) => return findings.errors(&errors).map(|()| None),
+    };
+    pack.notes.iter().try_for_each(note)?;
+    let added = pack.spec.topics.last().map_or(&[][..], |topic| &topic.commands);
+    findings.examples(&pack.spec, added, source)?;
+    let changes = tools::diff(spec, &pack.spec);
+    output::line(&format!("{name}: {}", tools::summary(&changes)))?;
+    changes.iter().try_for_each(|change| output::line(&format!("  {change}")))?;
+    Ok(Some(pack.spec))
+}

@@ -1,0 +1,34 @@
+//! `jaka spec doc` and `jaka spec schema`: documents made from the spec.
+
+use std::fs;
+use std::path::PathBuf;
+
+use clap::Args;
+use jaka_spec::{Spec, tools};
+
+use crate::failure::Failure;
+use crate::output;
+use crate::packs::SpecArgs;
+
+#[derive(Debug, Args)]
+pub(super) struct Document {
+    /// Write to this file instead of standard output
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    spec: SpecArgs,
+}
+
+impl Document {
+    /// Writes what `make` makes of the built-in spec with its packs.
+    pub(super) fn run(&self, make: impl Fn(&Spec) -> String) -> Result<(), Failure> {
+        let text = make(&self.spec.load(None)?.spec);
+        let Some(path) = &self.output else { return output::write(text.as_bytes()) };
+        fs::write(path, text).map_err(|error| Failure::local(format!("cannot write {}", path.display()), error))
+    }
+}
+
+/// The JSON Schema as text.
+pub(super) fn schema(spec: &Spec) -> String {
+    format!("{:#}\n", tools::schema(spec))
+}

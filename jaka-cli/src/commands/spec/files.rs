@@ -1,0 +1,60 @@
+//! Specs as files: a folder of TOML files, or a pack on the built-in spec.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use jaka_spec::{BUILTIN, Source, Spec};
+
+use crate::failure::Failure;
+use crate::packs;
+
+/// What stands for the built-in spec on a command line.
+const BUILTIN_NAME: &str = "builtin";
+
+/// The TOML files of a folder, each with its path and text.
+#[derive(Debug)]
+pub(super) struct Files(Vec<(String, String)>);
+
+impl Files {
+    /// Reads a folder's files: those that the built-in spec has in its order, then the others by name.
+    ///
+    /// A `Cargo.toml` is none of the spec's: its crate's folder has one.
+    pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
+        let listed = fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        let listed = listed.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", folder.display())))?;
+        let mut paths: Vec<_> = listed.iter().map(fs::DirEntry::path).filter(|path| is_topic(path)).collect();
+        if paths.is_empty() {
+            return Err(Failure::Usage(format!("the folder {} has no TOML files", folder.display())));
+        }
+        paths.sort_by_cached_key(|path| (place(path), path.clone()));
+        let file = |path: PathBuf| Ok((path.display().to_string(), packs::read(&path)?));
+        paths.into_iter().map(file).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// The files, in the order of the spec's topics.
+    pub(super) fn sources(&self) -> Vec<Source<'_>> {
+        self.0.iter().map(|(path, text)| Source { path, text }).collect()
+    }
+}
+
+fn is_topic(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "toml") && !path.ends_with("Cargo.toml")
+}
+
+/// The place of the file of this name in the built-in spec; the greatest number if it has none.
+fn place(path: &Path) -> usize {
+    let is_same = |source: &Source<'_>| Path::new(source.path).file_name() == path.file_name();
+    BUILTIN.iter().position(is_same).unwrap_or(usize::MAX)
+}
+
+/// The spec that a word of the command line stands for: `builtin`, a folder, or a pack on the built-in spec.
+pub(super) fn spec(word: &Path) -> Result<Spec, Failure> {
+    if word == Path::new(BUILTIN_NAME) {
+        return Ok(packs::builtin());
+    }
+    if !word.is_dir() {
+        return packs::add(&packs::builtin(), word);
+    }
+    jaka_spec::load(&Files::read(word)?.sources())
+        .map_err(|errors| Failure::Usage(format!("the spec in {} has errors:\n{errors}", word.display())))
+}

@@ -1,0 +1,104 @@
+//! A proxy between clients and a robot, which records what passes.
+
+mod frames;
+mod pipe;
+
+use std::io::{self, Write, stderr};
+use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+use jaka_sync::recording::{Event, Port};
+use jaka_sync::{Recorder, StatusSampling};
+use socket2::{SockRef, TcpKeepalive};
+
+use self::pipe::Pipe;
+
+/// How long to wait after a connection that could not be taken, for want of descriptors perhaps.
+const REST: Duration = Duration::from_millis(20);
+
+/// A connection on which nothing comes for so long is asked whether it is still there, as the SDK's own is.
+const IDLE: Duration = Duration::from_secs(5);
+
+/// One port of a proxy, and the robot's port behind it.
+#[derive(Debug)]
+pub(crate) struct Gate {
+    /// Which of the robot's ports.
+    pub(crate) port: Port,
+    /// Its address, such as `10.5.5.100:10001`.
+    pub(crate) robot: String,
+    /// How long connecting to it may take.
+    pub(crate) timeout: Duration,
+    /// Where all that passes is recorded.
+    pub(crate) recorder: Recorder,
+    /// Which status packets are.
+    pub(crate) sampling: StatusSampling,
+}
+
+impl Gate {
+    /// Opens it at an address and port, 0 for a free one, for as long as the program runs.
+    ///
+    /// Each client gets a connection of its own to the robot.
+    pub(crate) fn open(self, address: IpAddr, port: u16) -> io::Result<SocketAddr> {
+        let listener = TcpListener::bind((address, port))?;
+        let address = listener.local_addr()?;
+        thread::Builder::new().spawn(move || Arc::new(self).serve(&listener))?;
+        Ok(address)
+    }
+
+    fn serve(self: Arc<Self>, listener: &TcpListener) {
+        loop {
+            let guest = listener.accept().and_then(|(guest, _)| {
+                let gate = Arc::clone(&self);
+                thread::Builder::new().spawn(move || gate.attend(&guest))
+            });
+            if let Err(error) = guest {
+                warn(&format!("a client of the {} port is lost: {error}", self.port.word()));
+                thread::sleep(REST);
+            }
+        }
+    }
+
+    /// Serves a client to the end of its connection.
+    fn attend(&self, client: &TcpStream) {
+        let track = self.recorder.track(self.port, self.sampling);
+        let robot = set_options(client).and_then(|()| self.connect());
+        match robot {
+            Ok(robot) => {
+                let address = robot.peer_addr().map_or_else(|_| self.robot.clone(), |address| address.to_string());
+                track.record(Event::Connected { address });
+                Pipe { client, robot: &robot, port: self.port, track: &track }.run();
+            }
+            Err(error) => {
+                let text = format!("cannot connect to {}: {error}", self.robot);
+                warn(&text);
+                track.record(Event::Error { text });
+            }
+        }
+    }
+
+    fn connect(&self) -> io::Result<TcpStream> {
+        let mut result = Err(io::Error::new(io::ErrorKind::NotFound, "the name stands for no address"));
+        for address in self.robot.to_socket_addrs()? {
+            result = TcpStream::connect_timeout(&address, self.timeout);
+            if result.is_ok() {
+                break;
+            }
+        }
+        let stream = result?;
+        set_options(&stream)?;
+        Ok(stream)
+    }
+}
+
+/// Has bytes sent at once, and notices if the other side is no longer there.
+fn set_options(stream: &TcpStream) -> io::Result<()> {
+    stream.set_nodelay(true)?;
+    SockRef::from(stream).set_tcp_keepalive(&TcpKeepalive::new().with_time(IDLE).with_interval(IDLE / 3))
+}
+
+fn warn(text: &str) {
+    // Nobody may be reading.
+    writeln!(stderr(), "jaka: warning: {text}").ok();
+}

@@ -1,0 +1,96 @@
+//! The messages in a byte stream, for the recording.
+
+use jaka_sync::proto::framing::{FrameError, Framer};
+
+/// Cuts a byte stream into messages and what is none, and loses nothing but white space between messages.
+#[derive(Debug, Default)]
+pub(super) struct Frames {
+    framer: Framer,
+}
+
+/// A piece of a byte stream.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Piece<'b> {
+    /// A message.
+    Message(&'b [u8]),
+    /// Bytes that are none.
+    Stray(&'b [u8]),
+}
+
+impl Frames {
+    /// Takes bytes that came, and tells of each piece that is complete with them.
+    pub(super) fn take(&mut self, bytes: &[u8], mut tell: impl FnMut(Piece<'_>)) {
+        self.framer.push(bytes);
+        loop {
+            match self.framer.next_frame() {
+                Ok(Some(frame)) => tell(Piece::Message(frame)),
+                Ok(None) => return,
+                Err(error) => self.skip(&error, &mut tell),
+            }
+        }
+    }
+
+    /// Tells of what came last, if the stream ends within a message.
+    pub(super) fn finish(self, mut tell: impl FnMut(Piece<'_>)) {
+        if !self.framer.is_idle() {
+            tell(Piece::Stray(self.framer.partial()));
+        }
+    }
+
+    /// Goes on behind what is no message: at the next brace, or with the next bytes that come.
+    fn skip(&mut self, error: &FrameError, tell: &mut impl FnMut(Piece<'_>)) {
+        let waiting = self.framer.partial().to_vec();
+        let next = match error {
+            FrameError::Garbage { .. } => waiting.iter().position(|&byte| byte == b'{'),
+            // The braces within it begin no messages.
+            _ => None,
+        };
+        let (stray, rest) = waiting.split_at(next.unwrap_or(waiting.len()));
+        tell(Piece::Stray(stray));
+        self.framer = Framer::default();
+        self.framer.push(rest);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use jaka_sync::proto::framing::DEFAULT_MAX_FRAME;
+
+    use super::*;
+
+    /// The pieces of a stream that is cut at these places, messages between angle brackets.
+    fn pieces(stream: &[u8], cuts: &[usize]) -> String {
+        let mut out = String::new();
+        let mut note = |piece: Piece<'_>| match piece {
+            Piece::Message(bytes) => out += &format!("<{}>", String::from_utf8_lossy(bytes)),
+            Piece::Stray(bytes) => out += &String::from_utf8_lossy(bytes),
+        };
+        let mut frames = Frames::default();
+        let mut start = 0;
+        for &cut in cuts {
+            frames.take(&stream[start..cut], &mut note);
+            start = cut;
+        }
+        frames.take(&stream[start..], &mut note);
+        frames.finish(&mut note);
+        out
+    }
+
+    #[test]
+    fn messages_are_found_however_the_stream_is_cut() {
+        let stream = br#"{"a":"}"} {"b":{}}(1,(2))"#;
+        for cut in 0..=stream.len() {
+            assert_eq!(pieces(stream, &[cut]), r#"<{"a":"}"}><{"b":{}}><(1,(2))>"#, "{cut}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_message_is_kept() {
+        assert_eq!(pieces(b"x y{}z", &[]), "x y<{}>z");
+        assert_eq!(pieces(b"xx{}", &[1]), "xx<{}>");
+        assert_eq!(pieces(b"{}{\"cut", &[]), "<{}>{\"cut");
+        assert_eq!(pieces(b"{} \n", &[]), "<{}>");
+        let long = vec![b'{'; DEFAULT_MAX_FRAME + 1];
+        assert_eq!(pieces(&[&long, &b"{}"[..]].concat(), &[long.len()]).len(), long.len() + 4);
+    }
+}

@@ -1,0 +1,119 @@
+//! One client's connection to the robot.
+
+use std::io::{ErrorKind, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use jaka_sync::Track;
+use jaka_sync::recording::{Ending, Event, Message, Port};
+use socket2::SockRef;
+
+use super::frames::{Frames, Piece};
+
+/// How many bytes are passed on at once.
+const ROOM: usize = 16 << 10;
+
+/// Passes the bytes of both directions on, unchanged, each side's end included.
+///
+/// They are recorded before they are passed on, so that the recording has each message before what it causes. Recording waits
+/// for no file.
+#[derive(Debug)]
+pub(super) struct Pipe<'p> {
+    pub(super) client: &'p TcpStream,
+    pub(super) robot: &'p TcpStream,
+    pub(super) port: Port,
+    pub(super) track: &'p Track,
+}
+
+/// How a direction ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    /// The sender has sent all.
+    Eof,
+    /// The connection of the sender was lost.
+    SenderLost,
+    /// The connection of the receiver was lost.
+    ReceiverLost,
+}
+
+impl Pipe<'_> {
+    /// Returns when both directions have ended.
+    pub(super) fn run(&self) {
+        let client_left = AtomicBool::new(false);
+        thread::scope(|scope| {
+            let requests = || {
+                let end = pass(self.client, self.robot, |message| self.sent(message));
+                // How the robot's connection was lost, the other direction tells.
+                if end != End::ReceiverLost {
+                    client_left.store(true, Ordering::Release);
+                }
+                hand_on(end, self.client, self.robot);
+            };
+            if thread::Builder::new().spawn_scoped(scope, requests).is_err() {
+                return;
+            }
+            let end = pass(self.robot, self.client, |message| self.received(message));
+            self.closed(end, client_left.load(Ordering::Acquire));
+            hand_on(end, self.robot, self.client);
+        });
+    }
+
+    fn sent(&self, piece: Piece<'_>) {
+        let (Piece::Message(bytes) | Piece::Stray(bytes)) = piece;
+        self.track.record(Event::Sent(Message::new(bytes)));
+    }
+
+    fn received(&self, piece: Piece<'_>) {
+        match piece {
+            Piece::Message(bytes) if self.port == Port::Status => self.track.record_packet(Message::new(bytes)),
+            Piece::Message(bytes) | Piece::Stray(bytes) => self.track.record(Event::Received(Message::new(bytes))),
+        }
+    }
+
+    fn closed(&self, end: End, client_left: bool) {
+        let (by, why) = match end {
+            _ if client_left => (Ending::Client, "the client has closed it"),
+            End::ReceiverLost => (Ending::Client, "the client's connection was lost"),
+            End::Eof => (Ending::Controller, "the controller has closed it"),
+            End::SenderLost => (Ending::Failure, "the controller's connection was lost"),
+        };
+        self.track.record(Event::Closed { by, why: why.to_owned() });
+    }
+}
+
+/// Passes the bytes of a direction on, to its end.
+fn pass(mut from: &TcpStream, mut to: &TcpStream, record: impl Fn(Piece<'_>)) -> End {
+    let (mut frames, mut room) = (Frames::default(), vec![0; ROOM]);
+    let end = loop {
+        let bytes = match from.read(&mut room) {
+            Ok(0) => break End::Eof,
+            Ok(n) => &room[..n],
+            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+            Err(_) => break End::SenderLost,
+        };
+        frames.take(bytes, &record);
+        if to.write_all(bytes).is_err() {
+            break End::ReceiverLost;
+        }
+    };
+    frames.finish(record);
+    end
+}
+
+/// Has the other side see that a direction has ended, and how.
+fn hand_on(end: End, sender: &TcpStream, receiver: &TcpStream) {
+    // Errors say that a connection has ended already.
+    match end {
+        End::Eof => drop(receiver.shutdown(Shutdown::Write)),
+        End::SenderLost => reset(receiver),
+        End::ReceiverLost => reset(sender),
+    }
+}
+
+/// Has a connection reset when it is dropped, and wakes who reads from it.
+fn reset(stream: &TcpStream) {
+    drop(SockRef::from(stream).set_linger(Some(Duration::ZERO)));
+    drop(stream.shutdown(Shutdown::Read));
+}

@@ -1,0 +1,208 @@
+//! `jaka spec`, as its users run it.
+
+mod common;
+mod program;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use expect_test::expect;
+use serde_json::Value;
+
+use self::program::{jaka, pack, scratch};
+
+/// A file of this text, for one test.
+fn file(name: &str, text: &str) -> String {
+    let path = scratch(name);
+    fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+/// A folder with the built-in spec's files, and a pack of the workspace's tests as one more.
+fn folder_with(name: &str, pack_name: &str) -> String {
+    let folder = scratch(name);
+    fs::create_dir_all(&folder).unwrap();
+    for source in jaka_spec::BUILTIN {
+        fs::write(folder.join(Path::new(source.path).file_name().unwrap()), source.text).unwrap();
+    }
+    fs::copy(pack(pack_name), folder.join(pack_name)).unwrap();
+    folder.display().to_string()
+}
+
+/// What a run gave, with the paths of scratch files and of the tests' packs shortened.
+fn text(arguments: &[&str]) -> String {
+    let folder_of = |path: PathBuf| format!("{}/", path.parent().unwrap().display());
+    let text = jaka([&["spec"], arguments].concat()).text();
+    text.replace(&folder_of(scratch("x")), "").replace(&folder_of(pack("x").into()), "")
+}
+
+#[test]
+fn a_topic_more_and_a_pack_are_the_same_additions() {
+    let folder = folder_with("newer_spec", "newer.toml");
+    let three = expect![[r#"
+        minor: command `emergency_stop_status`: added
+        minor: command `get_motion_state`: added
+        minor: command `set_port10000_delay_ms`: added
+        3 additions, minor
+        exit code 0
+    "#]];
+    three.assert_eq(&text(&["diff", "builtin", &folder]));
+    three.assert_eq(&text(&["diff", "builtin", &pack("newer.toml")]));
+    three.assert_eq(&text(&["diff", "builtin", "builtin", "--pack", &pack("newer.toml")]));
+    expect![[r#"
+        no differences
+        exit code 0
+    "#]]
+    .assert_eq(&text(&["diff", &folder, &pack("newer.toml")]));
+}
+
+#[test]
+fn the_exit_code_tells_the_gravest_change() {
+    let [newer, changed] = ["newer.toml", "changed.toml"].map(pack);
+    let doc = file("doc.toml", "title = 'T'\n[[override]]\ntarget = 'power_on'\ndoc = 'Powers.'\n");
+    let code = |arguments: &[&str]| jaka([&["spec", "diff", "--exit-code"], arguments].concat()).code;
+    assert_eq!(code(&["builtin", "builtin"]), Some(0));
+    assert_eq!(code(&["builtin", &doc]), Some(10));
+    assert_eq!(code(&["builtin", &newer]), Some(11));
+    assert_eq!(code(&["builtin", &changed]), Some(12));
+    // What is gone is major.
+    assert_eq!(code(&[&newer, "builtin"]), Some(12));
+    assert_eq!(jaka(["spec", "diff", "builtin", &changed]).code, Some(0));
+}
+
+#[test]
+fn programs_read_changes_as_json() {
+    let run = jaka(["spec", "diff", "--json", "builtin", &pack("newer.toml")]);
+    let found: Value = serde_json::from_str(&run.out).unwrap();
+    assert_eq!((&found["impact"], found["changes"].as_array().map(Vec::len)), (&"minor".into(), Some(3)));
+    let first = serde_json::json!({"impact": "minor", "place": "command `emergency_stop_status`", "what": "added"});
+    assert_eq!(found["changes"][0], first);
+    let run = jaka(["spec", "diff", "--json", "builtin", "builtin"]);
+    assert_eq!(serde_json::from_str::<Value>(&run.out).unwrap(), serde_json::json!({"impact": null, "changes": []}));
+}
+
+#[test]
+fn packs_that_are_correct_say_what_they_do() {
+    expect![[r#"
+        newer.toml: 3 additions, minor
+          minor: command `emergency_stop_status`: added
+          minor: command `get_motion_state`: added
+          minor: command `set_port10000_delay_ms`: added
+        changed.toml: 4 additions, 5 changes, major
+          major: command `joint_move`, request field `zone`: added
+          major: command `set_tio_vout_param`, request field `tio_vout_vol`: type changed from `int` to `ToolVoltage`
+          minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 1.5`
+          minor: command `set_tio_vout_param`, request field `tio_vout_vol`: range removed, was `0 to 1`
+          minor: error code `5`: added
+          minor: type `RobotStatus`, field `brake_state`: added
+          minor: type `ToolVoltage`: added
+          patch: command `set_tio_vout_param`, request field `tio_vout_vol`: doc changed
+          patch: command `set_tio_vout_param`, request field `tio_vout_vol`: disputed readings changed
+        exit code 0
+    "#]]
+    .assert_eq(&text(&["check", &pack("newer.toml"), &pack("changed.toml")]));
+}
+
+#[test]
+fn errors_of_all_packs_are_told_at_their_places() {
+    let first = file("first.toml", "title = 'T'\n[[override]]\ntarget = 'moveJ'\ndoc = 'D.'\n\n[[extend]]\n");
+    let second = file(
+        "second.toml",
+        concat!(
+            "title = 'T'\n[[command]]\nwire = 'get_zone'\neffect = 'query'\ndoc = 'D.'\n",
+            "[[command.reply]]\nwire = 'zone'\ntype = 'float'\ndoc = 'D.'\n",
+            "[[command.example]]\nrequest = '{\"cmdName\": \"get_zone\", \"id\": 1}'\n",
+            "reply = '{\"cmdName\": \"get_zone\", \"errorCode\": \"0\", \"errorMsg\": \"\", \"zone\": [1]}'\n",
+            "[[command.example]]\n",
+            "reply = '{\"cmdName\": \"get_zone\", \"errorCode\": \"0\", \"errorMsg\": \"\", \"zone\": \"1\"}'\n",
+        ),
+    );
+    expect![[r#"
+        first.toml:3:10: override of `moveJ`: the spec has no command and no type `moveJ`; there is `moveL`
+        first.toml:6:1: extension of: `target` is missing
+        second.toml:11:12: command `get_zone`, request of an example: there is no field `id`; there are none
+        second.toml:12:10: command `get_zone`, reply of an example: unreadable: `zone` is [1]; expected is a number
+        second.toml:14:10: note: command `get_zone`, reply of an example: lenient: `zone` is "1"; expected is a number
+        second.toml: 1 addition, minor
+          minor: command `get_zone`: added
+        jaka: there are 4 errors
+        exit code 2
+    "#]]
+    .assert_eq(&text(&["check", &first, &second]));
+}
+
+#[test]
+fn a_pack_that_the_spec_has_overtaken_is_noted() {
+    let folder = folder_with("overtaken", "newer.toml");
+    expect![[r#"
+        overtaken/motion.toml:429:10: note: command `wait_complete`, reply of an example: lenient: `cmdName` is " wait_complete"; expected is `wait_complete`
+        overtaken/payload.toml:29:10: note: command `set_payload`, reply of an example: lenient: `cmdName` is " set_payload "; expected is `set_payload`
+        overtaken: 85 commands, 47 types, 5 error codes
+        newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it, so it can be deleted
+        newer.toml:4:1: note: command `get_motion_state`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml:33:1: note: command `emergency_stop_status`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml:44:1: note: command `set_status_period`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml: no differences
+        exit code 0
+    "#]].assert_eq(&text(&["check", "--spec", &folder, &pack("newer.toml")]));
+}
+
+#[test]
+fn a_whole_spec_is_checked_with_its_examples() {
+    let folder = folder_with("whole", "newer.toml");
+    let newer = fs::read_to_string(pack("newer.toml")).unwrap();
+    file("whole/newer.toml", &newer.replace("\"queue\": 3", "\"queue\": [3]"));
+    expect![[r#"
+        whole/motion.toml:429:10: note: command `wait_complete`, reply of an example: lenient: `cmdName` is " wait_complete"; expected is `wait_complete`
+        whole/payload.toml:29:10: note: command `set_payload`, reply of an example: lenient: `cmdName` is " set_payload "; expected is `set_payload`
+        whole/newer.toml:31:10: command `get_motion_state`, reply of an example: unreadable: `queue` is [3]; expected is a whole number
+        whole: 85 commands, 47 types, 5 error codes
+        jaka: there is 1 error
+        exit code 2
+    "#]].assert_eq(&text(&["check", "--spec", &folder]));
+    file("whole/newer.toml", &newer.replace("\"int\"", "\"Int\""));
+    expect![[r#"
+        whole/newer.toml:22:8: command `get_motion_state`, reply field `queue`: there is no `[[type]]` named `Int`
+        whole/newer.toml:27:8: command `get_motion_state`, reply field `active_queue`: there is no `[[type]]` named `Int`
+        whole/newer.toml:50:1: command `set_status_period`, field `period`: `min`, `max` and `advisory` are for numbers
+        whole/newer.toml:53:8: command `set_status_period`, field `period`: there is no `[[type]]` named `Int`
+        jaka: the spec in whole has errors
+        exit code 2
+    "#]].assert_eq(&text(&["check", "--spec", &folder]));
+}
+
+#[test]
+fn what_is_no_spec_is_named() {
+    let empty = scratch("empty_spec");
+    fs::create_dir_all(&empty).unwrap();
+    expect![[r#"
+        jaka: the folder empty_spec has no TOML files
+        exit code 2
+    "#]]
+    .assert_eq(&text(&["diff", "builtin", &empty.display().to_string()]));
+    expect![[r#"
+        jaka: cannot read nowhere.toml: No such file or directory (os error 2)
+        exit code 2
+    "#]]
+    .assert_eq(&text(&["diff", "builtin", "nowhere.toml"]));
+    expect![[r#"
+        jaka: cannot read nowhere: No such file or directory (os error 2)
+        exit code 2
+    "#]]
+    .assert_eq(&text(&["check", "--spec", "nowhere"]));
+    assert_eq!(jaka(["spec", "check"]).code, Some(2));
+}
+
+#[test]
+fn documents_have_the_commands_of_packs() {
+    let without = jaka(["spec", "doc"]);
+    assert_eq!(without.out, jaka_spec::tools::reference(&jaka_spec::builtin().unwrap()));
+    let with = jaka(["spec", "doc", "--pack", &pack("newer.toml")]);
+    assert!(!without.out.contains("get_motion_state") && with.out.contains("`get_motion_state`"));
+    let path = scratch("schema.json");
+    let run = jaka(["spec", "schema", "--pack", &pack("newer.toml"), "-o", &path.display().to_string()]);
+    assert_eq!(run.text(), "exit code 0\n");
+    let schema: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    assert_eq!(schema["$defs"]["request.set_port10000_delay_ms"]["properties"]["port10000_delay_ms"]["minimum"], 1);
+    assert_eq!(jaka(["spec", "doc", "-o", "nowhere/reference.md"]).code, Some(6));
+}

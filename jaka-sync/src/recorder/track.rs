@@ -1,0 +1,62 @@
+//! One connection in a recording.
+
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use jaka_proto::recording::{Entry, Event, Message, Port};
+
+use super::Recorder;
+use super::sampling::{Sampler, StatusSampling};
+
+/// One connection in a recording, for programs that make connections of their own, such as a proxy: see
+/// [`Recorder::track`].
+#[derive(Debug)]
+pub struct Track {
+    recorder: Recorder,
+    port: Port,
+    number: u32,
+    sampling: StatusSampling,
+    sampler: Mutex<Sampler>,
+}
+
+impl Recorder {
+    /// Adds a connection to the recording, with the next number. The connections of this crate's clients and streams add
+    /// themselves.
+    pub fn track(&self, port: Port, sampling: StatusSampling) -> Track {
+        let (recorder, number) = (self.clone(), self.next_connection());
+        Track { recorder, port, number, sampling, sampler: Mutex::default() }
+    }
+}
+
+impl Track {
+    /// Records what happens now.
+    pub fn record(&self, event: Event) {
+        self.push(&self.entry(self.now(), event));
+    }
+
+    /// Records a status packet that comes now, if the sampling takes it.
+    pub fn record_packet(&self, packet: Message) {
+        self.push_packet(&self.entry(self.now(), Event::Received(packet)));
+    }
+
+    /// The time since the start of the recording.
+    pub(super) fn now(&self) -> Duration {
+        self.recorder.now()
+    }
+
+    pub(super) fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {
+        Arc::new(Entry::new(time, self.port, self.number, event))
+    }
+
+    pub(super) fn push(&self, entry: &Arc<Entry>) {
+        self.recorder.record(entry);
+    }
+
+    pub(super) fn push_packet(&self, entry: &Arc<Entry>) {
+        // Every change is made whole before the lock is left.
+        let mut sampler = self.sampler.lock().unwrap_or_else(PoisonError::into_inner);
+        if sampler.takes(self.sampling, entry.time) {
+            self.push(entry);
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Whether the examples of a command fit its fields.
+
+use std::fmt;
+
+use serde_json::{Map, Value};
+
+use crate::json::{self, AdvisoryRanges, COMMAND_NAME, Reading};
+use crate::{Command, Example, Spec};
+
+/// An example of a command that is not as the command's fields have it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Misfit {
+    /// The command, by its `cmdName`.
+    pub command: String,
+    /// The example's message, as the spec has it.
+    pub message: String,
+    /// True for a request, false for a reply.
+    pub is_request: bool,
+    /// What does not fit.
+    pub what: String,
+    /// True for a reply that is read all the same, such as a number that is written as a string.
+    pub is_lenient: bool,
+}
+
+/// Such as ``command `rapid_rate`, request of an example: field `rate_value` is 2; allowed is a number from 0 to 1``.
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { command, what, is_request, .. } = self;
+        let part = if *is_request { "request" } else { "reply" };
+        write!(f, "command `{command}`, {part} of an example: {what}")
+    }
+}
+
+/// Everything in the examples of a command that does not fit its fields, in their order.
+///
+/// A request must be one that the client sends, but for ranges that newer firmware has widened. A reply must have no key that the
+/// spec does not know; where it departs from the spec otherwise and can be read all the same, the misfit is lenient.
+pub fn misfits(spec: &Spec, command: &Command) -> Vec<Misfit> {
+    command.examples.iter().flat_map(|example| of_example(spec, command, example)).collect()
+}
+
+fn of_example(spec: &Spec, command: &Command, example: &Example) -> Vec<Misfit> {
+    let mut found = Vec::new();
+    let mut add = |message: &str, is_request, what: Vec<(String, bool)>| {
+        found.extend(what.into_iter().map(|(what, is_lenient)| Misfit {
+            command: command.wire.clone(),
+            message: message.to_owned(),
+            is_request,
+            what,
+            is_lenient,
+        }));
+    };
+    if let Some(request) = &example.request {
+        let problems = of_request(spec, command, request);
+        add(request, true, problems.into_iter().map(|problem| (problem, false)).collect());
+    }
+    if let Some(reply) = &example.reply {
+        add(reply, false, of_reply(spec, command, reply));
+    }
+    found
+}
+
+fn of_request(spec: &Spec, command: &Command, request: &str) -> Vec<String> {
+    let message: Map<String, Value> = match serde_json::from_str(request) {
+        Ok(message) => message,
+        Err(error) => return vec![format!("it is no JSON object: {error}")],
+    };
+    let mut fields = message.clone();
+    if fields.remove(COMMAND_NAME).as_ref().and_then(Value::as_str) != Some(&command.wire) {
+        return vec![format!("its `{COMMAND_NAME}` is not that of the command")];
+    }
+    let problems = match json::request(spec, command, &fields, AdvisoryRanges::Ignored) {
+        // Names that are not those of the wire can be written, but not read.
+        Ok(_) => json::check_request(spec, command, &message),
+        Err(problems) => problems,
+    };
+    problems.iter().map(ToString::to_string).collect()
+}
+
+fn of_reply(spec: &Spec, command: &Command, reply: &str) -> Vec<(String, bool)> {
+    let message = match serde_json::from_str(reply) {
+        Ok(message) => message,
+        // A bare Python tuple, perhaps.
+        Err(_) => Value::String(reply.to_owned()),
+    };
+    let departures = json::departures(spec, command, &message);
+    let is_lenient = |departure: &json::Departure| {
+        departure.reading == Reading::Lenient && departure.kind != json::DepartureKind::Unknown
+    };
+    departures.iter().map(|departure| (departure.to_string(), is_lenient(departure))).collect()
+}
