@@ -6,7 +6,7 @@ use std::io::{self, ErrorKind, Write, stderr};
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
-use jaka_sync::Refusal;
+use jaka_sync::{Explanation, Refusal};
 
 use crate::exit;
 
@@ -23,6 +23,8 @@ pub(crate) enum Failure {
         refusal: Refusal,
         /// What the code means, where the spec knows it.
         meaning: Option<String>,
+        /// Why it did, as far as the robot's status tells.
+        explanation: Option<Explanation>,
     },
     /// What the controller says is not as the spec has it: how much of it.
     Departs(String),
@@ -82,8 +84,13 @@ impl fmt::Display for Failure {
         match self {
             Self::Usage(text) | Self::Departs(text) => f.write_str(text),
             Self::Robot(error) => error.fmt(f),
-            Self::Refused { refusal, meaning: None } => write!(f, "{refusal}\nThe spec does not know the code."),
-            Self::Refused { refusal, meaning: Some(meaning) } => write!(f, "{refusal}\nThe code's meaning: {meaning}"),
+            Self::Refused { refusal, explanation: Some(explanation), .. } => {
+                write!(f, "{refusal}\nThe reason: {explanation}")
+            }
+            Self::Refused { refusal, meaning: Some(meaning), .. } => {
+                write!(f, "{refusal}\nThe code's meaning: {meaning}")
+            }
+            Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe spec does not know the code."),
             Self::Local { what, .. } => f.write_str(what),
             Self::Differs(impact) => write!(f, "the specs differ: {impact}"),
             Self::OutputClosed => f.write_str("the output is closed"),

@@ -48,6 +48,10 @@ pub const COMMAND_PORT: u16 = 10001;
 /// The port on which a controller sends status packets.
 pub const STATUS_PORT: u16 = 10000;
 
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/newer-firmware.md")]
+pub mod newer_firmware {}
+
 /// What macros of this crate name; no part of the interface.
 #[doc(hidden)]
 pub mod __private {

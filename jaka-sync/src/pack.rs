@@ -38,6 +38,12 @@
 /// `Monitor<newer::RobotStatus>`. The format is described with
 /// [jaka-spec](https://docs.rs/jaka-spec).
 ///
+/// A motion of a pack can be waited for by [`Robot::run`](crate::Robot::run) once you implement [`Motion`](crate::Motion) for it,
+/// which says where it ends.
+///
+/// From the first look at a controller with newer firmware to a finished pack: the guide in
+/// [`newer_firmware`](crate::newer_firmware).
+///
 /// Where a later version of this crate has an entry of your pack in its own spec, the compiler warns that the entry can be
 /// deleted; until then it goes on to work.
 #[macro_export]

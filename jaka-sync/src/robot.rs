@@ -283,7 +283,7 @@ impl Robot {
     /// Motions of the robot itself are explained in their error: [`Error::RefusedBecause`].
     pub fn explain(&self, error: &Error) -> Option<Explanation> {
         let status = self.monitor.last();
-        explain::explain(error.refusal()?, status.as_ref().map(|snapshot| &snapshot.status))
+        Explanation::of(error.refusal()?, status.as_ref().map(|snapshot| &snapshot.status))
     }
 
     /// A handle that stops the arm from another thread and ends a [`wait`](Self::wait) at once.

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use crate::names::{nearest, to_camel};
+use crate::names::to_camel;
 use crate::version::Versions;
+use crate::words::nearest;
 
 /// A whole protocol: the topics in the order they were given.
 #[derive(Debug, Clone, PartialEq)]

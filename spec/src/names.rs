@@ -63,25 +63,3 @@ pub fn to_camel(snake: &str) -> String {
     }
     camel
 }
-
-/// The known name that is most like `name`, if one is at all.
-pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    let most = name.len().div_ceil(3);
-    let distances = known.map(|known| (distance(name, known), known));
-    distances.filter(|(distance, _)| *distance <= most).min().map(|(_, known)| known)
-}
-
-/// How many characters must be put in, taken out or changed to turn one name into the other.
-fn distance(one: &str, other: &str) -> usize {
-    let mut row: Vec<usize> = (0..=other.chars().count()).collect();
-    for (i, a) in one.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, b) in other.chars().enumerate() {
-            let changed = diagonal + usize::from(!a.eq_ignore_ascii_case(&b));
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row.last().copied().unwrap_or_default()
-}

@@ -8,6 +8,7 @@ use jaka_pack_user::newer::{self, NewerCommands as _};
 use jaka_pack_user::{is_stopped, move_with_zone, queued};
 use jaka_sim::{Controller, Delays};
 use jaka_sync::status::RobotStatus;
+use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Robot, StatusStream};
 use serde_json::{Value, json};
 
@@ -88,6 +89,24 @@ fn a_changed_command_sends_what_the_pack_adds() {
     robot.enable_robot().expect("it is enabled at once");
     move_with_zone(&mut robot, [10.0, 90.0, 90.0, 90.0, -90.0, 0.0], 5.0).expect("the motion is accepted");
     assert_eq!(last_request(&controller)["zone"], 5.0);
+}
+
+#[test]
+fn a_motion_of_a_pack_is_waited_for() {
+    let controller = controller();
+    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the port is open");
+    let mut robot = Robot::new(client(&controller), monitor);
+    robot.power_up(Duration::from_secs(5)).expect("it has power at once");
+    let request = changed::JointMove {
+        mode: MoveMode::Absolute,
+        joint_position: [5.0, 90.0, 90.0, 90.0, -90.0, 0.0].into(),
+        speed: 90.0,
+        acceleration: None,
+        zone: Some(1.0),
+    };
+    let end = robot.run(&request, Duration::from_secs(20)).expect("the motion is accepted");
+    end.reached().expect("the arm reaches its target");
+    assert_eq!(last_request(&controller)["zone"], 1.0);
 }
 
 #[test]

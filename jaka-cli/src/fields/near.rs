@@ -1,5 +1,7 @@
 //! Names that are near to one that does not exist.
 
+use jaka_spec::words::distance;
+
 /// How many are named.
 const MOST: usize = 3;
 
@@ -23,31 +25,4 @@ fn nearness(wanted: &str, name: &str) -> Option<usize> {
         return Some(apart);
     }
     (wanted.len() >= 3 && name.contains(wanted)).then_some(few + name.len())
-}
-
-/// How many letters must be put in, taken out or changed to make one text of the other.
-fn distance(one: &str, other: &str) -> usize {
-    let mut row: Vec<usize> = (0..=other.len()).collect();
-    for (i, a) in one.bytes().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, b) in other.bytes().enumerate() {
-            let changed = diagonal + usize::from(a != b);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[other.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn distances_are_those_of_levenshtein() {
-        assert_eq!(distance("kitten", "sitting"), 3);
-        assert_eq!(distance("", "abc"), 3);
-        assert_eq!(distance("same", "same"), 0);
-    }
 }

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 
-use crate::program::{jaka, pack};
+use crate::program::{jaka, pack, scratch};
 
 fn check(pack_name: &str, line: &str, expected: &Expect) {
     let options = ["call".to_owned(), "--sim".to_owned(), "--pack".to_owned(), pack(pack_name)];
@@ -75,4 +75,20 @@ fn changed_commands_take_what_the_pack_says() {
             exit code 0
         "]],
     );
+}
+
+#[test]
+fn fields_give_way_to_options_of_the_same_name() {
+    let file = scratch("names.toml");
+    let field = |name| format!("[[command.request]]\nwire = '{name}'\ntype = 'int'\ndoc = 'D.'\n");
+    let command = "title = 'T'\n[[command]]\nwire = 'new_one'\neffect = 'query'\ndoc = 'D.'\n";
+    let text = command.to_owned() + &field("json") + &field("help") + &field("speed");
+    std::fs::write(&file, text).expect("the folder is there");
+    let line = "call new_one --field-json 1 --field-help 2 --speed 3 --dry-run --json --pack";
+    let run = jaka(line.split(' ').map(str::to_owned).chain([file.display().to_string()]));
+    expect![[r#"
+        {"cmdName":"new_one","json":1,"help":2,"speed":3}
+        exit code 0
+    "#]]
+    .assert_eq(&run.text());
 }

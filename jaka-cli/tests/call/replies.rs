@@ -132,19 +132,19 @@ fn refusals_have_code_message_and_meaning() {
     simulated(
         "enable_robot",
         &expect![[r"
-        jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
-        The code's meaning: The command failed; the message says more.
-        exit code 1
-    "]],
+            jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
+            The reason: the arm has no power: call `power_on`
+            exit code 1
+        "]],
     );
     simulated(
         "enable_robot --json",
         &expect![[r#"
-        {"errorCode":"2","errorMsg":"call enable_robot failed","cmdName":"enable_robot"}
-        jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
-        The code's meaning: The command failed; the message says more.
-        exit code 1
-    "#]],
+            {"errorCode":"2","errorMsg":"call enable_robot failed","cmdName":"enable_robot"}
+            jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
+            The reason: the arm has no power: call `power_on`
+            exit code 1
+        "#]],
     );
     simulated(
         "no_such_command --raw",

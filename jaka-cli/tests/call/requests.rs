@@ -40,20 +40,20 @@ fn everything_that_is_wrong_is_told_at_once() {
     );
     check(
         "joint_move --mode absolute --joint-position -1,2 --speed -10",
-        &expect![[r#"
+        &expect![[r"
             jaka: `joint_move` was not sent:
               field `joint_position` is [-1.0,2.0]; allowed is an array of 6, each a number (in deg)
               field `speed` is -10.0; allowed is a number, at least 0 deg/s
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "jog --jog-mode stop --frame joint --axis 0 --velocity 1 --dry-run",
-        &expect![[r#"
+        &expect![[r"
             jaka: `jog` was not sent:
               there is no field `velocity`; the fields are `frame`, `axis`
             exit code 2
-        "#]],
+        "]],
     );
 }
 

@@ -23,6 +23,28 @@ pub enum Explanation {
     NoRemoteControl,
 }
 
+impl Explanation {
+    /// What a refusal and the robot's status together tell; nothing where neither does.
+    ///
+    /// [`Robot`](crate::Robot) does this for its motions. The status is the newest one after the refusal.
+    pub fn of(refusal: &Refusal, status: Option<&RobotStatus>) -> Option<Self> {
+        if refusal.code == ErrorCode::PERMISSION_DENIED {
+            return Some(Self::NoRemoteControl);
+        }
+        let info = Request::COMMANDS.iter().find(|info| info.name == refusal.command)?;
+        let needs = |requirement| info.requires.contains(&requirement);
+        let status = status.filter(|_| needs(Requirement::Powered))?;
+        let reasons = [
+            (status.emergency_stop == Some(true), Self::EmergencyStop),
+            (status.powered_on == Some(false), Self::NotPowered),
+            (status.protective_stop == Some(true), Self::ProtectiveStop),
+            (status.enabled == Some(false) && needs(Requirement::Enabled), Self::NotEnabled),
+            (refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode), Self::NotInServoMode),
+        ];
+        reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
+    }
+}
+
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -34,22 +56,4 @@ impl fmt::Display for Explanation {
             Self::NoRemoteControl => "the controller takes no commands from here: grant remote control on its panel",
         })
     }
-}
-
-/// What the status and the refusal together tell; nothing where neither does.
-pub(super) fn explain(refusal: &Refusal, status: Option<&RobotStatus>) -> Option<Explanation> {
-    if refusal.code == ErrorCode::PERMISSION_DENIED {
-        return Some(Explanation::NoRemoteControl);
-    }
-    let info = Request::COMMANDS.iter().find(|info| info.name == refusal.command)?;
-    let needs = |requirement| info.requires.contains(&requirement);
-    let status = status.filter(|_| needs(Requirement::Powered))?;
-    let reasons = [
-        (status.emergency_stop == Some(true), Explanation::EmergencyStop),
-        (status.powered_on == Some(false), Explanation::NotPowered),
-        (status.protective_stop == Some(true), Explanation::ProtectiveStop),
-        (status.enabled == Some(false) && needs(Requirement::Enabled), Explanation::NotEnabled),
-        (refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode), Explanation::NotInServoMode),
-    ];
-    reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
 }

@@ -3,8 +3,8 @@
 use super::{Draft, bare_field};
 use crate::item::{Item, Placed};
 use crate::model::{Command, EnumValue, Field, Request, Spec, TypeDef, TypeKind};
-use crate::names::nearest;
 use crate::read;
+use crate::words::nearest;
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! A program that uses commands of newer firmware, which a pack describes.
 
-use jaka_sync::types::MoveMode;
-use jaka_sync::{Call, Client, Error};
+use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::{Call, Client, Error, Motion};
 
 jaka_sync::pack!("newer.toml");
 jaka_sync::pack!("changed.toml");
@@ -28,4 +28,11 @@ pub fn move_with_zone(robot: &mut Client, joints: [f64; 6], zone: f64) -> Result
         acceleration: None,
         zone: Some(zone),
     })
+}
+
+/// The pack's motion can be waited for, since this says where it ends.
+impl Motion for changed::JointMove {
+    fn target(&self) -> Option<JointPosition> {
+        (self.mode == MoveMode::Absolute).then_some(self.joint_position)
+    }
 }

@@ -6,7 +6,7 @@ use jaka_spec::json::{Reading, departures};
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::wire::DecodeError;
-use jaka_sync::{Client, Disconnect, Error, Exchanges};
+use jaka_sync::{Client, Disconnect, Error, Exchanges, Explanation};
 
 use super::options::Options;
 use super::request::Request;
@@ -14,6 +14,7 @@ use super::{consent, firmware, reply};
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::Protocol;
+use crate::target::Target;
 
 /// Sends the request, unless the bytes alone are wanted, and prints the reply.
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
@@ -33,7 +34,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         Err(error) => {
             let raw = client.last_reply().filter(|_| options.json && answered(&error));
             raw.map_or(Ok(()), output::line)?;
-            Err(explained(&protocol.spec, error))
+            Err(explained(&protocol.spec, &target, error))
         }
     }
 }
@@ -57,12 +58,15 @@ fn answered(error: &Error) -> bool {
     matches!(error, Error::Refused { .. } | Error::UnexpectedReply { .. })
 }
 
-/// The error with what the spec or a pack says about the controller's code.
-fn explained(spec: &Spec, error: Error) -> Failure {
+/// The error with what the spec or a pack says about the controller's code, and what the robot's status says.
+fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
     let Error::Refused { refusal, .. } = error else { return error.into() };
     let known = spec.errors().find(|known| known.wire == refusal.code.0);
     let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
-    Failure::Refused { refusal, meaning }
+    // Without a status the refusal stands for itself.
+    let status = target.status_stream().ok().and_then(|mut stream| stream.newest_packet().ok());
+    let explanation = Explanation::of(&refusal, status.as_ref());
+    Failure::Refused { refusal, meaning, explanation }
 }
 
 fn show(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
