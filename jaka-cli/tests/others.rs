@@ -75,6 +75,9 @@ fn the_help_explains_exit_codes() {
           call         Send one command of the protocol, and print the reply
           probe        Ask a controller every question of the protocol, and report where its answers depart from the spec
           sim          Run a simulated controller until it is interrupted
+          record       Record a session to a new file, until it is interrupted
+          replay       Serve a recording in place of a robot until it is interrupted, or show it
+          spec         Check specs and packs, compare them, and make documents from them
           completions  Print the completion script of a shell
           help         Print this message or the help of the given subcommand(s)
 
@@ -103,7 +106,9 @@ fn the_help_explains_exit_codes() {
           4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
           5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
           6  something on this machine: a file, a port, the terminal
-          7  `jaka probe` found something that is not as the spec has it, or was not answered
+          7  `jaka probe` found something that is not as the spec has it, or was not answered; clients of `jaka replay`
+             did otherwise than the recorded ones
+          10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
     "#]]
     .assert_eq(&help);
     assert!(output(&mut jaka(&["--version"])).0.starts_with("jaka "));
