@@ -137,9 +137,9 @@ fn a_proxy_records_what_the_client_itself_records() {
     };
     let on = |recording, port| messages(recording, connection(recording, port));
     assert_eq!(on(&by_proxy, Port::Command), on(&by_client, Port::Command));
-    let recorded = on(&by_proxy, Port::Status);
+    let passed = on(&by_proxy, Port::Status);
     let read: Vec<_> = packets.iter().map(|packet| format!("received {packet}")).collect();
-    assert_eq!(recorded[..3], read);
+    assert_eq!(passed[..3], read);
 
     // And so it can be replayed.
     let again = Controller::builder().replay(by_proxy, Replay::Strict).start().unwrap();
