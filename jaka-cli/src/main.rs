@@ -61,7 +61,7 @@ fn main() -> ExitCode {
         Ok(cli) => {
             let result = cli.command.run();
             let recorded = record::finish();
-            result.and(recorded)
+            result.and(recorded.map(drop))
         }
         Err(error) => return told(&error),
     };

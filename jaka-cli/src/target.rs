@@ -15,7 +15,7 @@ use jaka_sync::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, St
 use self::environment::Environment;
 use self::place::Place;
 use crate::failure::Failure;
-use crate::record::Tape;
+use crate::record;
 use crate::seconds::some_seconds;
 
 /// How long connecting may take where nothing else is said.
@@ -106,10 +106,7 @@ impl RobotArgs {
     pub(crate) fn target_with_packs(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         let target = self.place.target(packs)?;
         let Some(path) = &self.record else { return Ok(target) };
-        let tape = Tape::create(path)?;
-        let target = target.recorded(tape.recorder(), StatusSampling::All);
-        tape.keep();
-        Ok(target)
+        Ok(target.recorded(record::begin(path)?, StatusSampling::All))
     }
 }
 

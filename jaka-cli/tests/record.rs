@@ -269,12 +269,14 @@ fn status_readers_are_served_side_by_side_and_packets_thinned_in_the_recording_a
 fn a_robot_that_cannot_be_reached_is_told_and_recorded() {
     let robot = TcpListener::bind("127.0.0.1:0").unwrap();
     let mut proxy = Proxy::before("nobody.jsonl", &robot);
-    drop(robot);
+    let (client, controller) = connect(&proxy, &robot);
+    drop((controller, robot));
+    assert_eq!(rest(&client), b"");
     let client = TcpStream::connect(proxy.commands).unwrap();
     assert!(is_reset(&client));
     let mut errors = proxy.child.stderr.take().unwrap();
     let recording = proxy.finish();
-    let [Event::Error { text }] = events(&recording, 1)[..] else { panic!("there is one") };
+    let [Event::Error { text }] = events(&recording, 2)[..] else { panic!("there is one") };
     assert!(text.starts_with("cannot connect to 127.0.0.1:"), "{text}");
     let mut told = String::new();
     errors.read_to_string(&mut told).unwrap();
@@ -334,6 +336,23 @@ fn commands_record_their_session() {
     assert_eq!(jaka(["call", "get_version", "--sim"].iter().chain(&record)).code, Some(2));
     assert_eq!(read(&path), recording);
     assert_eq!(jaka(["status", "--sim", "--record", "nowhere/x.jsonl"]).code, Some(6));
+}
+
+#[test]
+fn a_recording_of_nothing_is_not_kept() {
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = taken.local_addr().unwrap().port().to_string();
+    let path = tape("nothing.jsonl");
+    let file = path.to_str().unwrap();
+    let proxy = jaka(["record", file, "--sim", "--listen", "127.0.0.1", "--listen-commands", &port]);
+    assert_eq!((proxy.code, path.exists()), (Some(6), false), "{}", proxy.err);
+    assert!(proxy.err.starts_with(&format!("jaka: cannot listen at 127.0.0.1, port {port}: ")), "{}", proxy.err);
+    drop(taken);
+    let nobody = jaka(["call", "get_version", "-r", "127.0.0.1", "--command-port", &port, "--record", file]);
+    assert_eq!((nobody.code, path.exists()), (Some(3), false), "{}", nobody.err);
+    let idle = ["--listen", "127.0.0.1", "--listen-commands", "0", "--listen-status", "0", "--seconds", "0.05"];
+    let idle = jaka(["record", file, "--sim"].iter().chain(&idle));
+    assert!(idle.out.ends_with("nothing was recorded\n") && !path.exists(), "{}", idle.out);
 }
 
 #[test]

@@ -8,15 +8,14 @@ use std::time::Duration;
 
 use clap::{ArgGroup, Args};
 use jaka_sync::recording::Port;
-use jaka_sync::{Error, RecorderReport, StatusSampling, StatusStream};
+use jaka_sync::{Error, Recorder, RecorderReport, StatusSampling, StatusStream};
 
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
 use crate::proxy::Gate;
-use crate::record::Tape;
 use crate::seconds::some_seconds;
 use crate::target::{PlaceArgs, Target};
-use crate::{listen, output};
+use crate::{listen, output, record};
 
 /// Record a session to a new file, until it is interrupted.
 ///
@@ -59,25 +58,25 @@ pub(crate) struct Record {
 impl Record {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let target = self.robot.target(&[])?;
-        let tape = Tape::create(&self.file)?;
+        let recorder = record::begin(&self.file)?;
         let (sender, ended) = mpsc::channel();
         let interrupted = sender.clone();
         on_interrupt(move || drop(interrupted.send(Ok(()))))?;
         let target = match self.listen {
-            Some(address) => self.stand_between(address, target, &tape)?,
-            None => self.read_packets(target, &tape, sender)?,
+            Some(address) => self.stand_between(address, target, &recorder)?,
+            None => self.read_packets(target, recorder, sender)?,
         };
         let result = self.wait(&ended);
         drop(target);
-        self.tell(tape.finish()?)?;
+        self.tell(record::finish()?)?;
         result
     }
 
     /// Serves programs from now on.
-    fn stand_between(&self, address: IpAddr, target: Target, tape: &Tape) -> Result<Target, Failure> {
+    fn stand_between(&self, address: IpAddr, target: Target, recorder: &Recorder) -> Result<Target, Failure> {
         let open = |port, own_port| {
             let (robot, timeout) = target.address(port);
-            let (robot, recorder, sampling) = (robot.to_owned(), tape.recorder(), self.sampling());
+            let (robot, recorder, sampling) = (robot.to_owned(), recorder.clone(), self.sampling());
             let opened = Gate { port, robot, timeout, recorder, sampling }.open(address, own_port);
             opened.map_err(|error| Failure::local(format!("cannot listen at {address}, port {own_port}"), error))
         };
@@ -86,8 +85,13 @@ impl Record {
     }
 
     /// Reads status packets from now on, and tells when there have been enough, or there are no more.
-    fn read_packets(&self, target: Target, tape: &Tape, ended: Sender<Result<(), Failure>>) -> Result<Target, Failure> {
-        let target = target.recorded(tape.recorder(), self.sampling());
+    fn read_packets(
+        &self,
+        target: Target,
+        recorder: Recorder,
+        ended: Sender<Result<(), Failure>>,
+    ) -> Result<Target, Failure> {
+        let target = target.recorded(recorder, self.sampling());
         let mut stream = target.status_stream()?;
         output::line(&format!("recording the status packets of {}", target.title()))?;
         let count = self.count.unwrap_or(u64::MAX);
@@ -113,11 +117,12 @@ impl Record {
 
     fn tell(&self, RecorderReport { entries, dropped, .. }: RecorderReport) -> Result<(), Failure> {
         let file = self.file.display();
-        output::line(&match dropped {
-            0 => format!("{file}: {entries} entries"),
-            _ => format!(
-                "{file}: {entries} entries; {dropped} were dropped, since the file could not be written as fast"
-            ),
+        output::line(&match (entries, dropped) {
+            (0 | 1, _) => "nothing was recorded".to_owned(),
+            (_, 0) => format!("{file}: {entries} entries"),
+            _ => {
+                format!("{file}: {entries} entries; {dropped} are missing, since the file could not be written as fast")
+            }
         })
     }
 }
