@@ -75,6 +75,9 @@ fn the_help_explains_exit_codes() {
           call         Send one command of the protocol, and print the reply
           probe        Ask a controller every question of the protocol, and report where its answers depart from the spec
           sim          Run a simulated controller until it is interrupted
+          record       Record a session to a new file, until it is interrupted
+          replay       Serve a recording in place of a robot until it is interrupted, or show it
+          spec         Check specs and packs, compare them, and make documents from them
           completions  Print the completion script of a shell
           help         Print this message or the help of the given subcommand(s)
 
