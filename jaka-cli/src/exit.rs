@@ -16,7 +16,7 @@ pub(crate) const LOST: u8 = 5;
 /// Something on this machine.
 pub(crate) const LOCAL: u8 = 6;
 
-/// `jaka probe` found what is not as the spec has it.
+/// `jaka probe` found what is not as the spec has it, or clients of `jaka replay` did otherwise than the recorded ones.
 pub(crate) const DEPARTS: u8 = 7;
 
 /// The exit code of `jaka spec diff --exit-code` where the gravest change is this.

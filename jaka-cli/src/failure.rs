@@ -26,7 +26,7 @@ pub(crate) enum Failure {
         /// Why it did, as far as the robot's status tells.
         explanation: Option<Explanation>,
     },
-    /// What the controller says is not as the spec has it: how much of it.
+    /// What the controller says is not as the spec has it, or what clients do not as it was recorded: how much of it.
     Departs(String),
     /// Two specs differ, so much at most: what the exit code was asked to tell.
     Differs(Impact),

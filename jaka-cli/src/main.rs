@@ -44,7 +44,9 @@ Exit codes:
   4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
   5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
   6  something on this machine: a file, a port, the terminal
-  7  `jaka probe` found something that is not as the spec has it, or was not answered";
+  7  `jaka probe` found something that is not as the spec has it, or was not answered; clients of `jaka replay`
+     did otherwise than the recorded ones
+  10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most";
 
 /// Commands, status, live dashboard and simulated controller for JAKA robots.
 #[derive(Debug, Parser)]

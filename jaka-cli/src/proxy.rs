@@ -74,6 +74,7 @@ impl Gate {
                 let text = format!("cannot connect to {}: {error}", self.robot);
                 warn(&text);
                 track.record(Event::Error { text });
+                pipe::reset(client);
             }
         }
     }

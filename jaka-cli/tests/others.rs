@@ -106,7 +106,9 @@ fn the_help_explains_exit_codes() {
           4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
           5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
           6  something on this machine: a file, a port, the terminal
-          7  `jaka probe` found something that is not as the spec has it, or was not answered
+          7  `jaka probe` found something that is not as the spec has it, or was not answered; clients of `jaka replay`
+             did otherwise than the recorded ones
+          10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
     "#]]
     .assert_eq(&help);
     assert!(output(&mut jaka(&["--version"])).0.starts_with("jaka "));

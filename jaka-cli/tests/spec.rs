@@ -1,5 +1,7 @@
 //! `jaka spec`, as its users run it.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 mod common;
 mod program;
 
@@ -125,7 +127,7 @@ fn errors_of_all_packs_are_told_at_their_places() {
         second.toml:14:10: note: command `get_zone`, reply of an example: lenient: `zone` is "1"; expected is a number
         second.toml: 1 addition, minor
           minor: command `get_zone`: added
-        jaka: there are 4 errors
+        jaka: 4 errors
         exit code 2
     "#]]
     .assert_eq(&text(&["check", &first, &second]));
@@ -157,7 +159,7 @@ fn a_whole_spec_is_checked_with_its_examples() {
         whole/payload.toml:29:10: note: command `set_payload`, reply of an example: lenient: `cmdName` is " set_payload "; expected is `set_payload`
         whole/newer.toml:31:10: command `get_motion_state`, reply of an example: unreadable: `queue` is [3]; expected is a whole number
         whole: 85 commands, 47 types, 5 error codes
-        jaka: there is 1 error
+        jaka: 1 error
         exit code 2
     "#]].assert_eq(&text(&["check", "--spec", &folder]));
     file("whole/newer.toml", &newer.replace("\"int\"", "\"Int\""));

@@ -5,13 +5,14 @@
 mod common;
 
 use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use expect_test::expect;
 use jaka_sim::Controller;
 
-use self::common::{end, failure, jaka, output};
+#[cfg(unix)]
+use self::common::interrupt;
+use self::common::{end, failure, jaka, output, started};
 
 /// What the program prints, which must succeed.
 fn printed(args: &[&str]) -> String {
@@ -127,15 +128,6 @@ fn a_name_that_does_not_exist_has_near_ones() {
     .assert_eq(&failed);
 }
 
-/// The program at work, and the first line that it printed.
-fn started(command: &mut Command) -> (Child, BufReader<std::process::ChildStdout>, String) {
-    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    let mut out = BufReader::new(child.stdout.take().unwrap());
-    let mut line = String::new();
-    out.read_line(&mut line).unwrap();
-    (child, out, line)
-}
-
 #[test]
 fn it_ends_in_peace_when_nobody_reads_any_more() {
     let (mut child, out, line) = started(&mut jaka(&["status", "--sim", "--watch", "0", "--fields", "enabled"]));
@@ -150,8 +142,7 @@ fn it_ends_in_peace_when_nobody_reads_any_more() {
 #[test]
 fn it_ends_in_peace_when_interrupted() {
     let (child, _out, _) = started(&mut jaka(&["status", "--sim", "--watch"]));
-    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    assert!(killed.success());
+    interrupt(&child);
     assert_eq!(end(child).code(), Some(0));
 }
 

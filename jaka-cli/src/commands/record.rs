@@ -89,6 +89,7 @@ impl Record {
     fn read_packets(&self, target: Target, tape: &Tape, ended: Sender<Result<(), Failure>>) -> Result<Target, Failure> {
         let target = target.recorded(tape.recorder(), self.sampling());
         let mut stream = target.status_stream()?;
+        output::line(&format!("recording the status packets of {}", target.title()))?;
         let count = self.count.unwrap_or(u64::MAX);
         thread::spawn(move || {
             let result = read(&mut stream, count);

@@ -18,6 +18,7 @@ use self::filter::FilterArgs;
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
 use crate::listen::ListenArgs;
+use crate::number::count;
 use crate::output;
 
 /// How often Ctrl-C is looked for.
@@ -85,8 +86,7 @@ impl Replay {
         let builder = Controller::builder().replay(recording, mode).replay_timing(timing);
         match report(&self.listen.start(builder)?, &ended)? {
             0 => Ok(()),
-            1 => Err(Failure::Departs("1 deviation from the recording".to_owned())),
-            count => Err(Failure::Departs(format!("{count} deviations from the recording"))),
+            told => Err(Failure::Departs(count(told, "deviation") + " from the recording")),
         }
     }
 }
@@ -105,12 +105,18 @@ fn read(path: &Path) -> Result<Recording, Failure> {
 /// Prints deviations as they come, and says in the end how many they were.
 fn report(controller: &Controller, ended: &AtomicBool) -> Result<usize, Failure> {
     let mut told = 0;
-    while !ended.load(Ordering::Relaxed) {
-        controller.wait_for_deviations(told + 1, TICK);
+    loop {
+        // Once more at the end, for the last ones.
+        let is_last = ended.load(Ordering::Relaxed);
+        if !is_last {
+            controller.wait_for_deviations(told + 1, TICK);
+        }
         for deviation in controller.deviations().iter().skip(told) {
             output::line(&format!("deviation: {deviation}"))?;
             told += 1;
         }
+        if is_last {
+            return Ok(told);
+        }
     }
-    Ok(told)
 }

@@ -62,7 +62,7 @@ mod tests {
     fn pieces(stream: &[u8], cuts: &[usize]) -> String {
         let mut out = String::new();
         let mut note = |piece: Piece<'_>| match piece {
-            Piece::Message(bytes) => out += &format!("<{}>", String::from_utf8_lossy(bytes)),
+            Piece::Message(bytes) => out.extend(["<", &String::from_utf8_lossy(bytes), ">"]),
             Piece::Stray(bytes) => out += &String::from_utf8_lossy(bytes),
         };
         let mut frames = Frames::default();

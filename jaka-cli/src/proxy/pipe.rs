@@ -113,7 +113,7 @@ fn hand_on(end: End, sender: &TcpStream, receiver: &TcpStream) {
 }
 
 /// Has a connection reset when it is dropped, and wakes who reads from it.
-fn reset(stream: &TcpStream) {
+pub(super) fn reset(stream: &TcpStream) {
     drop(SockRef::from(stream).set_linger(Some(Duration::ZERO)));
     drop(stream.shutdown(Shutdown::Read));
 }

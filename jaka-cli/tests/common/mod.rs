@@ -1,7 +1,8 @@
 //! Runs the program, away from the user's own environment.
 
+use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
-use std::process::{Child, Command, ExitStatus, Output, Stdio};
+use std::process::{Child, ChildStdout, Command, ExitStatus, Output, Stdio};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
@@ -32,6 +33,24 @@ pub(crate) fn failure(command: &mut Command) -> String {
     let (stdout, stderr, code) = output(command);
     assert_eq!(stdout, "");
     format!("{stderr}exit code {code:?}")
+}
+
+/// The program at work, and the first line that it printed.
+#[allow(dead_code, reason = "not every test file needs it")]
+pub(crate) fn started(command: &mut Command) -> (Child, BufReader<ChildStdout>, String) {
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    (child, out, line)
+}
+
+/// Presses Ctrl-C.
+#[cfg(unix)]
+#[allow(dead_code, reason = "not every test file needs it")]
+pub(crate) fn interrupt(child: &Child) {
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(killed.success());
 }
 
 /// How it ended, which must be soon.

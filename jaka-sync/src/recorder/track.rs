@@ -8,8 +8,19 @@ use jaka_proto::recording::{Entry, Event, Message, Port};
 use super::Recorder;
 use super::sampling::{Sampler, StatusSampling};
 
-/// One connection in a recording, for programs that make connections of their own, such as a proxy: see
-/// [`Recorder::track`].
+/// One connection in a recording, for programs that make connections of their own, such as a proxy.
+///
+/// ```
+/// use jaka_sync::recording::{Event, Message, Port};
+/// use jaka_sync::{Recorder, StatusSampling};
+///
+/// let recorder = Recorder::new(std::io::sink())?;
+/// let track = recorder.track(Port::Command, StatusSampling::All);
+/// track.record(Event::Connected { address: "10.5.5.100:10001".to_owned() });
+/// track.record(Event::Sent(Message::new(r#"{"cmdName":"get_version"}"#)));
+/// assert_eq!(recorder.finish()?.entries, 2);
+/// # Ok::<(), std::io::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Track {
     recorder: Recorder,

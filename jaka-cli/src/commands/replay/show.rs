@@ -18,7 +18,7 @@ pub(super) fn print(recording: &Recording, filter: &Filter) -> Result<(), Failur
     for entry in recording.entries.iter().filter(|entry| filter.shows(entry)) {
         output::line(&line(entry))?;
     }
-    output::line(&format!("\n{}", Summary::new(recording, filter)))
+    output::write(format!("\n{}", Summary::new(recording, filter)).as_bytes())
 }
 
 fn line(entry: &Entry) -> String {

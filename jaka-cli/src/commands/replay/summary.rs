@@ -8,11 +8,12 @@ use jaka_sync::proto::Envelope;
 use jaka_sync::recording::{Answer, Answered, Entry, Event, Message, Port, Recording};
 
 use super::filter::{Filter, name};
+use crate::number::count;
 
 /// How many requests are listed.
 const LISTED: usize = 5;
 
-/// What a recording has in it.
+/// What a recording has in it. Displays a line for each number that is not 0.
 #[derive(Debug)]
 pub(super) struct Summary {
     requests: usize,
@@ -91,20 +92,29 @@ fn longest_gap(packets: &[&Entry]) -> Option<(Duration, Duration)> {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { requests, refused, replies, unanswered, packets, .. } = self;
-        let done = replies.len() - refused;
-        write!(f, "{requests} requests: {done} carried out, {refused} refused, {} without reply", unanswered.len())?;
-        list(f, "slowest replies", replies, |line| {
-            format!("{:12.6}  {} after {:.6} s", line.sent.as_secs_f64(), line.command, line.after.as_secs_f64())
+        let Self { requests, refused, replies, unanswered, .. } = self;
+        if *requests > 0 {
+            let (done, lost) = (replies.len() - refused, unanswered.len());
+            writeln!(
+                f,
+                "{}: {done} carried out, {refused} refused, {lost} without reply",
+                count(*requests, "request")
+            )?;
+        }
+        list(f, "slowest replies", replies, |Line { command, sent, after }| {
+            format!("{:12.6}  {command} after {:.6} s", sent.as_secs_f64(), after.as_secs_f64())
         })?;
         list(f, "without reply", unanswered, |line| format!("{:12.6}  {}", line.sent.as_secs_f64(), line.command))?;
-        write!(f, "\n{packets} status packets")?;
-        if let Some((gap, at)) = self.longest_gap {
-            write!(f, ", the longest gap {:.6} s before {:.6}", gap.as_secs_f64(), at.as_secs_f64())?;
+        if self.packets > 0 {
+            write!(f, "{}", count(self.packets, "status packet"))?;
+            if let Some((gap, at)) = self.longest_gap {
+                write!(f, ", the longest gap {:.6} s before {:.6}", gap.as_secs_f64(), at.as_secs_f64())?;
+            }
+            writeln!(f)?;
         }
         match self.dropped {
             0 => Ok(()),
-            dropped => write!(f, "\n{dropped} entries are missing, since the file could not be written as fast"),
+            dropped => writeln!(f, "{dropped} entries are missing, since the file could not be written as fast"),
         }
     }
 }
@@ -112,11 +122,11 @@ impl fmt::Display for Summary {
 /// Writes the first of some requests, if there are any.
 fn list(f: &mut fmt::Formatter<'_>, title: &str, lines: &[Line], text: impl Fn(&Line) -> String) -> fmt::Result {
     if !lines.is_empty() {
-        write!(f, "\n{title}:")?;
+        writeln!(f, "{title}:")?;
     }
-    lines.iter().take(LISTED).try_for_each(|line| write!(f, "\n{}", text(line)))?;
+    lines.iter().take(LISTED).try_for_each(|line| writeln!(f, "{}", text(line)))?;
     match lines.len().saturating_sub(LISTED) {
         0 => Ok(()),
-        more => write!(f, "\n{:12}  and {more} more", ""),
+        more => writeln!(f, "{:12}  and {more} more", ""),
     }
 }

@@ -7,6 +7,7 @@ use jaka_spec::{Command, Error, Source, Spec, tools};
 
 use super::files::Files;
 use crate::failure::Failure;
+use crate::number::count;
 use crate::{output, packs};
 
 /// Check packs, or a whole spec, and say what they add and change.
@@ -37,8 +38,7 @@ impl Check {
         }
         match findings.errors {
             0 => Ok(()),
-            1 => Err(Failure::Usage("there is 1 error".to_owned())),
-            errors => Err(Failure::Usage(format!("there are {errors} errors"))),
+            errors => Err(Failure::Usage(count(errors, "error"))),
         }
     }
 }
