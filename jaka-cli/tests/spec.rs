@@ -41,20 +41,20 @@ fn text(arguments: &[&str]) -> String {
 #[test]
 fn a_topic_more_and_a_pack_are_the_same_additions() {
     let folder = folder_with("newer_spec", "newer.toml");
-    let three = expect![[r#"
+    let three = expect![[r"
         minor: command `emergency_stop_status`: added
         minor: command `get_motion_state`: added
         minor: command `set_port10000_delay_ms`: added
         3 additions, minor
         exit code 0
-    "#]];
+    "]];
     three.assert_eq(&text(&["diff", "builtin", &folder]));
     three.assert_eq(&text(&["diff", "builtin", &pack("newer.toml")]));
     three.assert_eq(&text(&["diff", "builtin", "builtin", "--pack", &pack("newer.toml")]));
-    expect![[r#"
+    expect![[r"
         no differences
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&text(&["diff", &folder, &pack("newer.toml")]));
 }
 
@@ -85,7 +85,7 @@ fn programs_read_changes_as_json() {
 
 #[test]
 fn packs_that_are_correct_say_what_they_do() {
-    expect![[r#"
+    expect![[r"
         newer.toml: 3 additions, minor
           minor: command `emergency_stop_status`: added
           minor: command `get_motion_state`: added
@@ -101,7 +101,7 @@ fn packs_that_are_correct_say_what_they_do() {
           patch: command `set_tio_vout_param`, request field `tio_vout_vol`: doc changed
           patch: command `set_tio_vout_param`, request field `tio_vout_vol`: disputed readings changed
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&text(&["check", &pack("newer.toml"), &pack("changed.toml")]));
 }
 
@@ -163,34 +163,34 @@ fn a_whole_spec_is_checked_with_its_examples() {
         exit code 2
     "#]].assert_eq(&text(&["check", "--spec", &folder]));
     file("whole/newer.toml", &newer.replace("\"int\"", "\"Int\""));
-    expect![[r#"
+    expect![[r"
         whole/newer.toml:22:8: command `get_motion_state`, reply field `queue`: there is no `[[type]]` named `Int`
         whole/newer.toml:27:8: command `get_motion_state`, reply field `active_queue`: there is no `[[type]]` named `Int`
         whole/newer.toml:50:1: command `set_status_period`, field `period`: `min`, `max` and `advisory` are for numbers
         whole/newer.toml:53:8: command `set_status_period`, field `period`: there is no `[[type]]` named `Int`
         jaka: the spec in whole has errors
         exit code 2
-    "#]].assert_eq(&text(&["check", "--spec", &folder]));
+    "]].assert_eq(&text(&["check", "--spec", &folder]));
 }
 
 #[test]
 fn what_is_no_spec_is_named() {
     let empty = scratch("empty_spec");
     fs::create_dir_all(&empty).unwrap();
-    expect![[r#"
+    expect![[r"
         jaka: the folder empty_spec has no TOML files
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text(&["diff", "builtin", &empty.display().to_string()]));
-    expect![[r#"
+    expect![[r"
         jaka: cannot read nowhere.toml: No such file or directory (os error 2)
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text(&["diff", "builtin", "nowhere.toml"]));
-    expect![[r#"
+    expect![[r"
         jaka: cannot read nowhere: No such file or directory (os error 2)
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text(&["check", "--spec", "nowhere"]));
     assert_eq!(jaka(["spec", "check"]).code, Some(2));
 }
