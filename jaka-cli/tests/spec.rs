@@ -123,8 +123,8 @@ fn errors_of_all_packs_are_told_at_their_places() {
         first.toml:3:10: override of `moveJ`: the spec has no command and no type `moveJ`; there is `moveL`
         first.toml:6:1: extension of: `target` is missing
         second.toml:11:12: command `get_zone`, request of an example: there is no field `id`; there are none
-        second.toml:12:10: command `get_zone`, reply of an example: unreadable: `zone` is [1]; expected is a number
-        second.toml:14:10: note: command `get_zone`, reply of an example: lenient: `zone` is "1"; expected is a number
+        second.toml:12:10: command `get_zone`, reply of an example: `zone` is [1]; expected is a number
+        second.toml:14:10: note: command `get_zone`, reply of an example: `zone` is "1"; expected is a number
         second.toml: 1 addition, minor
           minor: command `get_zone`: added
         jaka: 4 errors
@@ -137,8 +137,8 @@ fn errors_of_all_packs_are_told_at_their_places() {
 fn a_pack_that_the_spec_has_overtaken_is_noted() {
     let folder = folder_with("overtaken", "newer.toml");
     expect![[r#"
-        overtaken/motion.toml:429:10: note: command `wait_complete`, reply of an example: lenient: `cmdName` is " wait_complete"; expected is `wait_complete`
-        overtaken/payload.toml:29:10: note: command `set_payload`, reply of an example: lenient: `cmdName` is " set_payload "; expected is `set_payload`
+        overtaken/motion.toml:429:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
+        overtaken/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         overtaken: 85 commands, 47 types, 5 error codes
         newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it, so it can be deleted
         newer.toml:4:1: note: command `get_motion_state`: the spec has the same already; this entry changes nothing and can be deleted
@@ -155,9 +155,9 @@ fn a_whole_spec_is_checked_with_its_examples() {
     let newer = fs::read_to_string(pack("newer.toml")).unwrap();
     file("whole/newer.toml", &newer.replace("\"queue\": 3", "\"queue\": [3]"));
     expect![[r#"
-        whole/motion.toml:429:10: note: command `wait_complete`, reply of an example: lenient: `cmdName` is " wait_complete"; expected is `wait_complete`
-        whole/payload.toml:29:10: note: command `set_payload`, reply of an example: lenient: `cmdName` is " set_payload "; expected is `set_payload`
-        whole/newer.toml:31:10: command `get_motion_state`, reply of an example: unreadable: `queue` is [3]; expected is a whole number
+        whole/motion.toml:429:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
+        whole/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
+        whole/newer.toml:31:10: command `get_motion_state`, reply of an example: `queue` is [3]; expected is a whole number
         whole: 85 commands, 47 types, 5 error codes
         jaka: 1 error
         exit code 2

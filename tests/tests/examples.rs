@@ -1,12 +1,15 @@
 //! Whether the examples of a spec fit the fields of their commands.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 use expect_test::expect;
 use jaka_spec::tools::{Misfit, misfits};
-use jaka_spec::{Source, Spec, load_pack};
+use jaka_spec::{Source, load_pack};
 use jaka_tests::spec;
 
 fn lines(misfits: impl IntoIterator<Item = Misfit>) -> String {
-    misfits.into_iter().map(|misfit| format!("{}{misfit}\n", if misfit.is_lenient { "(" } else { "" })).collect()
+    let line = |misfit: Misfit| if misfit.is_lenient { format!("note: {misfit}\n") } else { format!("{misfit}\n") };
+    misfits.into_iter().map(line).collect::<Vec<_>>().concat()
 }
 
 /// What does not fit in a command of a pack with these examples.
@@ -30,10 +33,10 @@ fn reply(json: &str) -> String {
 
 #[test]
 fn those_of_the_document_fit() {
-    let spec: Spec = spec();
+    let spec = spec();
     expect![[r#"
-        (command `wait_complete`, reply of an example: lenient: `cmdName` is " wait_complete"; expected is `wait_complete`
-        (command `set_payload`, reply of an example: lenient: `cmdName` is " set_payload "; expected is `set_payload`
+        note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
+        note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
     "#]]
     .assert_eq(&lines(spec.commands().flat_map(|command| misfits(&spec, command))));
 }
@@ -71,16 +74,16 @@ fn replies_are_those_that_the_client_reads() {
     assert_eq!(success(r#", "n": 1"#), "");
     assert_eq!(reply(r#"{"cmdName": "set_speed", "errorCode": "2", "errorMsg": "no"}"#), "");
     expect![[r#"
-        (command `set_speed`, reply of an example: lenient: `n` is "1"; expected is a whole number
+        note: command `set_speed`, reply of an example: `n` is "1"; expected is a whole number
     "#]]
     .assert_eq(&success(r#", "n": "1""#));
     expect![[r#"
-        command `set_speed`, reply of an example: lenient: `m` is not in the spec; it looks like `int`: 1
-        command `set_speed`, reply of an example: unreadable: `n` is missing; expected is a whole number
+        command `set_speed`, reply of an example: `m` is not in the spec; it looks like `int`: 1
+        command `set_speed`, reply of an example: `n` is missing; expected is a whole number
     "#]]
     .assert_eq(&success(r#", "m": 1"#));
     expect![[r#"
-        command `set_speed`, reply of an example: unreadable: the message is "none"; expected is an object
+        command `set_speed`, reply of an example: the message is "none"; expected is an object
     "#]]
     .assert_eq(&reply("none"));
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::{Map, Value};
 
-use crate::json::{self, AdvisoryRanges, COMMAND_NAME, Reading};
+use crate::json::{self, AdvisoryRanges, COMMAND_NAME, Departure, DepartureKind, Reading};
 use crate::{Command, Example, Spec};
 
 /// An example of a command that is not as the command's fields have it.
@@ -84,9 +84,14 @@ fn of_reply(spec: &Spec, command: &Command, reply: &str) -> Vec<(String, bool)> 
         // A bare Python tuple, perhaps.
         Err(_) => Value::String(reply.to_owned()),
     };
-    let departures = json::departures(spec, command, &message);
-    let is_lenient = |departure: &json::Departure| {
-        departure.reading == Reading::Lenient && departure.kind != json::DepartureKind::Unknown
-    };
-    departures.iter().map(|departure| (departure.to_string(), is_lenient(departure))).collect()
+    json::departures(spec, command, &message).iter().map(misfit).collect()
+}
+
+/// What departs, and whether that is lenient: a key that the spec does not know is skipped, but belongs to no example.
+fn misfit(departure: &Departure) -> (String, bool) {
+    let is_lenient = departure.reading == Reading::Lenient && departure.kind != DepartureKind::Unknown;
+    let text = departure.to_string();
+    // Without the reading, which the misfit has in its own terms.
+    let what = text.split_once(": ").map_or(&*text, |(_reading, what)| what);
+    (what.to_owned(), is_lenient)
 }
