@@ -86,7 +86,7 @@ pub(crate) fn names(fields: &[Field]) -> Vec<Ident> {
 /// Statements that write the fields of an object; `value` turns a field's name into a reference to its value.
 pub(crate) fn write_object(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     let fields = fields.iter().map(|field| {
-        let key = format!("\"{}\":", field.wire);
+        let key = field.key();
         write_field(field, &quote!(out.key(#key);), &value(&ident(&field.name)))
     });
     quote!(#(#fields)*)
@@ -122,10 +122,10 @@ fn write_value(field: &Field, value: &TokenStream) -> TokenStream {
 }
 
 /// A statement that writes the value behind the reference `value`.
-fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
+pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
     match ty {
-        Type::Bool { off, on } if off != "false" => quote!(out.choose(*#value, #off, #on);),
-        Type::List(element) | Type::Array(element, _) if matches!(**element, Type::Bool { .. }) => {
+        Type::Bool { off, on } if off != "false" || on != "true" => quote!(out.choose(*#value, #off, #on);),
+        Type::List(element) | Type::Array(element, _) if is_truth(element) => {
             let write = write_type(element, &quote!(item));
             quote!(out.array(#value, |out, item| { #write });)
         }
@@ -134,6 +134,14 @@ fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
             quote!(out.python(|out| { #write });)
         }
         _ => quote!(wire::Encode::encode(#value, out);),
+    }
+}
+
+/// True for a truth value, and for an array of them.
+fn is_truth(ty: &Type) -> bool {
+    match ty {
+        Type::List(element) | Type::Array(element, _) => is_truth(element),
+        other => matches!(other, Type::Bool { .. }),
     }
 }
 
@@ -165,18 +173,13 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
 fn read_arm(field: &Field) -> TokenStream {
     let (key, text, name) = (&field.wire, &field.name, ident(&field.name));
     match &field.ty {
-        Type::Bool { off, on } if !is_usual(off) || !is_usual(on) => {
+        Type::Bool { off, on } if field.ty.has_words() => {
             let (off, on) = (off.trim_matches('"'), on.trim_matches('"'));
             quote!(#key => reader.field_word(#text, &mut #name, #off, #on)?,)
         }
         Type::Python(_) => quote!(#key => reader.field_python(#text, &mut #name)?,),
         _ => quote!(#key => reader.field(#text, &mut #name)?,),
     }
-}
-
-/// True for the forms that every truth value is read from.
-fn is_usual(form: &str) -> bool {
-    matches!(form.trim_matches('"').to_ascii_lowercase().as_str(), "true" | "false" | "0" | "1")
 }
 
 /// Statements and an expression that read the elements of an array that has been entered.

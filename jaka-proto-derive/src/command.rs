@@ -10,7 +10,7 @@ use crate::{docs, typedef, validate};
 /// The request, its reply where that carries data, and what ties them together.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let name = ident(&command.request_type());
-    let alias = docs::alias(&command.wire, &command.name);
+    let alias = (command.wire != command.request_type()).then(|| docs::alias(&command.wire, &command.name));
     let docs = docs::attributes(&docs::request(command));
     let docs = quote!(#docs #alias);
     let request = match &command.request {
@@ -68,7 +68,7 @@ fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
 
 fn info(command: &Command) -> TokenStream {
     let name = &command.wire;
-    let head = format!("{{\"cmdName\":\"{name}\"");
+    let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
     let effect = ident(match command.effect {
         Effect::Query => "Query",

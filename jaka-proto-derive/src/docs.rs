@@ -16,9 +16,11 @@ pub(crate) fn topic(topic: &Topic) -> TokenStream {
     attributes(&format!("{}.\n\n{}", topic.title, topic.doc))
 }
 
-/// An alias under which rustdoc's search finds the item by its spelling on the wire.
+/// An alias under which rustdoc's search finds the item `name` by its spelling on the wire, where rustdoc takes that.
 pub(crate) fn alias(wire: &str, name: &str) -> TokenStream {
-    if wire == name || wire.is_empty() { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
+    let is_alias =
+        wire.trim() == wire && !wire.contains(|c: char| matches!(c, '"' | '\'') || c.is_whitespace() && c != ' ');
+    if wire == name || wire.is_empty() || !is_alias { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
 }
 
 /// What a field means, in which unit and range, and what sources disagree on.

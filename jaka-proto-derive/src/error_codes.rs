@@ -1,7 +1,7 @@
 //! The error codes that sources name.
 
 use jaka_spec::words::first_sentence;
-use jaka_spec::{ErrorCode, Spec};
+use jaka_spec::{ErrorCode, Spec, to_screaming};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -12,7 +12,7 @@ use crate::docs;
 pub(crate) fn render(spec: &Spec) -> TokenStream {
     let consts = spec.errors().map(|code| {
         let docs = docs::attributes(&code.doc);
-        let name = ident(&screaming(&code.name));
+        let name = ident(&to_screaming(&code.name));
         let wire = code.wire;
         quote!(#docs pub const #name: Self = Self(#wire);)
     });
@@ -37,7 +37,7 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
 pub(crate) fn in_pack(codes: &[ErrorCode]) -> Option<TokenStream> {
     let consts = codes.iter().map(|code| {
         let docs = docs::attributes(&code.doc);
-        let name = ident(&screaming(&code.name));
+        let name = ident(&to_screaming(&code.name));
         let wire = code.wire;
         quote!(#docs pub const #name: proto::ErrorCode = proto::ErrorCode(#wire);)
     });
@@ -56,16 +56,4 @@ pub(crate) fn in_pack(codes: &[ErrorCode]) -> Option<TokenStream> {
             }
         }
     })
-}
-
-/// `PermissionDenied` becomes `PERMISSION_DENIED`.
-fn screaming(camel: &str) -> String {
-    let mut name = String::new();
-    for c in camel.chars() {
-        if c.is_ascii_uppercase() && !name.is_empty() {
-            name.push('_');
-        }
-        name.push(c.to_ascii_uppercase());
-    }
-    name
 }

@@ -147,7 +147,7 @@ fn methods(module: &Module, scope: Scope<'_>, sync: &TokenStream) -> Option<Toke
             }
         }
     });
-    let name = ident(&format!("{}Commands", jaka_spec::to_camel(&module.topic.name)));
+    let name = ident(&module.trait_name());
     let docs = docs::attributes(&format!(
         "The commands of [`{}`](self) as methods: of a client, of a robot, and of all else that takes commands.",
         module.topic.name

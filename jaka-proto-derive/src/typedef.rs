@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::codec::{
-    Scope, declare_variants, ident, names, read_array, read_object, variant_path, write_array, write_object,
+    Scope, declare_variants, ident, names, read_array, read_object, variant_path, write_array, write_object, write_type,
 };
 use crate::docs;
 use crate::validate;
@@ -122,6 +122,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
     let docs = docs::attributes(&format!("{first}{unit}{rest}"));
     let inner = scope.rust_type(ty);
     let copy = scope.spec.is_copy(ty).then(|| quote!(Copy,));
+    let write = write_type(ty, &quote!(&self.0));
     quote! {
         #docs
         #[derive(Debug, Clone, #copy PartialEq)]
@@ -140,9 +141,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
         }
 
         impl wire::Encode for #name {
-            fn encode(&self, out: &mut wire::Writer) {
-                wire::Encode::encode(&self.0, out);
-            }
+            fn encode(&self, out: &mut wire::Writer) { #write }
         }
 
         impl wire::Decode for #name {
@@ -294,7 +293,7 @@ pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, 
     let all_copy = choice.variants.iter().all(|variant| scope.spec.all_copy(&variant.fields));
     let copy = all_copy.then(|| quote!(Copy,));
     let tag_key = &choice.tag;
-    let key = format!("\"{tag_key}\":");
+    let key = choice.key();
     let write = choice.variants.iter().map(|variant| {
         let (path, names, value) = (variant_path(variant), names(&variant.fields), tag(variant));
         let write = write_object(&variant.fields, |name| quote!(#name));

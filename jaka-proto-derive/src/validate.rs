@@ -72,11 +72,22 @@ fn struct_body(fields: &[Field]) -> TokenStream {
 }
 
 fn checks(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let gap = gap(fields, &value);
     let checks = fields.iter().map(|field| {
         let (text, value, limits) = (&field.name, value(&ident(&field.name)), limits(field));
         quote!(place.check(#text, #value, &#limits)?;)
     });
-    quote!(#(#checks)*)
+    quote!(#gap #(#checks)*)
+}
+
+/// The check that no element of an array is left out before another, where that can be.
+fn gap(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> Option<TokenStream> {
+    let optional: Vec<_> = fields.iter().filter(|field| field.optional && field.wire.is_empty()).collect();
+    let elements = optional.iter().map(|field| {
+        let (text, value) = (&field.name, value(&ident(&field.name)));
+        quote!((#text, Option::is_some(#value)))
+    });
+    (optional.len() > 1).then(|| quote!(place.no_gap(&[#(#elements),*])?;))
 }
 
 fn limits(field: &Field) -> TokenStream {

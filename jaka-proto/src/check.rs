@@ -219,6 +219,17 @@ impl<'p> Place<'p> {
         Err(self.invalid(value.to_string(), limits.to_string(), limits.advisory))
     }
 
+    /// Checks that no element of an array is left out before one that is given: that one would stand in its place.
+    ///
+    /// # Errors
+    /// There is such an element. Each is given by its name, and whether it is there.
+    pub fn no_gap(&'p self, elements: &[(&'static str, bool)]) -> Result<(), NotSent> {
+        let given = elements.iter().rposition(|(_, is_given)| *is_given).unwrap_or_default();
+        let Some((name, _)) = elements[..given].iter().find(|(_, is_given)| !is_given) else { return Ok(()) };
+        let allowed = "a value, since there is one behind it";
+        Err(self.inner(PlaceName::Field(name)).invalid("left out", allowed, false))
+    }
+
     /// Checks a value of an enum: `known` is true for the listed values, `advisory` for those of newer firmware.
     ///
     /// # Errors

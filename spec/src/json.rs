@@ -41,11 +41,12 @@ mod scalar;
 mod text;
 mod value;
 
+pub use crate::envelope::{COMMAND_NAME, ENVELOPE};
 pub use arguments::{Argument, PossibleValue, arguments};
 pub use check::check_request;
 pub use departure::{Departure, DepartureKind, Reading};
 pub use encode::request;
-pub use envelope::{COMMAND_NAME, ENVELOPE, departures, status_departures};
+pub use envelope::{departures, status_departures};
 pub use limits::AdvisoryRanges;
 pub use notation::notation;
 pub use problem::{Problem, ProblemKind};

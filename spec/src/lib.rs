@@ -1,12 +1,14 @@
 #![doc = include_str!("../README.md")]
 
 mod builtin;
+mod envelope;
 mod item;
 #[cfg(feature = "json")]
 pub mod json;
 mod model;
 mod names;
 mod pack;
+mod quote;
 mod read;
 mod report;
 mod resolve;
@@ -18,11 +20,12 @@ mod version;
 pub mod words;
 
 pub use builtin::{BUILTIN, builtin};
+pub use envelope::{COMMAND_NAME, ENVELOPE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
     Type, TypeDef, TypeKind, Variant,
 };
-pub use names::to_camel;
+pub use names::{to_camel, to_screaming};
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
 pub use shape::is_floats;

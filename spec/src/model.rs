@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
+use crate::envelope::COMMAND_NAME;
 use crate::names::to_camel;
+use crate::quote::{key, push_string};
 use crate::version::Versions;
 use crate::words::nearest;
 
@@ -141,6 +143,13 @@ impl Command {
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields)).chain(&self.reply)
     }
 
+    /// The beginning of each request as JSON text: the brace, and `cmdName` with its value.
+    pub fn head(&self) -> String {
+        let mut head = format!("{{{}", key(COMMAND_NAME));
+        push_string(&mut head, &self.wire);
+        head
+    }
+
     /// True where nothing is sent beside `cmdName`.
     pub fn is_bare(&self) -> bool {
         matches!(&self.request, Request::Fields(fields) if fields.is_empty())
@@ -193,6 +202,13 @@ pub struct Choice {
     pub variants: Vec<Variant>,
 }
 
+impl Choice {
+    /// The tag's key as JSON text, with its quotes and colon.
+    pub fn key(&self) -> String {
+        key(&self.tag)
+    }
+}
+
 /// One variant of a [`Choice`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variant {
@@ -231,6 +247,13 @@ pub struct Field {
     pub disputed: Vec<String>,
     /// First and last firmware that has the field.
     pub versions: Versions,
+}
+
+impl Field {
+    /// Its key as JSON text, with its quotes and colon.
+    pub fn key(&self) -> String {
+        key(&self.wire)
+    }
 }
 
 /// An inclusive range, open at an end that is `None`.
@@ -273,6 +296,14 @@ pub enum Type {
 }
 
 impl Type {
+    /// True for a truth value that is not read as usual: one in words of its own, such as `robot_enabled`, or one whose
+    /// 0 means true.
+    pub fn has_words(&self) -> bool {
+        let Self::Bool { off, on } = self else { return false };
+        let is = |form: &str, word: &str| form.trim_matches('"').eq_ignore_ascii_case(word);
+        !(is(off, "false") || is(off, "0")) || !(is(on, "true") || is(on, "1"))
+    }
+
     /// The name of the named type at its heart, if that is one.
     pub fn named(&self) -> Option<&str> {
         match self {
@@ -319,6 +350,11 @@ pub enum TypeKind {
 impl TypeKind {
     /// The named types that it is made of.
     pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.types().filter_map(Type::named)
+    }
+
+    /// The types of all its fields, or the wrapped type.
+    pub(crate) fn types(&self) -> impl Iterator<Item = &Type> {
         let (fields, variants, wrapped) = match self {
             Self::Object(fields) | Self::Array { fields, .. } => (fields.as_slice(), &[][..], None),
             Self::Choice(choice) => (&[][..], choice.variants.as_slice(), None),
@@ -326,7 +362,7 @@ impl TypeKind {
             Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..], None),
         };
         let fields = fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields));
-        fields.map(|field| &field.ty).chain(wrapped).filter_map(Type::named)
+        fields.map(|field| &field.ty).chain(wrapped)
     }
 }
 

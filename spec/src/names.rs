@@ -13,6 +13,7 @@ pub(crate) const RESERVED_FIELDS: &[&str] = &["reader", "key", "out", "place", "
 
 /// Names of the prelude and of generated items, which cannot be a type's.
 pub(crate) const RESERVED_TYPES: &[&str] = &[
+    "AsRef",
     "Box",
     "Clone",
     "Client",
@@ -30,9 +31,65 @@ pub(crate) const RESERVED_TYPES: &[&str] = &[
     "PartialEq",
     "Request",
     "Result",
+    "Sized",
     "Some",
     "String",
     "Vec",
+];
+
+/// Names of methods that a client, a robot or every value has, which hide those of a pack.
+pub(crate) const RESERVED_METHODS: &[&str] = &[
+    "acknowledge",
+    "call",
+    "call_raw",
+    "call_text",
+    "call_within",
+    "check_firmware",
+    "client",
+    "disconnect",
+    "explain",
+    "firmware",
+    "into",
+    "last_reply",
+    "latch",
+    "monitor",
+    "peer_addr",
+    "power_up",
+    "reply_timeout",
+    "run",
+    "servo",
+    "set_firmware",
+    "start",
+    "start_grace",
+    "status_silence",
+    "stop_handle",
+    "try_into",
+    "wait",
+];
+
+/// Names of Rust's own crates and types, which the module of a pack would hide from the user's code.
+pub(crate) const RESERVED_MODULES: &[&str] = &[
+    "alloc",
+    "bool",
+    "char",
+    "core",
+    "f32",
+    "f64",
+    "i8",
+    "i16",
+    "i32",
+    "i64",
+    "i128",
+    "isize",
+    "jaka_sync",
+    "std",
+    "str",
+    "u8",
+    "u16",
+    "u32",
+    "u64",
+    "u128",
+    "usize",
 ];
 
 /// True for a name such as `joint_move` that can be a field, a method or a module.
@@ -62,4 +119,16 @@ pub fn to_camel(snake: &str) -> String {
         camel.push_str(chars.as_str());
     }
     camel
+}
+
+/// `PermissionDenied` becomes `PERMISSION_DENIED`.
+pub fn to_screaming(camel: &str) -> String {
+    let mut name = String::with_capacity(camel.len() + 4);
+    for c in camel.chars() {
+        if c.is_ascii_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.push(c.to_ascii_uppercase());
+    }
+    name
 }

@@ -5,10 +5,13 @@ mod module;
 
 use std::collections::BTreeSet;
 
+use self::change::Target;
 pub use self::module::Module;
+pub(crate) use self::module::trait_name;
 use crate::item::Item;
 use crate::model::{Command, ErrorCode, Field, Request, Spec, Topic, TypeDef, TypeKind};
-use crate::report::{Error, Errors, Report};
+use crate::names::RESERVED_METHODS;
+use crate::report::{At, Error, Errors, Report};
 use crate::resolve::Index;
 use crate::{Source, read, resolve};
 
@@ -39,11 +42,11 @@ struct Changed {
 /// One [`Error`] for each thing that is wrong, at its line and column.
 pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let (report, notes) = (Report::default(), Report::default());
-    let mut draft = Draft { spec: base.clone(), index: Index::of(base), notes: &notes, changed: Changed::default() };
+    let index = Index::of(base, read::stem(source.path));
+    let mut draft = Draft { spec: base.clone(), index, notes: &notes, changed: Changed::default(), edits: Vec::new() };
     let topic = read::file(source, &report, |root, topic| draft.read(root, topic));
+    draft.check_optional(&report);
     resolve::check(&draft.index, &report);
-    draft.check_methods(&topic, source, &report);
-    report.finish()?;
     let Draft { mut spec, changed, .. } = draft;
     let mut notes = notes.finish().map_or_else(|errors| errors.0, |()| Vec::new());
     if topic.is_empty() && changed.commands.is_empty() && changed.types.is_empty() {
@@ -51,7 +54,10 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
         notes.insert(0, Error { path: source.path.to_owned(), line: 1, column: 1, message });
     }
     spec.topics.push(topic.clone());
-    Ok(Pack { spec, notes, topic, changed })
+    let pack = Pack { spec, notes, topic, changed };
+    pack.check_methods(source, &report);
+    report.finish()?;
+    Ok(pack)
 }
 
 /// A spec while a pack is being applied.
@@ -60,6 +66,8 @@ struct Draft<'s, 'r> {
     index: Index<'s>,
     notes: &'r Report,
     changed: Changed,
+    /// Where it is changed: the entries, in the order of the file.
+    edits: Vec<(At<'s>, String, Target)>,
 }
 
 impl<'s> Draft<'s, '_> {
@@ -127,14 +135,17 @@ impl<'s> Draft<'s, '_> {
         }
         None
     }
+}
 
+impl Pack {
     /// The methods of changed commands bear the pack's name; nothing else may.
-    fn check_methods(&mut self, topic: &Topic, source: Source<'s>, report: &Report) {
-        let start = crate::report::At { source, offset: 0 };
-        for name in topic.commands.iter().map(|command| &command.name) {
-            let taken = self.spec.commands().any(|command| module::method(&command.name, &topic.name) == *name);
-            if taken {
-                report.error(start, format!("the method name `{name}` is that of a changed command in this pack"));
+    fn check_methods(&self, source: Source<'_>, report: &Report) {
+        let module = self.module();
+        let changed = module.topic.commands.iter().filter(|command| module.changed.contains(&command.wire));
+        for name in changed.map(|command| module.method(command)) {
+            if self.spec.commands().any(|command| command.name == name) || RESERVED_METHODS.contains(&name.as_str()) {
+                let message = format!("the method name `{name}` is that of a changed command in this pack");
+                report.error(At { source, offset: 0 }, message + ", and of another; rename the file");
             }
         }
     }

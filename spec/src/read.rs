@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use crate::Source;
+use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, parse};
 use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Request, Requirement, Topic};
-use crate::names::is_snake;
+use crate::names::{RESERVED_MODULES, is_snake};
 use crate::report::{At, Report};
 use crate::resolve::Index;
 use crate::version::Versions;
@@ -14,10 +15,10 @@ mod common;
 mod field;
 mod types;
 
-pub(crate) use common::{Unique, versions, wire_int};
-use common::{camel_name, doc, keyword, required_doc, snake_name, word};
+pub(crate) use common::{Unique, required_doc, versions, wire_int};
+use common::{camel_name, doc, keyword, snake_name, word};
 use field::fields;
-pub(crate) use field::{changed_field, element, field};
+pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field};
 use types::variants;
 pub(crate) use types::{enum_value, type_def};
 
@@ -39,6 +40,9 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     if !is_snake(&name) {
         report.error(start, format!("the file's name is that of a module, and `{name}` is no snake_case name"));
     }
+    if RESERVED_MODULES.contains(&&*name) {
+        report.error(start, format!("the file's name is that of a module, and `{name}` is a name of Rust"));
+    }
     let mut topic = Topic {
         title: root.required_text("title").value,
         doc: doc(&root).unwrap_or_default(),
@@ -52,26 +56,29 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     topic
 }
 
-fn stem(path: &str) -> &str {
+pub(crate) fn stem(path: &str) -> &str {
     let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
     file.strip_suffix(".toml").unwrap_or(file)
 }
 
 pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command {
     let wire = item.required_text("wire");
+    if wire.value.trim() != wire.value {
+        item.error(wire.at, "blanks around a command's name are lost in replies, which are read without them");
+    }
     let section = item.text("section");
     index.command(item, &wire, section.as_ref());
     let name = snake_name(item, &wire);
     index.method(item, &name);
     let request = request(item, index);
-    let reply = fields(item, "reply", "reply field", index);
+    let reply = fields(item, ("reply", "reply field"), ENVELOPE, index);
     let bare_reply = item.text("bare_reply");
     if let Some(bare) = bare_reply.as_ref().filter(|bare| reply.iter().all(|field| field.name != bare.value)) {
         item.error(bare.at, &format!("`bare_reply` names `{}`, which is no field of the reply", bare.value));
     }
     let reply_certain = item.flag("reply_certain").is_none_or(|flag| flag.value);
     if !reply_certain && reply.iter().any(|field| !field.optional) {
-        item.error(item.at, "a reply that may never come can have optional fields only");
+        item.error(item.at, OPTIONAL_ONLY);
     }
     let command = Command {
         section: section.map(|text| text.value),
@@ -96,6 +103,8 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
     item.finish();
     command
 }
+
+pub(crate) const OPTIONAL_ONLY: &str = "a reply that may never come can have optional fields only";
 
 const EFFECTS: &[(&str, Effect)] = &[
     ("query", Effect::Query),
@@ -128,16 +137,19 @@ pub(crate) fn deadline(item: &Item<'_, '_>) -> Option<Duration> {
 
 fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
     match item.item("choice", "choice") {
-        None => Request::Fields(fields(item, "request", "field", index)),
+        None => Request::Fields(fields(item, ("request", "field"), &[COMMAND_NAME], index)),
         Some(choice_item) => {
             if item.has("request") {
                 item.error(choice_item.at, "a command has `request` fields or a `choice`, not both");
             }
-            let tag = choice_item.required_text("tag").value;
-            let choice =
-                Choice { tag, variants: variants(&choice_item, |variant| fields(variant, "field", "field", index)) };
+            let tag = choice_item.required_text("tag");
+            if tag.value == COMMAND_NAME {
+                choice_item.error(tag.at, "each message has this key, for its command's name");
+            }
+            let taken = [COMMAND_NAME, &tag.value];
+            let variants = variants(&choice_item, |item| fields(item, ("field", "field"), &taken, index));
             choice_item.finish();
-            Request::Choice(choice)
+            Request::Choice(Choice { tag: tag.value, variants })
         }
     }
 }

@@ -4,9 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::item::{Item, Placed};
 use crate::model::{Spec, Type, TypeKind};
-use crate::names::to_camel;
+use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming};
+use crate::pack::trait_name;
 use crate::read::Unique;
 use crate::report::{At, Report};
+use crate::words::notation;
 
 /// What the files define and use, gathered while they are read.
 #[derive(Debug, Default)]
@@ -17,29 +19,32 @@ pub(crate) struct Index<'s> {
     type_names: Unique<'s, String>,
     error_wires: Unique<'s, i64>,
     error_names: Unique<'s, String>,
-    types: BTreeMap<String, Vec<String>>,
+    types: BTreeMap<String, Vec<Type>>,
     uses: Vec<TypeUse<'s>>,
+    /// The trait with a pack's methods.
+    own_trait: Option<String>,
 }
 
 #[derive(Debug)]
 struct TypeUse<'s> {
     what: String,
     at: At<'s>,
-    name: String,
+    ty: Type,
 }
 
 impl<'s> Index<'s> {
-    /// What a spec has that a pack adds to.
-    pub(crate) fn of(base: &Spec) -> Self {
+    /// What a spec has that the pack `module` adds to.
+    pub(crate) fn of(base: &Spec, module: &str) -> Self {
         let commands = || base.commands();
-        let requests = commands().flat_map(|command| [Some(command.request_type()), command.reply_type()]).flatten();
+        let messages = commands().flat_map(|command| message_types(&command.name));
         let mut index = Self {
             commands: Unique::taken(commands().map(|command| command.wire.clone())),
             sections: Unique::taken(commands().filter_map(|command| command.section.clone())),
             methods: Unique::taken(commands().map(|command| command.name.clone())),
-            type_names: Unique::taken(requests.chain(base.types().map(|def| def.name.clone()))),
+            type_names: Unique::taken(messages.chain(base.types().map(|def| def.name.clone()))),
             error_wires: Unique::taken(base.errors().map(|code| code.wire)),
             error_names: Unique::taken(base.errors().map(|code| code.name.clone())),
+            own_trait: Some(trait_name(module)),
             ..Self::default()
         };
         for def in base.types() {
@@ -63,40 +68,60 @@ impl<'s> Index<'s> {
     /// A command's method, and the types that come with it.
     pub(crate) fn method(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>) {
         self.methods.add(item, "method name", name);
-        let request = to_camel(&name.value);
-        for generated in [request.clone() + "Reply", request] {
-            self.type_names.add(item, "type name", &Placed { at: name.at, value: generated });
+        if RESERVED_METHODS.contains(&name.value.as_str()) {
+            item.error(name.at, &format!("clients and robots have a method `{}`; give another as `name`", name.value));
+        }
+        for value in message_types(&name.value) {
+            self.type_name(item, &Placed { at: name.at, value });
         }
     }
 
     pub(crate) fn type_name(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>) {
+        let is_own_trait = self.own_trait.as_ref() == Some(&name.value);
+        if is_own_trait || RESERVED_TYPES.contains(&name.value.as_str()) {
+            item.error(
+                name.at,
+                &format!("`{}` is a name of Rust or of the generated code; take another `name`", name.value),
+            );
+        }
         self.type_names.add(item, "type name", name);
     }
 
     /// What a type is made of, for the check that no type contains itself.
     pub(crate) fn type_body(&mut self, name: &str, kind: &TypeKind) {
-        self.types.insert(name.to_owned(), kind.names().map(str::to_owned).collect());
+        self.types.insert(name.to_owned(), kind.types().cloned().collect());
     }
 
     pub(crate) fn type_use(&mut self, item: &Item<'_, 's>, at: At<'s>, ty: &Type) {
-        if let Some(name) = ty.named() {
-            self.uses.push(TypeUse { what: item.what.clone(), at, name: name.to_owned() });
-        }
+        self.uses.push(TypeUse { what: item.what.clone(), at, ty: ty.clone() });
     }
 
     pub(crate) fn error_code(&mut self, item: &Item<'_, 's>, wire: &Placed<'s, i64>, name: &Placed<'s, String>) {
         self.error_wires.add(item, "code", wire);
-        self.error_names.add(item, "name", name);
+        // A pack's module has a constant of this name beside its types.
+        let constant = Placed { at: name.at, value: to_screaming(&name.value) };
+        if self.error_names.add(item, "name", name) {
+            self.type_names.add(item, "constant", &constant);
+        }
     }
 }
 
+/// The types that come with the command of this name: its request and, if it has one, its reply.
+fn message_types(command: &str) -> [String; 2] {
+    let request = to_camel(command);
+    [request.clone() + "Reply", request]
+}
 /// Runs the checks that need all files.
 pub(crate) fn check(index: &Index<'_>, report: &Report) {
-    for TypeUse { what, at, name } in &index.uses {
-        if !index.types.contains_key(name) {
+    for TypeUse { what, at, ty } in &index.uses {
+        let name = ty.named().unwrap_or_default();
+        if !name.is_empty() && !index.types.contains_key(name) {
             report.error(*at, format!("{what}: there is no `[[type]]` named `{name}`"));
         } else if reaches_itself(index, name) {
             report.error(*at, format!("{what}: the type `{name}` contains itself"));
+        } else if weight(index, ty, 0).is_none() {
+            let limits = format!("more than {MOST_VALUES} values, or more than {MOST_LEVELS} types in each other");
+            report.error(*at, format!("{what}: the type `{}` holds {limits}", notation(ty)));
         }
     }
 }
@@ -105,7 +130,7 @@ fn reaches_itself(index: &Index<'_>, name: &str) -> bool {
     let mut seen = BTreeSet::new();
     let mut open = vec![name];
     while let Some(open_name) = open.pop() {
-        for part in index.types.get(open_name).into_iter().flatten() {
+        for part in index.types.get(open_name).into_iter().flatten().filter_map(Type::named) {
             if part == name {
                 return true;
             }
@@ -115,4 +140,33 @@ fn reaches_itself(index: &Index<'_>, name: &str) -> bool {
         }
     }
     false
+}
+
+/// How many values a type may hold: they lie side by side in memory.
+const MOST_VALUES: usize = 4096;
+
+/// How deep types may nest.
+const MOST_LEVELS: usize = 32;
+
+/// How many values the type holds, an array of any length counted as one element; none if there are too many.
+fn weight(index: &Index<'_>, ty: &Type, level: usize) -> Option<usize> {
+    if level > MOST_LEVELS {
+        return None;
+    }
+    let weight = match ty {
+        Type::List(element) | Type::Python(element) => weight(index, element, level + 1)?,
+        Type::Array(element, len) => weight(index, element, level + 1)? * len,
+        Type::Named(name) => {
+            let mut sum = 0;
+            for part in index.types.get(name).into_iter().flatten() {
+                sum += weight(index, part, level + 1)?;
+                if sum > MOST_VALUES {
+                    return None;
+                }
+            }
+            sum.max(1)
+        }
+        _ => 1,
+    };
+    Some(weight).filter(|weight| *weight <= MOST_VALUES)
 }

@@ -196,7 +196,7 @@ doc = "A again."
             spec/test.toml:22:11: command `go`: the section `4.1` is taken already, at spec/test.toml:6:11
             spec/test.toml:27:8: type `Go`: the type name `Go` is taken already, at spec/test.toml:5:8
             spec/test.toml:33:8: type `Go`, value `Other`: `Other` is the variant for values that the spec does not list
-            spec/test.toml:37:8: type `Result`: `Result` is a name of Rust or of the generated code
+            spec/test.toml:37:8: type `Result`: `Result` is a name of Rust or of the generated code; take another `name`
             spec/test.toml:48:8: error code `A`: the code `1` is taken already, at spec/test.toml:43:8
             spec/test.toml:49:8: error code `A`: the name `A` is taken already, at spec/test.toml:44:8
         "]],
@@ -265,7 +265,7 @@ doc = "Second."
         &expect![[r"
             spec/test.toml:9:1: command `go`, field `a`: `min` is greater than `max`
             spec/test.toml:16:1: command `go`, field `b`: `min`, `max` and `advisory` are for numbers
-            spec/test.toml:25:11: command `go`, field `c`: `written` gives a bool's two forms: how false is written, then true
+            spec/test.toml:25:11: command `go`, field `c`: `written` gives a bool's two forms, which are read in any case: how false is written, then true
             spec/test.toml:28:1: command `go`, field `d`: `ascii` is for text
             spec/test.toml:28:1: command `go`, field `d`: `disputed` lists the readings of at least two sources
             spec/test.toml:35:1: command `go`, field `key`: `advisory` is for a range: give `min` or `max`

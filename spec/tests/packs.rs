@@ -501,6 +501,7 @@ doc = "Too heavy."
 "#,
         &expect![[r"
             newer.toml:4:8: command `joint_move`: the method name `joint_move` is taken already, by the spec that this adds to
+            newer.toml:4:8: command `joint_move`: the type name `JointMoveReply` is taken already, by the spec that this adds to
             newer.toml:4:8: command `joint_move`: the type name `JointMove` is taken already, by the spec that this adds to
             newer.toml:8:1: type `Pose`: the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`
             newer.toml:14:1: error code `Overload`: the spec has the code 2 already, as `CallFailed`
@@ -567,7 +568,7 @@ target = "joint_move"
 deadline_ms = 10
 "#,
         &expect![[r"
-            newer.toml:1:1: the method name `joint_move_newer` is that of a changed command in this pack
+            newer.toml:1:1: the method name `joint_move_newer` is that of a changed command in this pack, and of another; rename the file
         "]],
     );
 }

@@ -10,6 +10,13 @@ pub trait Decode: Sized {
     /// # Errors
     /// The text is no JSON, or the value does not fit.
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+
+    /// Reads an array of exactly `N` values. Types that need no allocation for it have a way of their own.
+    #[doc(hidden)]
+    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
+        let start = reader.clone();
+        Vec::decode(reader)?.try_into().map_err(|_| not_an_array_of(N, start))
+    }
 }
 
 /// A number, or a string that holds one. Correctly rounded; never NaN or infinite.
@@ -19,6 +26,10 @@ impl Decode for f64 {
         let value = reader.scalar()?.and_then(|text| text.parse::<f64>().ok());
         value.filter(|value| value.is_finite()).ok_or_else(|| unfit(start, "a number"))
     }
+
+    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
+        scalars(reader)
+    }
 }
 
 /// A whole number, also one written with a fraction of zero, or a string that holds one.
@@ -27,6 +38,10 @@ impl Decode for i64 {
         let start = reader.clone();
         let value = reader.scalar()?.and_then(|text| whole(&text));
         value.ok_or_else(|| unfit(start, "a whole number"))
+    }
+
+    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
+        scalars(reader)
     }
 }
 
@@ -57,6 +72,10 @@ impl Decode for bool {
             },
         };
         value.ok_or_else(|| unfit(start, "a truth value"))
+    }
+
+    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
+        scalars(reader)
     }
 }
 
@@ -93,21 +112,30 @@ impl<T: Decode> Decode for Vec<T> {
 }
 
 /// Exactly `N` values: neither is one made up nor one dropped.
-impl<T: Decode + Copy + Default, const N: usize> Decode for [T; N] {
+impl<T: Decode, const N: usize> Decode for [T; N] {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let mut start = reader.clone();
-        let mut values = [T::default(); N];
-        let mut len = 0;
-        reader.begin_array()?;
-        while reader.next_element()? {
-            let value = T::decode(reader).map_err(|error| error.in_element(len))?;
-            if let Some(slot) = values.get_mut(len) {
-                *slot = value;
-            }
-            len += 1;
-        }
-        if len == N { Ok(values) } else { Err(DecodeError::unfit(format!("an array of {N}"), start.raw()?)) }
+        T::decode_array(reader)
     }
+}
+
+/// An array of numbers or truth values, without an allocation.
+fn scalars<T: Decode + Copy + Default, const N: usize>(reader: &mut Reader<'_>) -> Result<[T; N], DecodeError> {
+    let start = reader.clone();
+    let mut values = [T::default(); N];
+    let mut len = 0;
+    reader.begin_array()?;
+    while reader.next_element()? {
+        let value = T::decode(reader).map_err(|error| error.in_element(len))?;
+        if let Some(slot) = values.get_mut(len) {
+            *slot = value;
+        }
+        len += 1;
+    }
+    if len == N { Ok(values) } else { Err(not_an_array_of(N, start)) }
+}
+
+fn not_an_array_of(len: usize, start: Reader<'_>) -> DecodeError {
+    unfit(start, &format!("an array of {len}"))
 }
 
 /// The error for the value at which `reader` stands.

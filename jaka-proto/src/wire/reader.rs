@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use memchr::memchr2;
 
+use super::decode::whole;
 use super::error::DecodeError;
 use super::{Decode, Fields, Writer};
 
@@ -386,13 +387,16 @@ impl<'a> Reader<'a> {
 
     /// Reads a truth value, in any of the usual forms or as one of two words.
     fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
+        let is = |text: &str, word: &str| {
+            text.eq_ignore_ascii_case(word) || whole(text).is_some_and(|number| whole(word) == Some(number))
+        };
         let mut ahead = self.clone();
         match ahead.scalar()? {
-            Some(word) if word.eq_ignore_ascii_case(off) => {
+            Some(text) if is(&text, off) => {
                 *self = ahead;
                 Ok(false)
             }
-            Some(word) if word.eq_ignore_ascii_case(on) => {
+            Some(text) if is(&text, on) => {
                 *self = ahead;
                 Ok(true)
             }

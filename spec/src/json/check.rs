@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value};
 
+use super::COMMAND_NAME;
 use super::decode::Decoder;
 use super::departure::{Departure, DepartureKind, Reading};
-use super::envelope::COMMAND_NAME;
 use super::problem::{Problem, ProblemKind};
 use crate::{Command, Request, Spec};
 

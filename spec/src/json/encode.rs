@@ -4,7 +4,6 @@ mod value;
 
 use serde_json::{Map, Value};
 
-use super::envelope::COMMAND_NAME;
 use super::limits::{AdvisoryRanges, Slot, variants};
 use super::names::{field_of, same, suggestion};
 use super::problem::{Problem, ProblemKind, member};
@@ -26,8 +25,7 @@ pub fn request(
     fields: &Map<String, Value>,
     ranges: AdvisoryRanges,
 ) -> Result<String, Vec<Problem>> {
-    let out = format!("{{\"{COMMAND_NAME}\":\"{}\"", command.wire);
-    let mut encoder = Encoder { spec, ranges, out, problems: Vec::new() };
+    let mut encoder = Encoder { spec, ranges, out: command.head(), problems: Vec::new() };
     match &command.request {
         Request::Fields(known) => encoder.object("", known, fields, ""),
         Request::Choice(choice) => encoder.object_choice(choice, fields),
@@ -82,7 +80,7 @@ impl Encoder<'_> {
             if let Some(value) = value {
                 self.comma();
                 if !field.wire.is_empty() {
-                    self.key(&field.wire);
+                    self.out.push_str(&field.key());
                 }
                 self.value(&slot, value);
             } else if !field.optional || gap {
@@ -118,7 +116,7 @@ impl Encoder<'_> {
             return self.problem(&choice.tag, kind, tag, variants(&choice.variants));
         };
         self.comma();
-        self.key(&choice.tag);
+        self.out.push_str(&choice.key());
         self.out.push_str(&variant.wire.to_string());
         self.object("", &variant.fields, given, &choice.tag);
     }
@@ -144,10 +142,6 @@ impl Encoder<'_> {
         if !self.out.ends_with(['{', '[']) {
             self.out.push(',');
         }
-    }
-
-    fn key(&mut self, wire: &str) {
-        self.out.extend(["\"", wire, "\":"]);
     }
 
     fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {

@@ -5,15 +5,8 @@ use serde_json::{Map, Value};
 use super::decode::Decoder;
 use super::departure::{Departure, DepartureKind, Reading};
 use super::scalar::{self, Form};
+use crate::envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 use crate::{Command, Spec, TypeKind};
-
-/// The key under which messages name their command.
-pub const COMMAND_NAME: &str = "cmdName";
-const ERROR_CODE: &str = "errorCode";
-const ERROR_MESSAGE: &str = "errorMsg";
-
-/// The three keys that every reply has.
-pub const ENVELOPE: &[&str] = &[COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE];
 
 /// The type of the packets of port 10000.
 const STATUS_TYPE: &str = "RobotStatus";

@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value};
 
-use super::envelope::{ENVELOPE, is_success};
+use super::ENVELOPE;
+use super::envelope::is_success;
 use super::python;
 use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
 

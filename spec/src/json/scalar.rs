@@ -63,14 +63,18 @@ pub(super) fn truth(value: &Value, off: &str, on: &str) -> Option<(bool, Form)> 
 
 /// The truth value that `text` stands for: one of the spec's two forms, true and false, or 1 and 0.
 pub(super) fn truth_word(text: &str, off: &str, on: &str) -> Option<bool> {
-    let is = |form: &str| text.eq_ignore_ascii_case(form.trim_matches('"'));
+    let number = whole(text);
+    let is = |form: &str| {
+        let form = form.trim_matches('"');
+        text.eq_ignore_ascii_case(form) || number.is_some() && whole(form) == number
+    };
     if is(off) || is(on) {
         return Some(is(on));
     }
     if is("false") || is("true") {
         return Some(is("true"));
     }
-    match whole(text)? {
+    match number? {
         0 => Some(false),
         1 => Some(true),
         _ => None,

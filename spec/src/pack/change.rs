@@ -1,14 +1,16 @@
 //! `[[extend]]` and `[[override]]`: changes of what the spec has.
 
 use super::{Draft, bare_field};
+use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
-use crate::model::{Command, EnumValue, Field, Request, Spec, TypeDef, TypeKind};
+use crate::model::{Choice, Command, EnumValue, Field, Request, Spec, TypeDef, TypeKind};
 use crate::read;
+use crate::report::Report;
 use crate::words::nearest;
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]
-enum Target {
+pub(super) enum Target {
     Command(String),
     Type(String),
 }
@@ -74,28 +76,25 @@ impl<'s> Draft<'s, '_> {
         }
         item.finish();
         if added.contains(&true) {
-            self.changed(&target);
+            self.changed(item, &target);
         }
     }
 
     /// Adds a field; false if nothing changes.
     fn add_field(&mut self, outer: &Item<'_, 's>, item: &Item<'_, 's>, place: Place<'_, 's>) -> bool {
         let Self { spec, index, .. } = self;
-        let Some(List { fields, keyed, optional_only }) = list(outer, spec, place) else { return false };
-        let new = if keyed { read::field(item, index) } else { read::element(item, index) };
-        let same = fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
+        let Some(list) = list(outer, spec, place) else { return false };
+        let keyed = list.keyed;
+        let new = if keyed { read::field(item, &list.taken, index) } else { read::element(item, index) };
+        let same = list.fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
         if same.is_some_and(|old| bare_field(old) == bare_field(&new)) {
             self.note(item, super::REPEATED);
             return false;
         }
         if let Some(old) = same {
             item.error(item.at, &taken(old, &new));
-        } else if optional_only && !new.optional {
-            item.error(item.at, "a reply that may never come can have optional fields only");
-        } else if !keyed && !new.optional && fields.last().is_some_and(|last| last.optional) {
-            item.error(item.at, "an element behind an optional one must be optional too");
         }
-        fields.push(new);
+        list.fields.push(new);
         true
     }
 
@@ -140,7 +139,8 @@ impl<'s> Draft<'s, '_> {
 
     fn change_field(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>, place: Place<'_, 's>) {
         let Self { spec, index, .. } = self;
-        let Some(List { fields, .. }) = list(item, spec, place) else { return };
+        let Some(mut list) = list(item, spec, place) else { return };
+        let fields = &mut *list.fields;
         let Some(at) = fields.iter().position(|field| is_called(field, &name.value)) else {
             let known = fields.iter().map(|field| if field.wire.is_empty() { &*field.name } else { &*field.wire });
             let known: Vec<_> = known.collect();
@@ -153,10 +153,10 @@ impl<'s> Draft<'s, '_> {
         }
         if new == fields[at] {
             self.note(item, SAME);
-        } else {
-            fields[at] = new;
-            self.changed(place.0);
+            return;
         }
+        list.replace(at, new);
+        self.changed(item, place.0);
     }
 
     fn change_command(&mut self, item: &Item<'_, 's>, wire: &str) {
@@ -167,19 +167,20 @@ impl<'s> Draft<'s, '_> {
         }
         command.deadline = read::deadline(item).or(command.deadline);
         command.versions = read::versions(item, &before.versions);
-        if let Some(doc) = item.text("doc") {
-            doc.value.trim().clone_into(&mut command.doc);
+        if item.has("doc") {
+            command.doc = read::required_doc(item);
         }
         let same = *command == before;
         item.finish();
         if same {
             self.note(item, SAME);
         } else {
-            self.changed(&Target::Command(wire.to_owned()));
+            self.changed(item, &Target::Command(wire.to_owned()));
         }
     }
 
-    fn changed(&mut self, target: &Target) {
+    fn changed(&mut self, item: &Item<'_, 's>, target: &Target) {
+        self.edits.push((item.at, item.what.clone(), target.clone()));
         match target {
             Target::Command(wire) => self.changed.commands.insert(wire.clone()),
             Target::Type(name) => {
@@ -189,6 +190,34 @@ impl<'s> Draft<'s, '_> {
                 self.changed.types.insert(name.clone())
             }
         };
+    }
+}
+
+impl Draft<'_, '_> {
+    /// Checks which fields are optional, now that all of them are known.
+    pub(super) fn check_optional(&self, report: &Report) {
+        for (at, what, target) in &self.edits {
+            if let Some(problem) = self.optional_problem(target) {
+                report.error(*at, format!("{what}: {problem}"));
+            }
+        }
+    }
+
+    fn optional_problem(&self, target: &Target) -> Option<&'static str> {
+        let in_order = |fields: &[Field]| fields.windows(2).all(|pair| !pair[0].optional || pair[1].optional);
+        let is_right = match target {
+            Target::Command(wire) => {
+                let command = self.spec.command(wire)?;
+                let is_wrong = !command.reply_certain && command.reply.iter().any(|field| !field.optional);
+                return is_wrong.then_some(read::OPTIONAL_ONLY);
+            }
+            Target::Type(name) => match &self.spec.type_def(name)?.kind {
+                TypeKind::Array { fields, .. } => in_order(fields),
+                TypeKind::Choice(choice) => choice.variants.iter().all(|variant| in_order(&variant.fields)),
+                _ => true,
+            },
+        };
+        (!is_right).then_some(read::OPTIONAL_LAST)
     }
 }
 
@@ -202,25 +231,50 @@ struct List<'f> {
     fields: &'f mut Vec<Field>,
     /// True for fields of an object; elements of an array have no keys.
     keyed: bool,
-    optional_only: bool,
+    /// Keys that no field may have.
+    taken: Vec<&'f str>,
+    /// The name of the field that a bare reply stands for.
+    bare_reply: Option<&'f mut String>,
+}
+
+impl<'f> List<'f> {
+    fn object(fields: &'f mut Vec<Field>, taken: &[&'f str]) -> Self {
+        Self { fields, keyed: true, taken: taken.to_vec(), bare_reply: None }
+    }
+
+    fn array(fields: &'f mut Vec<Field>) -> Self {
+        Self { keyed: false, ..Self::object(fields, &[]) }
+    }
+
+    fn reply(command: &'f mut Command) -> Self {
+        Self { bare_reply: command.bare_reply.as_mut(), ..Self::object(&mut command.reply, ENVELOPE) }
+    }
+
+    /// Puts a field in another's place.
+    fn replace(&mut self, at: usize, new: Field) {
+        if let Some(name) = self.bare_reply.as_mut().filter(|name| ***name == self.fields[at].name) {
+            new.name.clone_into(name);
+        }
+        self.fields[at] = new;
+    }
 }
 
 /// The fields at a place, or an error if there can be none.
 fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part): Place<'_, 's>) -> Option<List<'f>> {
-    let object = |fields| List { fields, keyed: true, optional_only: false };
     let (choice, keyed) = match target {
         Target::Command(wire) => {
             let command = spec.command_mut(wire)?;
-            let optional_only = !command.reply_certain;
-            match (&mut command.request, part) {
-                (_, Part::Reply) => return Some(List { optional_only, ..object(&mut command.reply) }),
-                (Request::Fields(fields), _) => return Some(object(fields)),
-                (Request::Choice(choice), _) => (choice, true),
+            if part == Part::Reply {
+                return Some(List::reply(command));
+            }
+            match &mut command.request {
+                Request::Fields(fields) => return Some(List::object(fields, &[COMMAND_NAME])),
+                Request::Choice(choice) => (choice, true),
             }
         }
         Target::Type(name) => match &mut spec.type_mut(name)?.kind {
-            TypeKind::Object(fields) => return Some(object(fields)),
-            TypeKind::Array { fields, .. } => return Some(List { keyed: false, ..object(fields) }),
+            TypeKind::Object(fields) => return Some(List::object(fields, &[])),
+            TypeKind::Array { fields, .. } => return Some(List::array(fields)),
             TypeKind::Choice(choice) => (choice, false),
             _ => {
                 item.error(item.at, &format!("`{name}` has no fields"));
@@ -228,13 +282,15 @@ fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part)
             }
         },
     };
-    let known: Vec<_> = choice.variants.iter().map(|variant| variant.name.clone()).collect();
-    let found = variant.and_then(|name| choice.variants.iter_mut().find(|variant| variant.name == name.value));
+    let Choice { tag, variants } = choice;
+    let known: Vec<_> = variants.iter().map(|variant| variant.name.clone()).collect();
+    let found = variant.and_then(|name| variants.iter_mut().find(|variant| variant.name == name.value));
     if found.is_none() {
         let at = variant.map_or(item.at, |variant| variant.at);
         item.error(at, &format!("`variant` says which variant is meant: one of {}", known.join(", ")));
     }
-    found.map(|variant| List { keyed, ..object(&mut variant.fields) })
+    let fields = &mut found?.fields;
+    Some(if keyed { List::object(fields, &[COMMAND_NAME, tag]) } else { List::array(fields) })
 }
 
 fn taken(old: &Field, new: &Field) -> String {

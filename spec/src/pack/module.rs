@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Pack;
 use crate::model::{Command, Spec, Topic, TypeDef};
+use crate::names::to_camel;
 
 /// A pack as a module of generated code.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +31,15 @@ impl Module {
             command.name.clone()
         }
     }
+
+    /// The name of the trait with the methods.
+    pub fn trait_name(&self) -> String {
+        trait_name(&self.topic.name)
+    }
+}
+
+pub(crate) fn trait_name(module: &str) -> String {
+    to_camel(module) + "Commands"
 }
 
 pub(super) fn method(command: &str, module: &str) -> String {
@@ -58,13 +68,10 @@ impl Pack {
             own.types.extend(affected);
         }
         topics.push(own.clone());
-        Module {
-            topic: own,
-            spec: Spec { topics },
-            changed,
-            repeated_commands: self.changed.repeated_commands.clone(),
-            repeated_types: self.changed.repeated_types.clone(),
-        }
+        // What is both repeated and changed is changed.
+        let repeated_commands = &self.changed.repeated_commands - &changed;
+        let repeated_types = &self.changed.repeated_types - &types;
+        Module { topic: own, spec: Spec { topics }, changed, repeated_commands, repeated_types }
     }
 
     /// The types that the pack changes, and those that are made of them.

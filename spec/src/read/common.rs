@@ -11,17 +11,23 @@ pub(super) fn doc(item: &Item<'_, '_>) -> Option<String> {
     item.text("doc").map(|text| text.value.trim().to_owned())
 }
 
-pub(super) fn required_doc(item: &Item<'_, '_>) -> String {
+pub(crate) fn required_doc(item: &Item<'_, '_>) -> String {
     item.required_text("doc").value.trim().to_owned()
 }
 
 /// The Rust name: `name`, or the wire's spelling where that is a Rust name already.
 pub(super) fn snake_name<'s>(item: &Item<'_, 's>, wire: &Placed<'s, String>) -> Placed<'s, String> {
-    let name = item.text("name").unwrap_or_else(|| wire.clone());
+    let name = if item.has("name") { item.required_text("name") } else { wire.clone() };
     if !is_snake(&name.value) && !name.value.is_empty() {
         item.error(name.at, &format!("`{}` is no snake_case Rust name; give one as `name`", name.value));
     }
     name
+}
+
+/// The name of what has no spelling on the wire.
+pub(super) fn element_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
+    let name = item.required_text("name");
+    snake_name(item, &name)
 }
 
 pub(super) fn camel_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
@@ -86,13 +92,15 @@ impl<T> Default for Unique<'_, T> {
 }
 
 impl<'s, T: Ord + Clone + std::fmt::Display> Unique<'s, T> {
-    pub(crate) fn add(&mut self, item: &Item<'_, 's>, what: &str, name: &Placed<'s, T>) {
-        if let Some(first) = self.0.get(&name.value) {
-            let place = first.map_or_else(|| "by the spec that this adds to".to_owned(), |first| format!("at {first}"));
-            item.error(name.at, &format!("the {what} `{}` is taken already, {place}", name.value));
-        } else {
+    /// Adds a name; false, after an error, if it is taken.
+    pub(crate) fn add(&mut self, item: &Item<'_, 's>, what: &str, name: &Placed<'s, T>) -> bool {
+        let Some(first) = self.0.get(&name.value) else {
             self.0.insert(name.value.clone(), Some(name.at));
-        }
+            return true;
+        };
+        let place = first.map_or_else(|| "by the spec that this adds to".to_owned(), |first| format!("at {first}"));
+        item.error(name.at, &format!("the {what} `{}` is taken already, {place}", name.value));
+        false
     }
 
     /// The names that are taken before anything is read.

@@ -1,6 +1,6 @@
 //! The fields of requests, replies and types.
 
-use super::common::{Unique, required_doc, snake_name, versions};
+use super::common::{Unique, element_name, required_doc, snake_name, versions};
 use crate::item::{Item, Placed};
 use crate::model::{Field, Range, Type};
 use crate::names::RESERVED_FIELDS;
@@ -8,13 +8,17 @@ use crate::resolve::Index;
 use crate::type_text;
 use crate::version::Versions;
 
-/// Fields of a struct written as an object, from `[[… .key]]`.
-pub(super) fn fields<'s>(item: &Item<'_, 's>, key: &'static str, what: &str, index: &mut Index<'s>) -> Vec<Field> {
+/// Fields of a struct written as an object, from `[[… .key]]`; `taken` are keys that none of them may have.
+pub(super) fn fields<'s>(
+    item: &Item<'_, 's>,
+    (key, what): (&'static str, &str),
+    taken: &[&str],
+    index: &mut Index<'s>,
+) -> Vec<Field> {
     let mut names = Unique::default();
     let mut keys = Unique::default();
     let read = |item: &Item<'_, 's>| {
-        let wire = item.required_text("wire");
-        let name = snake_name(item, &wire);
+        let (wire, name) = key_and_name(item, taken);
         keys.add(item, "key", &wire);
         names.add(item, "name", &name);
         read(item, wire.value, name, index)
@@ -22,11 +26,19 @@ pub(super) fn fields<'s>(item: &Item<'_, 's>, key: &'static str, what: &str, ind
     item.items(key, what).iter().map(read).collect()
 }
 
-/// One field of a struct written as an object.
-pub(crate) fn field<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
-    let wire = item.required_text("wire");
-    let name = snake_name(item, &wire);
+/// One field of a struct written as an object; `taken` are keys that it may not have.
+pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: &[&str], index: &mut Index<'s>) -> Field {
+    let (wire, name) = key_and_name(item, taken);
     read(item, wire.value, name, index)
+}
+
+fn key_and_name<'s>(item: &Item<'_, 's>, taken: &[&str]) -> (Placed<'s, String>, Placed<'s, String>) {
+    let wire = item.required_text("wire");
+    if taken.contains(&wire.value.as_str()) {
+        item.error(wire.at, &format!("the key `{}` is that of the tag, or of what each message has", wire.value));
+    }
+    let name = snake_name(item, &wire);
+    (wire, name)
 }
 
 /// Fields of a struct written as an array: they have a place instead of a key.
@@ -34,11 +46,11 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     let mut names = Unique::default();
     let mut optional_seen = false;
     let read = |item: &Item<'_, 's>| {
-        let name = snake_name(item, &Placed { at: item.at, value: String::new() });
+        let name = element_name(item);
         names.add(item, "name", &name);
         let field = read(item, String::new(), name, index);
         if optional_seen && !field.optional {
-            item.error(item.at, "an element behind an optional one must be optional too");
+            item.error(item.at, OPTIONAL_LAST);
         }
         optional_seen |= field.optional;
         field
@@ -46,9 +58,11 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     item.items("field", "field").iter().map(read).collect()
 }
 
+pub(crate) const OPTIONAL_LAST: &str = "an element behind an optional one must be optional too";
+
 /// One field of a struct written as an array.
 pub(crate) fn element<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
-    let name = snake_name(item, &Placed { at: item.at, value: String::new() });
+    let name = element_name(item);
     read(item, String::new(), name, index)
 }
 
@@ -140,8 +154,13 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
     if field.range.advisory && field.range.min.is_none() && field.range.max.is_none() {
         item.error(item.at, "`advisory` is for a range: give `min` or `max`");
     }
-    if has_words(scalar) && (field.wire.is_empty() || field.ty != *scalar) {
-        item.error(item.at, "words for false and true are read only where the field itself is a bool with a key");
+    let is_whole = match &field.ty {
+        Type::Bool { .. } => true,
+        Type::Python(inner) => !needs_key(inner),
+        other => !needs_key(other),
+    };
+    if !is_whole || needs_key(&field.ty) && (field.wire.is_empty() || field.or_raw) {
+        item.error(item.at, NEEDS_KEY);
     }
     if field.ascii && *scalar != Type::Text {
         item.error(item.at, "`ascii` is for text");
@@ -151,10 +170,16 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
     }
 }
 
-/// True for a bool that is written in words of its own, such as `robot_enabled`.
-fn has_words(ty: &Type) -> bool {
-    let usual = |form: &str| matches!(form.to_ascii_lowercase().trim_matches('"'), "false" | "true" | "0" | "1");
-    matches!(ty, Type::Bool { off, on } if !usual(off) || !usual(on))
+const NEEDS_KEY: &str =
+    "words for false and true, and python(…), are read only as the whole of a field that has a key and no `or_raw`";
+
+/// True for what is read in a way of its own, and so only where the field's key is read.
+fn needs_key(ty: &Type) -> bool {
+    match ty {
+        Type::Python(_) => true,
+        Type::List(element) | Type::Array(element, _) => needs_key(element),
+        other => other.has_words(),
+    }
 }
 
 /// True for a number, and for an array of numbers.
@@ -177,7 +202,16 @@ fn range(item: &Item<'_, '_>) -> Range {
     }
 }
 
-pub(super) fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
+/// The type inside a wrapper.
+pub(super) fn wrapped_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
+    let ty = field_type(item, index);
+    if needs_key(&ty) {
+        item.error(item.at, NEEDS_KEY);
+    }
+    ty
+}
+
+fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
     let text = item.required_text("type");
     let mut ty = match type_text::parse(&text.value) {
         Ok(ty) => ty,
@@ -190,15 +224,26 @@ pub(super) fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type
     };
     if let Some(written) = item.json_scalars("written") {
         match (innermost_mut(&mut ty), written.value.as_slice()) {
-            (Type::Bool { off, on }, [no, yes]) if no != yes => {
+            (Type::Bool { off, on }, [no, yes]) if are_told_apart(no, yes) => {
                 no.clone_into(off);
                 yes.clone_into(on);
             }
-            _ => item.error(written.at, "`written` gives a bool's two forms: how false is written, then true"),
+            _ => item.error(
+                written.at,
+                "`written` gives a bool's two forms, which are read in any case: how false is written, then true",
+            ),
         }
     }
     index.type_use(item, text.at, &ty);
     ty
+}
+
+/// True for two forms of which a reader can say which it has before it.
+fn are_told_apart(no: &str, yes: &str) -> bool {
+    let [no, yes] = [no, yes].map(|form| form.trim_matches('"').to_ascii_lowercase());
+    let is_readable = |form: &str| form.trim() == form && !form.contains(char::is_control);
+    let is_same_number = no.parse::<f64>().is_ok_and(|no| yes.parse() == Ok(no));
+    is_readable(&no) && is_readable(&yes) && no != yes && !is_same_number && no != "true" && yes != "false"
 }
 
 fn innermost_mut(ty: &mut Type) -> &mut Type {

@@ -1,27 +1,23 @@
 //! Named types.
 
 use super::common::{Unique, camel_name, keyword, required_doc, wire_int};
-use super::field::{elements, field_type, fields};
+use super::field::{elements, fields, wrapped_type};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, TypeDef, TypeKind, Variant};
-use crate::names::RESERVED_TYPES;
 use crate::resolve::Index;
 
 pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDef {
     let name = camel_name(item);
     index.type_name(item, &name);
-    if RESERVED_TYPES.contains(&name.value.as_str()) {
-        item.error(name.at, &format!("`{}` is a name of Rust or of the generated code", name.value));
-    }
     let kinds = [("object", 0), ("array", 1), ("enum", 2), ("choice", 3), ("wrapper", 4)];
     let kind = match keyword(item, "kind", &kinds) {
-        Some(0) | None => TypeKind::Object(fields(item, "field", "field", index)),
+        Some(0) | None => TypeKind::Object(fields(item, ("field", "field"), &[], index)),
         Some(1) => {
             TypeKind::Array { fields: elements(item, index), exact: item.flag("exact").is_some_and(|flag| flag.value) }
         }
         Some(2) => enum_kind(item),
         Some(3) => TypeKind::Choice(array_choice(item, index)),
-        Some(_) => TypeKind::Wrapper(field_type(item, index), item.text("unit").map(|text| text.value)),
+        Some(_) => TypeKind::Wrapper(wrapped_type(item, index), item.text("unit").map(|text| text.value)),
     };
     index.type_body(&name.value, &kind);
     let def = TypeDef { name: name.value, doc: required_doc(item), kind };
@@ -30,7 +26,13 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDe
 }
 
 fn array_choice<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Choice {
-    Choice { tag: String::new(), variants: variants(item, |variant| elements(variant, index)) }
+    let variants = variants(item, |variant| {
+        if variant.text("name").is_some_and(|name| name.value == "Other") {
+            variant.error(variant.at, OTHER);
+        }
+        elements(variant, index)
+    });
+    Choice { tag: String::new(), variants }
 }
 
 fn enum_kind(item: &Item<'_, '_>) -> TypeKind {
@@ -61,11 +63,13 @@ fn enum_values<'s, T: Ord + Clone + std::fmt::Display>(
     items.iter().map(read).collect()
 }
 
+const OTHER: &str = "`Other` is the variant for values that the spec does not list";
+
 /// One value of an enum.
 pub(crate) fn enum_value<T>(item: &Item<'_, '_>, wire: T) -> EnumValue<T> {
     let name = camel_name(item);
     if name.value == "Other" {
-        item.error(name.at, "`Other` is the variant for values that the spec does not list");
+        item.error(name.at, OTHER);
     }
     let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
     let value = EnumValue { wire, name: name.value, doc: required_doc(item), advisory };
