@@ -80,11 +80,11 @@ pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Write
             carry_out(text, &request, book, world, out);
             return sequel(&request);
         }
-        Err(RequestError::Unknown { command }) => match book.entry(&command) {
-            Some(entry) => carry_out_packed(text, entry, book, world, out),
+        Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => match book.entry(&command) {
+            Some(entry) if entry.packed => carry_out_packed(text, entry, book, world, out),
+            Some(_) => refuse(&command, &usual_refusal(&command), out),
             None => refuse_unknown(book, out),
         },
-        Err(RequestError::Field { command, .. }) => refuse(&command, &usual_refusal(&command), out),
         Err(_) => refuse_unknown(book, out),
     }
     Sequel::Nothing
@@ -132,7 +132,7 @@ fn carry_out(text: &str, request: &Request, book: &Book, world: &mut World, out:
     world.settle();
 }
 
-/// Answers a command of which only a pack knows.
+/// Answers a command that only a pack has, or a request that only a pack allows.
 fn carry_out_packed(text: &str, entry: &Entry, book: &Book, world: &World, out: &mut Writer) {
     let Entry { command, .. } = entry;
     match refusal(entry, world) {

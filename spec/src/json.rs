@@ -50,5 +50,5 @@ pub use envelope::{departures, status_departures};
 pub use limits::AdvisoryRanges;
 pub use notation::notation;
 pub use problem::{Problem, ProblemKind};
-pub use sample::sample_reply;
+pub use sample::{complete_reply, sample_reply};
 pub use value::value;

@@ -12,7 +12,7 @@ struct UserCrate {
 }
 
 impl UserCrate {
-    fn new(name: &str, code: &str) -> Self {
+    fn new(name: &str, edition: &str, code: &str) -> Self {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace");
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user").join(name);
         if folder.exists() {
@@ -25,7 +25,7 @@ impl UserCrate {
         this.write(
             "Cargo.toml",
             &format!(
-                "[package]\nname = \"user\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\njaka-sync = {{ path = {sync:?} }}\n"
+                "[package]\nname = \"user\"\nedition = {edition:?}\n\n[workspace]\n\n[dependencies]\njaka-sync = {{ path = {sync:?} }}\n"
             ),
         );
         this.write("src/lib.rs", code);
@@ -55,6 +55,40 @@ impl UserCrate {
     }
 }
 
+/// A crate that takes no warning, with a pack of all that is legal and strange.
+#[test]
+fn a_strange_pack_compiles_without_a_warning() {
+    let code = r#"
+#![forbid(unsafe_code)]
+#![deny(warnings, missing_docs, missing_debug_implementations, unreachable_pub, unused, rust_2018_idioms)]
+//! A user's crate.
+
+jaka_sync::pack!("strange.toml");
+
+use strange::StrangeCommands as _;
+
+/// Methods of the pack beside those of the client and of the robot.
+pub fn calls(client: &mut jaka_sync::Client, robot: &mut jaka_sync::Robot) -> Result<(), jaka_sync::Error> {
+    client.item(&strange::Item { request: None })?;
+    client.choose(&strange::Choose::Other)?;
+    client.power_on()?;
+    client.power_on_strange()?;
+    robot.load_program_strange(1)?;
+    robot.rapid_rate_strange(strange::Level::Ok)
+}
+
+/// A function that names nothing but what the prelude has.
+pub fn prelude(texts: Vec<Option<bool>>) -> Result<String, Box<dyn std::error::Error>> {
+    Ok(format!("{texts:?} {:?}", strange::Floats::from([1.0, 2.0])))
+}
+"#;
+    for edition in ["2021", "2024"] {
+        let user = UserCrate::new(&format!("strange_{edition}"), edition, code);
+        user.write("strange.toml", include_str!("../pack-user/strange.toml"));
+        user.expect(&expect![""]);
+    }
+}
+
 const PACK: &str = r#"
 title = "Test"
 
@@ -67,7 +101,7 @@ doc = "Reads how the motion stands."
 #[test]
 fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
     let code = "jaka_sync::pack!(\"newer.toml\");\n";
-    let user = UserCrate::new("pack", code);
+    let user = UserCrate::new("pack", "2024", code);
     user.expect(&expect![[r#"
         error: cannot read the pack `FOLDER/newer.toml`: No such file or directory (os error 2); the path counts from the folder of the crate's Cargo.toml
          --> src/lib.rs:1:18

@@ -16,14 +16,12 @@ pub(super) fn sample(spec: &Spec, command: &Command, out: &mut Writer) {
     write(&command.wire, &json::sample_reply(spec, command), out);
 }
 
-/// Adds to a reply what the pack says and the simulator does not know.
+/// Gives a reply the shape that the pack says and the simulator does not know.
 pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
     let Some(mut reply) = accepted(out.as_str()) else { return };
-    let before = reply.len();
-    for (key, value) in json::sample_reply(spec, command) {
-        reply.entry(key).or_insert(value);
-    }
-    if reply.len() > before {
+    let before = reply.clone();
+    json::complete_reply(spec, command, &mut reply);
+    if reply != before {
         rewrite(&reply, out);
     }
 }

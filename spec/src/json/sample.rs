@@ -1,24 +1,45 @@
 //! Replies for a simulated controller.
 
+use std::slice;
+
 use serde_json::{Map, Value};
 
 use super::ENVELOPE;
+use super::decode::Decoder;
+use super::departure::Reading;
 use super::envelope::is_success;
 use super::python;
 use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
 
 /// The fields of a successful reply, without the three keys that every reply has.
 ///
-/// They are those of the first successful reply that the spec prints. A required field that it lacks is false, 0 (or
-/// what is nearest to it in range), empty text, the first value of an enum, an empty array, an array of the fixed
-/// length, or an object of such.
+/// They are those of the first successful reply that the spec prints, completed by [`complete_reply`].
 pub fn sample_reply(spec: &Spec, command: &Command) -> Map<String, Value> {
     let replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
     let mut objects = replies.filter_map(|reply| serde_json::from_str::<Map<_, _>>(reply).ok());
     let mut reply = objects.find(is_success).unwrap_or_default();
     reply.retain(|key, _| !ENVELOPE.contains(&key.as_str()));
-    complete(spec, &command.reply, &mut reply);
+    complete_reply(spec, command, &mut reply);
     reply
+}
+
+/// Takes from a reply the fields that cannot be read, and puts in the required ones that it lacks.
+///
+/// Those are false, 0 (or what is nearest to it in range), empty text, the first value of an enum, an empty array, an
+/// array of the fixed length, or an object of such.
+pub fn complete_reply(spec: &Spec, command: &Command, reply: &mut Map<String, Value>) {
+    for field in &command.reply {
+        if reply.get(&field.wire).is_some_and(|value| !is_readable(spec, field, value)) {
+            reply.remove(&field.wire);
+        }
+    }
+    complete(spec, &command.reply, reply);
+}
+
+fn is_readable(spec: &Spec, field: &Field, value: &Value) -> bool {
+    let mut decoder = Decoder::new(spec);
+    decoder.object("", slice::from_ref(field), &Map::from_iter([(field.wire.clone(), value.clone())]), &[]);
+    decoder.departures.iter().all(|departure| departure.reading == Reading::Lenient)
 }
 
 fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {

@@ -5,6 +5,7 @@ use jaka_sync::{Call, Client, Error, Motion};
 
 jaka_sync::pack!("newer.toml");
 jaka_sync::pack!("changed.toml");
+jaka_sync::pack!("strange.toml");
 
 use changed::ChangedCommands as _;
 use newer::NewerCommands as _;
