@@ -5,9 +5,13 @@ use jaka_spec::{Command, Effect, Field, Range, Topic};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `text` as doc attributes, one for each line.
+/// `text` as doc attributes, one for each line. None is indented so far that rustdoc would take it for code, and test it.
 pub(crate) fn attributes(text: &str) -> TokenStream {
-    let lines = text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
+    let lines = text.lines().map(|line| match line.trim_start() {
+        "" => String::new(),
+        rest if line.len() - rest.len() > 3 => format!("   {rest}"),
+        _ => format!(" {line}"),
+    });
     quote!(#(#[doc = #lines])*)
 }
 
