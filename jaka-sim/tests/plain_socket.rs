@@ -66,12 +66,11 @@ fn a_python_client_drives_the_simulator() {
         println!("not run: there is no python3 here");
         return;
     }
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let program = Command::new(cargo)
-        .args(["run", "--quiet", "--package", "jaka-sim", "--", "--fast", "--commands", "0", "--status", "0"])
+    let program = Command::new(env!("CARGO_BIN_EXE_jaka-sim"))
+        .args(["--fast", "--commands", "0", "--status", "0"])
         .stdout(Stdio::piped())
         .spawn()
-        .expect("cargo runs this test");
+        .expect("the program starts");
     let mut program = Program(program);
     let output = program.0.stdout.take().expect("it is piped");
     let line = BufReader::new(output).lines().next().expect("the program prints a line").expect("it is text");
