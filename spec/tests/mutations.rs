@@ -108,7 +108,7 @@ fn apply(text: &str, mutation: &Mutation) -> String {
         Mutation::Delete(at) => drop(lines.remove(at.index(count))),
         Mutation::Swap(a, b) => lines.swap(a.index(count), b.index(count)),
         Mutation::SwapValue(a, b) => {
-            lines[a.index(count)] = set(&lines[a.index(count)], &value(&lines[b.index(count)]))
+            lines[a.index(count)] = set(&lines[a.index(count)], &value(&lines[b.index(count)]));
         }
         Mutation::SetValue(at, value) => lines[at.index(count)] = set(&lines[at.index(count)], value),
         Mutation::Copy(a, b) => lines.insert(b.index(count), lines[a.index(count)].clone()),
@@ -137,6 +137,8 @@ fn placed(errors: &Errors, (path, text): (&str, &str)) -> Result<(), TestCaseErr
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
     #[test]
     fn topics((path, text) in damaged(BUILTIN)) {
         let source = |old: &Source<'static>| if old.path == path { text.clone() } else { old.text.to_owned() };
