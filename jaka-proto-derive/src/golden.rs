@@ -185,3 +185,28 @@ fn commands_in_the_spec_and_in_a_pack_are_the_same() {
         assert_eq!(signature(&methods), signature(&in_pack));
     }
 }
+
+/// The pack of the same crate that has all that is legal and strange.
+const STRANGE: Source<'_> = Source { path: "strange.toml", text: include_str!("../../tests/pack-user/strange.toml") };
+
+/// Each line is left out, or has another value: what loads is rendered, and is Rust.
+#[test]
+fn what_loads_can_be_rendered() {
+    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
+    // Without the changes of the status packet, whose code is long.
+    let (new, _) = STRANGE.text.split_once("# What the spec has, changed").expect("the changes stand at the end");
+    let lines: Vec<_> = new.lines().collect();
+    let values = ["true", "0", "\"x\"", "'\"\\'", "\"text\"", "\"Level\"", "\"array\"", "[]", "[1, 0]"];
+    let mut rendered = 0;
+    for (at, value) in (0..lines.len()).zip(values.iter().cycle()) {
+        let other = lines[at].split_once(" = ").map(|(key, _)| format!("{key} = {value}"));
+        for line in other.into_iter().chain([String::new()]) {
+            let text = [&lines[..at], &[line.as_str()], &lines[at + 1..]].concat().join("\n");
+            let Ok(pack) = jaka_spec::load_pack(&spec, Source { text: &text, ..STRANGE }) else { continue };
+            let parsed = syn::parse2::<syn::File>(pack::module(&pack.module(), &quote!(::jaka_sync)));
+            assert!(parsed.is_ok(), "line {}, `{line}`: {:?}", at + 1, parsed.err());
+            rendered += 1;
+        }
+    }
+    assert!(rendered > 50, "{rendered}");
+}

@@ -225,3 +225,22 @@ fn serde_sees_the_json_of_the_wire() {
     let error = serde_json::from_str::<GetJointPosReply>("{}").expect_err("the field is missing");
     assert!(error.to_string().contains("`joint_pos` is missing"), "{error}");
 }
+
+#[test]
+fn arrays_of_any_type_have_their_length() {
+    assert_eq!(decode::<[String; 2]>("[\"a\", \"b\"]"), Ok(["a".to_owned(), "b".to_owned()]));
+    assert_eq!(decode::<[[i64; 1]; 2]>("[[1], [2]]"), Ok([[1], [2]]));
+    let error = |json| decode::<[String; 2]>(json).expect_err(json).to_string();
+    assert_eq!(error("[\"a\"]"), "expected an array of 2, found `[\"a\"]`");
+    assert_eq!(error("[\"a\", 1]"), "field `[1]`: expected a string, found `1`");
+    assert_eq!(decode::<[f64; 2]>("[1]").expect_err("too short").to_string(), "expected an array of 2, found `[1]`");
+}
+
+#[test]
+fn a_truth_value_the_wrong_way_round() {
+    for (json, expected) in [("0", true), ("1.0", false), ("\"1\"", false), ("\"0.0\"", true), ("true", true)] {
+        let mut slot = None;
+        Reader::new(json).field_word("flag", &mut slot, "1", "0").expect(json);
+        assert_eq!(slot, Some(expected), "{json}");
+    }
+}

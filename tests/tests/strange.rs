@@ -10,9 +10,10 @@ use jaka_proto::wire::{Reader, Writer};
 use jaka_proto::{Command, CommandInfo, read_payload};
 use jaka_sim::{Controller, Delays};
 use jaka_spec::json::{self, Reading};
-use jaka_spec::{Source, Spec};
+use jaka_spec::{Source, Spec, tools};
 use jaka_sync::Client;
 use jaka_tests::{any_object, any_request_of, same, spec};
+use jsonschema::Validator;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use serde_json::{Map, Value};
@@ -22,6 +23,9 @@ static SPEC: LazyLock<Spec> = LazyLock::new(|| {
     let source = Source { path: "strange.toml", text: include_str!("../pack-user/strange.toml") };
     jaka_spec::load_pack(&spec(), source).unwrap_or_else(|errors| panic!("{errors}")).spec
 });
+
+static SCHEMA: LazyLock<Validator> =
+    LazyLock::new(|| jsonschema::validator_for(&tools::schema(&SPEC)).expect("it is a schema"));
 
 /// A command of the pack's module, whatever its type.
 struct Generated {
@@ -93,7 +97,9 @@ fn requests_are_those_of_the_model_and_what_it_refuses_is_refused() {
     for Generated { info, request, .. } in commands() {
         let mut runner = TestRunner::new(ProptestConfig::with_cases(100));
         let same_as_model = |message: Value| {
-            match (request(&message.to_string()), by_model(info, &message)) {
+            let sent = request(&message.to_string());
+            prop_assert!(sent.is_err() || SCHEMA.is_valid(&message), "{message}");
+            match (sent, by_model(info, &message)) {
                 (Ok(written), by_model) => {
                     let json: Value = serde_json::from_str(&written).expect("a request is JSON");
                     prop_assert!(same(&json, &message), "{json} for {message}");
@@ -146,6 +152,7 @@ fn replies_are_read_and_written_again() {
             let departures = json::departures(&SPEC, model(info), &message);
             let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
             prop_assert!(is_readable, "{departures:?}");
+            prop_assert!(SCHEMA.is_valid(&message), "{message}");
             let written = reply(&message.to_string());
             let again: Option<Value> = written.as_deref().map(|text| serde_json::from_str(text).expect("it is JSON"));
             prop_assert!(again.as_ref().is_some_and(|again| same(again, &message)), "{message} became {again:?}");

@@ -69,5 +69,5 @@ fn root(defs: &Map<String, Value>) -> Value {
 
 /// A schema that passes what one of the schemas passes; none passes nothing.
 fn alternatives(keyword: &str, schemas: &[Value]) -> Value {
-    if schemas.is_empty() { json!(false) } else { json!({ keyword: schemas }) }
+    if schemas.is_empty() { json!({ "not": {} }) } else { json!({ keyword: schemas }) }
 }

@@ -78,7 +78,9 @@ impl<'s> Defs<'s> {
         let least = tag.iter().count() + fields.iter().filter(|field| !field.optional).count();
         let mut items: Vec<_> = tag.into_iter().collect();
         items.extend(fields.iter().map(|field| self.field(field, form)));
-        let array = json!({ "type": "array", "prefixItems": items, "minItems": least });
+        let array = json!({ "type": "array", "minItems": least });
+        // A schema may not have an empty list of them.
+        let array = if items.is_empty() { array } else { with(array, "prefixItems", items) };
         if exact || form == Form::Sent { with(array, "items", false) } else { array }
     }
 
@@ -126,9 +128,9 @@ impl<'s> Defs<'s> {
             (Type::Named(name), _) => self.named(name, form),
             (Type::Json, _) => json!({}),
             (Type::Text | Type::Python(_), _) => json!({ "type": "string" }),
-            (Type::Bool { off, .. }, Form::Sent) if off == "false" => json!({ "type": "boolean" }),
+            (Type::Bool { off, on }, Form::Sent) if off == "false" && on == "true" => json!({ "type": "boolean" }),
             (Type::Bool { off, on }, Form::Sent) => json!({ "enum": [scalar(off), scalar(on)] }),
-            (Type::Bool { off, on }, Form::Received) => lenient::boolean(off, on),
+            (Type::Bool { off, on }, Form::Received) => lenient::boolean([off, on]),
             (Type::Int, Form::Sent) => json!({ "type": "integer" }),
             (Type::Int, Form::Received) => lenient::integer(),
             (Type::Float, Form::Sent) => json!({ "type": "number" }),

@@ -57,14 +57,21 @@ pub(super) fn integer() -> Value {
 }
 
 /// A truth value in any form, or as one of two words.
-pub(super) fn boolean(off: &str, on: &str) -> Value {
-    let words: Vec<_> = [off, on].iter().map(|word| any_case(word.trim_matches('"'))).collect();
+pub(super) fn boolean(forms: [&str; 2]) -> Value {
+    let words = forms.map(|form| form.trim_matches('"'));
     let usual = ["true", "false", "0", "1"];
-    if [off, on].iter().all(|word| usual.contains(&word.trim_matches('"').to_ascii_lowercase().as_str())) {
+    if words.iter().all(|word| usual.contains(&word.to_ascii_lowercase().as_str())) {
         return reference(BOOLEAN);
     }
+    let numbers: Vec<i64> = words.iter().filter_map(|word| word.parse().ok()).collect();
+    let pattern = |word: &&str| any_case(word) + if word.parse::<i64>().is_ok() { "(\\.0*)?" } else { "" };
+    let words: Vec<_> = words.iter().map(pattern).collect();
     let text = json!({ "type": "string", "pattern": format!("^\\s*({})\\s*$", words.join("|")) });
-    json!({ "anyOf": [reference(BOOLEAN), text] })
+    let mut forms = vec![reference(BOOLEAN), text];
+    if !numbers.is_empty() {
+        forms.push(json!({ "enum": numbers }));
+    }
+    json!({ "anyOf": forms })
 }
 
 /// The error code of an accepted command.
