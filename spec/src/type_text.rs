@@ -3,11 +3,21 @@
 use crate::Type;
 use crate::names::is_camel;
 
+/// How many arrays and literals may stand inside one another.
+const MAX_DEPTH: usize = 4;
+
 /// Reads a type, or says what is wrong with it.
 pub(crate) fn parse(text: &str) -> Result<Type, String> {
+    if text.matches(['[', '(']).count() > MAX_DEPTH {
+        return Err(format!("more than {MAX_DEPTH} arrays stand inside one another"));
+    }
+    nested(text)
+}
+
+fn nested(text: &str) -> Result<Type, String> {
     if let Some(inner) = text.strip_suffix(']') {
         let (element, len) = inner.rsplit_once('[').ok_or_else(|| unknown(text))?;
-        let element = Box::new(parse(element)?);
+        let element = Box::new(nested(element)?);
         return match len {
             "" => Ok(Type::List(element)),
             len => match len.parse() {
@@ -18,7 +28,7 @@ pub(crate) fn parse(text: &str) -> Result<Type, String> {
     }
     if let Some(inner) = text.strip_prefix("python(") {
         let inner = inner.strip_suffix(')').ok_or_else(|| unknown(text))?;
-        return Ok(Type::Python(Box::new(parse(inner)?)));
+        return Ok(Type::Python(Box::new(nested(inner)?)));
     }
     match text {
         "bool" => Ok(Type::Bool { off: "false".to_owned(), on: "true".to_owned() }),

@@ -151,12 +151,14 @@ impl<'s> Draft<'s, '_> {
         if fields.iter().enumerate().any(|(i, other)| i != at && other.name == new.name) {
             item.error(item.at, &format!("another field has the name `{}`", new.name));
         }
-        if new == fields[at] {
-            self.note(item, SAME);
-        } else {
-            fields[at] = new;
-            self.changed(place.0);
+        let old = std::mem::replace(&mut fields[at], new);
+        if old == fields[at] {
+            return self.note(item, SAME);
         }
+        if item.has("settled") && old.disputed.is_empty() {
+            self.note(item, UNDISPUTED);
+        }
+        self.changed(place.0);
     }
 
     fn change_command(&mut self, item: &Item<'_, 's>, wire: &str) {
@@ -193,6 +195,7 @@ impl<'s> Draft<'s, '_> {
 }
 
 const SAME: &str = "the spec says the same already; this override changes nothing and can be deleted";
+const UNDISPUTED: &str = "`settled` is for a disputed field, and no source disputes this one; it can be deleted";
 
 /// The target of an entry, its `variant`, and the part of the target that is changed.
 type Place<'p, 's> = (&'p Target, Option<&'p Placed<'s, String>>, Part);
