@@ -4,7 +4,7 @@ use crate::Type;
 use crate::names::is_camel;
 
 /// How many brackets and `python(…)` a type may have.
-const MOST_LEVELS: usize = 8;
+const MOST_LEVELS: usize = 4;
 
 /// Reads a type, or says what is wrong with it.
 pub(crate) fn parse(text: &str) -> Result<Type, String> {
