@@ -10,7 +10,7 @@ const MOST_LEVELS: usize = 4;
 pub(crate) fn parse(text: &str) -> Result<Type, String> {
     let levels = text.matches(['[', '(']).count();
     if levels > MOST_LEVELS {
-        return Err(format!("a type has at most {MOST_LEVELS} brackets, not {levels}"));
+        return Err(format!("a type has at most {MOST_LEVELS} brackets"));
     }
     nested(text)
 }
