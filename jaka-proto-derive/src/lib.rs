@@ -16,6 +16,8 @@ mod typedef;
 mod validate;
 
 #[cfg(test)]
+mod corpora;
+#[cfg(test)]
 mod golden;
 
 /// The messages of the built-in spec: a module for each topic, and an enum over all requests.

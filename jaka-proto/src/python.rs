@@ -15,7 +15,7 @@ const MAX_DEPTH: usize = 64;
 /// - Tuples and lists become arrays, dicts with string keys become objects, and `(1)` is just `1`.
 /// - Strings stand in either quotes, with Python 2's `u` or without. Adjacent `\xNN` are read as UTF-8 where there
 ///   is no `u` and they are valid: so Python 2 prints a name that is not ASCII. Otherwise each is a code point.
-/// - Numbers pass as text, without Python 2's `L`; `nan` and `inf` are refused, for JSON knows neither.
+/// - Numbers pass as text, without Python 2's `L`; `nan`, `inf` and what is as large are refused, for JSON knows none.
 /// - `True`, `False` and `None` become `true`, `false` and `null`.
 ///
 /// ```
@@ -345,12 +345,16 @@ impl<'a> Transcoder<'a> {
     /// Copies a number, in Python also with `+`, with a bare point at either end, or with a final `L`.
     fn number(&mut self) -> Step {
         let python = self.language == Language::Python;
+        let (begin, written) = (self.at, self.out.len());
         if !self.copy(b"-") && python {
             self.eat(b'+');
         }
         self.whole()?;
         let fraction = self.fraction()?;
         let exponent = self.exponent()?;
+        if !self.out[written..].parse().is_ok_and(f64::is_finite) {
+            return Err(self.expected_at(begin, "a finite number"));
+        }
         if python && !fraction && !exponent && !self.eat(b'L') {
             self.eat(b'l');
         }

@@ -4,13 +4,13 @@ use crate::Type;
 use crate::names::is_camel;
 
 /// How many brackets and `python(…)` a type may have.
-const MOST_LEVELS: usize = 8;
+const MOST_LEVELS: usize = 4;
 
 /// Reads a type, or says what is wrong with it.
 pub(crate) fn parse(text: &str) -> Result<Type, String> {
     let levels = text.matches(['[', '(']).count();
     if levels > MOST_LEVELS {
-        return Err(format!("a type has at most {MOST_LEVELS} brackets, not {levels}"));
+        return Err(format!("a type has at most {MOST_LEVELS} brackets"));
     }
     nested(text)
 }

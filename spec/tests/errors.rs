@@ -133,6 +133,23 @@ doc = "The next ones."
 }
 
 #[test]
+fn types_nest_a_few_levels_deep() {
+    let field = |ty: &str| format!("title = 'T'\n[[type]]\nname = 'A'\nkind = 'wrapper'\ntype = '{ty}'\ndoc = 'A.'\n");
+    check(
+        &field("python(float[6][][2])"),
+        &expect![[r"
+            spec/test.toml:2:1: type `A`: words for false and true, and python(…), are read only as the whole of a field that has a key and no `or_raw`
+        "]],
+    );
+    let expected = expect![[r"
+        spec/test.toml:5:8: type `A`: a type has at most 4 brackets
+    "]];
+    check(&field(&format!("float{}", "[]".repeat(5))), &expected);
+    check(&field(&format!("float{}", "[]".repeat(100_000))), &expected);
+    check(&field(&"python(".repeat(100_000)), &expected);
+}
+
+#[test]
 fn names_that_are_taken() {
     check(
         r#"

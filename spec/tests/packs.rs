@@ -230,6 +230,35 @@ fn a_pack_of_which_the_spec_has_a_part_keeps_the_rest() {
 }
 
 #[test]
+fn what_is_settled_by_now_is_noted() {
+    notes(
+        "[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 2\nsettled = \"Tried.\"\n",
+        &expect![[r"
+            newer.toml:2:1: override of `rapid_rate`: `settled` is for a disputed field, and no source disputes this one; it can be deleted
+        "]],
+    );
+}
+
+#[test]
+fn a_pack_loads_when_the_spec_has_taken_it_over() {
+    let text = r#"
+title = "Test"
+
+[[override]]
+target = "set_tio_vout_param"
+request = "tio_vout_vol"
+type = "bool"
+written = [0, 1]
+doc = "Whether the tool has 12 V rather than 24 V."
+settled = "Measured at the tool's connector, firmware 1.7.2."
+"#;
+    let source = Source { path: "newer.toml", text };
+    let first = load_pack(&spec(), source).expect("the pack is correct");
+    let second = load_pack(&first.spec, source).unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(second.notes.len(), 2, "{:?}", second.notes);
+}
+
+#[test]
 fn an_empty_pack() {
     wrong(
         "\n",
@@ -434,16 +463,9 @@ target = "set_tio_vout_param"
 request = "tio_vout_vol"
 type = "bool"
 written = [0, 1]
-
-[[override]]
-target = "rapid_rate"
-request = "rate_value"
-max = 2
-settled = "Tried."
 "#,
         &expect![[r"
             newer.toml:2:1: override of `set_tio_vout_param`: the meaning is disputed (document 2.0.4: 0 = 12 V, 1 = 24 V; vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V); say in `settled` how you found out
-            newer.toml:12:11: override of `rapid_rate`: `settled` is for a disputed field, and no source disputes this one
         "]],
     );
 }

@@ -1,9 +1,13 @@
-//! What several end-to-end tests share: the document's messages, and random messages made from the spec.
+//! What several end-to-end tests share: the document's messages, random messages made from the spec, and where fuzzing begins.
 
 use jaka_sim::{Controller, Delays};
 use jaka_spec::{Command, Field, Request, Spec, Type, TypeDef, TypeKind};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
+
+mod seeds;
+
+pub use seeds::seeds;
 
 /// The project's README, for its example to be compiled.
 #[cfg(doctest)]

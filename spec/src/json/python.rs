@@ -2,7 +2,7 @@
 //!
 //! `jaka-proto` has the whole of this as a transcoder of text; it stands above this crate.
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Number, Value};
 
 /// The value that a Python literal stands for.
 pub(super) fn read(literal: &str) -> Option<Value> {
@@ -37,11 +37,9 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn value(&mut self, depth: usize) -> Option<Value> {
-        if depth > MAX_DEPTH {
-            return None;
-        }
         self.blank();
         match self.rest.chars().next()? {
+            '(' | '[' | '{' if depth == MAX_DEPTH => None,
             '(' => self.tuple(depth),
             '[' => Some(self.items(']', |reader| reader.value(depth + 1))?.0.into()),
             '{' => {
@@ -85,40 +83,80 @@ impl Reader<'_> {
         }
     }
 
-    /// A string in either quotes, with the escapes that JSON knows too and the plain hexadecimal one.
+    /// A string in either quotes. Adjacent `\xNN` are read as UTF-8 where there is no `u` and they are valid.
     fn string(&mut self) -> Option<String> {
-        self.rest = self.rest.strip_prefix(['u', 'U']).unwrap_or(self.rest);
-        let quote = self.rest.chars().next().filter(|quote| matches!(quote, '\'' | '"'))?;
-        let mut chars = self.rest[1..].char_indices();
-        let mut json = String::from("\"");
-        loop {
-            match chars.next()? {
-                (end, c) if c == quote => {
-                    self.rest = &self.rest[end + 2..];
-                    json.push('"');
-                    return serde_json::from_str(&json).ok();
-                }
-                (_, '\\') => match chars.next()?.1 {
-                    '\'' => json.push('\''),
-                    'x' => json.push_str("\\u00"),
-                    c => json.extend(['\\', c]),
-                },
-                (_, '"') => json.push_str("\\\""),
-                (_, c) => json.push(c),
+        let unicode = self.eat('u') || self.eat('U');
+        let quote = self.next().filter(|quote| matches!(quote, '\'' | '"'))?;
+        let mut text = String::new();
+        while !self.eat(quote) {
+            if !unicode && self.rest.starts_with("\\x") {
+                text.push_str(&self.bytes()?);
+            } else {
+                text.push(self.char()?);
             }
+        }
+        Some(text)
+    }
+
+    fn bytes(&mut self) -> Option<String> {
+        let mut bytes = Vec::new();
+        while let Some(rest) = self.rest.strip_prefix("\\x") {
+            self.rest = rest;
+            bytes.extend(u8::try_from(self.hex(2)?));
+        }
+        Some(String::from_utf8(bytes).unwrap_or_else(|error| error.as_bytes().iter().map(|b| char::from(*b)).collect()))
+    }
+
+    fn char(&mut self) -> Option<char> {
+        match self.next()? {
+            '\\' => match self.next()? {
+                c @ ('\\' | '\'' | '"') => Some(c),
+                'n' => Some('\n'),
+                't' => Some('\t'),
+                'r' => Some('\r'),
+                'x' => char::from_u32(self.hex(2)?),
+                'u' => self.utf16(),
+                'U' => char::from_u32(self.hex(8)?),
+                _ => None,
+            },
+            c => Some(c),
         }
     }
 
-    fn word(&mut self) -> Option<Value> {
-        let end = self.rest.find([',', ')', ']', '}', ':', ' ']).unwrap_or(self.rest.len());
-        let (word, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        match word {
-            "True" => Some(true.into()),
-            "False" => Some(false.into()),
-            "None" => Some(Value::Null),
-            number => python_number(number.strip_suffix(['L', 'l']).unwrap_or(number)),
+    /// The digits of `\uNNNN`, and a second escape if the first is half of a pair.
+    fn utf16(&mut self) -> Option<char> {
+        let mut units = vec![self.hex(4)?];
+        let is_half = (0xd800..0xdc00).contains(&units[0]);
+        if let Some(rest) = self.rest.strip_prefix("\\u").filter(|_| is_half) {
+            self.rest = rest;
+            units.push(self.hex(4)?);
         }
+        char::decode_utf16(units.into_iter().filter_map(|unit| u16::try_from(unit).ok())).next()?.ok()
+    }
+
+    fn hex(&mut self, digits: usize) -> Option<u32> {
+        let (digits, rest) = self.rest.split_at_checked(digits)?;
+        self.rest = rest;
+        digits.chars().try_fold(0, |code, digit| Some(code << 4 | digit.to_digit(16)?))
+    }
+
+    fn word(&mut self) -> Option<Value> {
+        for (word, value) in [("True", true.into()), ("False", false.into()), ("None", Value::Null)] {
+            if let Some(rest) = self.rest.strip_prefix(word) {
+                self.rest = rest;
+                return Some(value);
+            }
+        }
+        let end = self.rest.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E' | 'l' | 'L'));
+        let (number, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
+        self.rest = rest;
+        python_number(number)
+    }
+
+    fn next(&mut self) -> Option<char> {
+        let c = self.rest.chars().next()?;
+        self.rest = &self.rest[c.len_utf8()..];
+        Some(c)
     }
 
     fn eat(&mut self, c: char) -> bool {
@@ -132,12 +170,22 @@ impl Reader<'_> {
     }
 }
 
-/// A number, also with a plus or with a bare point at either end, which JSON does not know.
+/// A number, also with a plus or with a bare point at either end, which JSON does not know, or a whole one with Python 2's `L`.
 fn python_number(text: &str) -> Option<Value> {
-    if !text.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
-        return None;
-    }
-    serde_json::from_str(text).ok().or_else(|| Some(text.parse::<f64>().ok()?.into()))
+    let (sign, unsigned) = match text.strip_prefix('-') {
+        Some(unsigned) => ("-", unsigned),
+        None => ("", text.strip_prefix('+').unwrap_or(text)),
+    };
+    let long = unsigned.strip_suffix(['L', 'l']);
+    let digits = long.unwrap_or(unsigned);
+    let is_number = match digits.as_bytes() {
+        [b'0', b'0'..=b'9', ..] => false,
+        [b'0'..=b'9' | b'.', ..] => long.is_none() || digits.bytes().all(|digit| digit.is_ascii_digit()),
+        _ => false,
+    };
+    let number = format!("{sign}{digits}");
+    let float = || number.parse().ok().and_then(Number::from_f64).map(Value::Number);
+    if is_number { serde_json::from_str(&number).ok().or_else(float) } else { None }
 }
 
 #[cfg(test)]
@@ -153,12 +201,13 @@ mod tests {
             (" ( 1 , ) ", json!([1])),
             ("(1)", json!(1)),
             ("()", json!([])),
-            ("{'a': (True, False, None,), u'b' : -2.5e3L}", json!({"a": [true, false, null], "b": -2.5e3})),
+            ("{'a': (True, False, None,), u'b' : -2.5e3}", json!({"a": [true, false, null], "b": -2.5e3})),
             (
                 "('it\\'s', \"say \\\"so\\\"\", 'quote \"', '\\x41\\n\\u00e9')",
                 json!(["it's", "say \"so\"", "quote \"", "A\né"]),
             ),
-            ("(.5, 5., +1, 10L)", json!([0.5, 5.0, 1.0, 10])),
+            ("(.5, 5., +1, 10L, 0\n)", json!([0.5, 5.0, 1, 10, 0])),
+            ("('\\xc3\\xa9', u'\\xc3', '\\ud83d\\ude00', '\n')", json!(["é", "Ã", "😀", "\n"])),
         ];
         for (literal, value) in same {
             assert_eq!(read(literal), Some(value), "{literal}");
@@ -167,9 +216,28 @@ mod tests {
 
     #[test]
     fn what_is_no_literal_is_none() {
-        for text in
-            ["", "(", "(1", "(1 2)", "(,)", "[1)", "true", "nan", "x", "'a", "'\\q'", "{1: 2}", "{'a' 1}", "1 2", "é"]
-        {
+        for text in [
+            "",
+            "(",
+            "(1",
+            "(1 2)",
+            "(,)",
+            "[1)",
+            "true",
+            "nan",
+            "x",
+            "'a",
+            "'\\q'",
+            "{1: 2}",
+            "{'a' 1}",
+            "1 2",
+            "é",
+            "00",
+            "1e999",
+            "1.5L",
+            "'\\u12'",
+            "'\\ud800'",
+        ] {
             assert_eq!(read(text), None, "{text}");
         }
         assert_eq!(read(&"(".repeat(100_000)), None);

@@ -151,11 +151,16 @@ impl<'s> Draft<'s, '_> {
         if fields.iter().enumerate().any(|(i, other)| i != at && other.name == new.name) {
             item.error(item.at, &format!("another field has the name `{}`", new.name));
         }
-        if new == fields[at] {
+        let old = &fields[at];
+        if new == *old {
             self.note(item, SAME);
             return;
         }
+        let is_undisputed = old.disputed.is_empty();
         list.replace(at, new);
+        if item.has("settled") && is_undisputed {
+            self.note(item, UNDISPUTED);
+        }
         self.changed(item, place.0);
     }
 
@@ -222,6 +227,7 @@ impl Draft<'_, '_> {
 }
 
 const SAME: &str = "the spec says the same already; this override changes nothing and can be deleted";
+const UNDISPUTED: &str = "`settled` is for a disputed field, and no source disputes this one; it can be deleted";
 
 /// The target of an entry, its `variant`, and the part of the target that is changed.
 type Place<'p, 's> = (&'p Target, Option<&'p Placed<'s, String>>, Part);

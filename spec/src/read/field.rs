@@ -119,12 +119,9 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut I
     field
 }
 
-/// Where sources contradict each other, whoever takes a side says why.
+/// Where sources contradict each other, whoever takes a side says why. Where they do no longer, that is no error.
 fn settle(item: &Item<'_, '_>, field: &mut Field, base: &Field) {
     match item.text("settled") {
-        Some(settled) if base.disputed.is_empty() => {
-            item.error(settled.at, "`settled` is for a disputed field, and no source disputes this one");
-        }
         Some(settled) => {
             field.disputed.clear();
             field.doc = format!("{}\n\nSettled: {}", field.doc, settled.value.trim());
