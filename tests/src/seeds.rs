@@ -64,7 +64,7 @@ fn streams() -> Vec<String> {
 }
 
 /// An argument of a command with what could be typed for it, a line each.
-fn typed() -> impl Iterator<Item = String> {
+fn typed() -> Vec<String> {
     let spec = spec();
     let of_command = |command: &jaka_spec::Command| {
         let lines = json::arguments(&spec, command).into_iter().map(|argument| {
@@ -73,7 +73,7 @@ fn typed() -> impl Iterator<Item = String> {
         });
         lines.collect::<Vec<_>>()
     };
-    spec.commands().flat_map(of_command).collect::<Vec<_>>().into_iter()
+    spec.commands().flat_map(of_command).collect()
 }
 
 fn packets() -> Vec<String> {
@@ -157,17 +157,16 @@ fn sessions() -> Vec<String> {
 fn spec_files() -> Vec<String> {
     let files = jaka_spec::BUILTIN.iter().map(|source| source.text);
     let short = files.clone().filter(|text| text.len() < 4000).map(str::to_owned);
-    files.flat_map(|text| blocks(text, "title = \"T\"\n")).chain(short).collect()
+    files.flat_map(blocks).chain(short).collect()
 }
 
-/// The entries of a file, each behind `head`.
-fn blocks<'t>(text: &'t str, head: &'t str) -> impl Iterator<Item = String> + 't {
+/// The entries of a file, each behind a title.
+fn blocks(text: &str) -> Vec<String> {
     let starts = ["\n[[command]]", "\n[[type]]", "\n[[error]]", "\n[[extend]]", "\n[[override]]"];
     let mut places: Vec<_> = starts.iter().flat_map(|start| text.match_indices(start)).map(|(at, _)| at).collect();
     places.sort_unstable();
     places.push(text.len());
-    let blocks: Vec<_> = places.windows(2).map(|pair| format!("{head}{}", &text[pair[0]..pair[1]])).collect();
-    blocks.into_iter()
+    places.windows(2).map(|pair| format!("title = \"T\"\n{}", &text[pair[0]..pair[1]])).collect()
 }
 
 fn packs() -> Vec<String> {
@@ -180,5 +179,5 @@ fn packs() -> Vec<String> {
     let readme = include_str!("../../spec/README.md");
     let of_readme = readme.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
     let whole = files.into_iter().chain(of_readme);
-    whole.flat_map(|text| blocks(text, "title = \"T\"\n").chain([text.to_owned()])).collect()
+    whole.flat_map(|text| [blocks(text), vec![text.to_owned()]].concat()).collect()
 }
