@@ -1,6 +1,6 @@
 //! Whatever a client sends to a simulated controller.
 
-use std::io::{self, Read, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream};
 use std::time::Duration;
 
@@ -110,9 +110,12 @@ fn read_packet(controller: &Controller) -> io::Result<String> {
         if let Some(frame) = framer.next_frame().map_err(io::Error::other)? {
             return String::from_utf8(frame.to_vec()).map_err(io::Error::other);
         }
-        match stream.read(framer.spare())? {
-            0 => return Err(io::ErrorKind::UnexpectedEof.into()),
-            count => framer.filled(count),
+        match stream.read(framer.spare()) {
+            Ok(0) => return Err(ErrorKind::UnexpectedEof.into()),
+            Ok(count) => framer.filled(count),
+            // libFuzzer sends itself signals.
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
         }
     }
 }
