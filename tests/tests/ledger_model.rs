@@ -1,4 +1,5 @@
-//! The ledger alone, without I/O: the model knows whose each reply is, the ledger only its name.
+//! Who may receive which reply: random runs of the ledger, without I/O. The model knows whose each reply is, the ledger only
+//! its name.
 
 use std::collections::{HashSet, VecDeque};
 
@@ -8,7 +9,7 @@ use proptest::prelude::*;
 /// Names of commands. Few, so that equal ones meet.
 const NAMES: [&str; 3] = ["a", "b", "c"];
 
-/// How many runs; `RELIABILITY_RUNS` multiplies it.
+/// How many runs for each premise, times `JAKA_RELIABILITY`.
 const RUNS: u32 = 34_000;
 
 /// What a run may do beside sending, answering late, losing replies and giving up.
@@ -312,8 +313,11 @@ fn run(premise: Premise, steps: &[Step]) -> Result<(), String> {
 }
 
 fn check(premise: Premise) {
-    let config =
-        ProptestConfig { cases: RUNS * super::times(), failure_persistence: None, ..ProptestConfig::default() };
+    let config = ProptestConfig {
+        cases: RUNS * jaka_tests::reliability_times(),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
     let steps = proptest::collection::vec(any_step(), 0..40);
     let checked = proptest::test_runner::TestRunner::new(config)
         .run(&steps, |steps| run(premise, &steps).map_err(TestCaseError::fail));
