@@ -2,6 +2,7 @@
 
 mod dice;
 mod display;
+mod each;
 mod parse;
 mod plan;
 mod rename;

@@ -112,7 +112,7 @@ impl Link {
     ) -> Result<Sent<'c>, Error> {
         let since = Instant::now();
         let mut state = self.lock();
-        if let Some(cause) = self.unasked(&state) {
+        if let Err(cause) = self.settle_read(&mut state) {
             self.break_off(&mut state, cause);
         }
         if let Some(cause) = state.broken.clone() {
@@ -131,21 +131,29 @@ impl Link {
         Ok(Sent { ticket, command, since, timeout })
     }
 
-    /// Why nothing must be sent: a reply has been read that nobody is owed.
-    fn unasked(&self, state: &State) -> Option<Disconnect> {
-        let mut inbound = self.inbound.try_lock().ok().filter(|_| state.ledger.outstanding() == 0)?;
-        let cause = match inbound.framer.next_frame() {
-            Ok(None) => return None,
-            Ok(Some(frame)) => {
-                self.tap.received(frame);
-                let reply = std::str::from_utf8(frame).ok().and_then(|text| Reply::read(text).ok());
-                let command = reply.and_then(Reply::into_command).unwrap_or_default();
-                Disconnect::Mistrust(Mistrust::Unasked { command })
-            }
-            Err(error) => Disconnect::Frame(error),
+    /// Settles what has been read and not looked at: none of it is a reply to a command that goes out now.
+    fn settle_read(&self, state: &mut State) -> Result<(), Disconnect> {
+        // Where another thread reads, it looks at all that it has read.
+        let nobody_reads = state.reader == Reader::Nobody && state.broken.is_none();
+        let Some(mut inbound) = self.inbound.try_lock().ok().filter(|_| nobody_reads) else {
+            return Ok(());
         };
-        self.tap.stray(inbound.framer.partial());
-        Some(cause)
+        let settled = self.settle_all(&mut inbound.framer, state);
+        if settled.is_err() {
+            self.tap.stray(inbound.framer.partial());
+        }
+        self.wake(state);
+        settled
+    }
+
+    /// Settles the debts of all messages that have been read, and puts aside what somebody waits for.
+    fn settle_all(&self, framer: &mut Framer, state: &mut State) -> Result<(), Disconnect> {
+        while let Some(text) = self.next_message(framer)? {
+            let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
+            let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
+            state.put_aside(&arrival, text, None);
+        }
+        Ok(())
     }
 
     /// Breaks the connection for good. The first cause stays.
@@ -322,11 +330,7 @@ impl Link {
             }
         };
         self.stream.set_nonblocking(false).map_err(Disconnect::Read)?;
-        while let Some(text) = self.next_message(framer)? {
-            let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
-            let arrival = state.arrived(&reply).map_err(Disconnect::Mistrust)?;
-            state.put_aside(&arrival, text, None);
-        }
+        self.settle_all(framer, state)?;
         arrived
     }
 

@@ -18,14 +18,6 @@ impl<'a> Reply<'a> {
         if text.starts_with('(') { Ok(Self::Bare) } else { Envelope::read(text).map(Self::Json) }
     }
 
-    /// `cmdName`, if the reply has one.
-    pub(crate) fn into_command(self) -> Option<String> {
-        match self {
-            Self::Json(envelope) => envelope.command.map(std::borrow::Cow::into_owned),
-            Self::Bare => None,
-        }
-    }
-
     /// Fails if the controller refused the command, or does not say whether it did.
     pub(crate) fn accepted(self, command: &str) -> Result<(), Error> {
         let Self::Json(envelope) = self else {

@@ -59,6 +59,11 @@ pub fn controller() -> Controller {
     Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
 }
 
+/// How many times as long as usual the tests of reliability run: `JAKA_RELIABILITY`, or 1.
+pub fn reliability_times() -> u32 {
+    std::env::var("JAKA_RELIABILITY").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
+}
+
 /// The built-in spec.
 ///
 /// # Panics

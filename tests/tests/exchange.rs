@@ -1,6 +1,7 @@
 //! The exchange where nothing is wrong with the wire: sessions, stop handles, deadlines, raw calls.
 
-use std::net::TcpListener;
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
 use std::thread;
 use std::time::Duration;
 
@@ -8,8 +9,9 @@ use jaka_sim::{Controller, Delays, Fault};
 use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
+use jaka_sync::program::StopProgram;
 use jaka_sync::types::{MoveMode, Switch};
-use jaka_sync::{AdvisoryRanges, Client, Command, Config, Error, ErrorCode, StopHandle};
+use jaka_sync::{AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, StopHandle};
 use serde_json::{Value, json};
 
 fn connected() -> (Controller, Client) {
@@ -253,6 +255,43 @@ fn handles_can_move_and_be_shared_between_threads() {
     assert_send::<jaka_sync::StatusStream>();
     assert_send::<Error>();
     assert_sync::<Error>();
+}
+
+/// A client whose query was answered while a stop was given up: what comes behind the answer has been read with it.
+fn read_ahead(behind: &str) -> (TcpStream, Client, StopHandle) {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let address = listener.local_addr().expect("it is bound");
+    let hasty = Config::new().reply_timeout(Duration::from_millis(20));
+    let mut client = hasty.connect(address).expect("it listens");
+    let (mut server, _) = listener.accept().expect("the client waits");
+    let stop = client.stop_handle();
+    let query = format!("{{\"cmdName\":\"{}\"}}", GetJointPos::INFO.name);
+    let length = query.len();
+    let waiting =
+        thread::spawn(move || client.call_text(&query, Duration::from_secs(60)).map(str::to_owned).map(|_| client));
+    server.read_exact(&mut vec![0; length]).expect("the query is sent");
+    assert!(stop.stop().expect_err("nobody answers").is_timeout());
+    server.write_all(format!("{}{behind}", reply_to(GetJointPos::INFO)).as_bytes()).expect("the client reads");
+    let client = waiting.join().expect("the thread does not panic").expect("it is answered");
+    (server, client, stop)
+}
+
+fn reply_to(command: &CommandInfo) -> String {
+    format!("{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{}\"}}", command.name)
+}
+
+#[test]
+fn a_late_reply_that_was_read_before_leaves_no_doubt_about_the_next_command_of_its_name() {
+    let (_server, client, stop) = read_ahead(&reply_to(StopProgram::INFO));
+    assert!(stop.stop().expect_err("nobody answers").is_timeout());
+    assert!(client.disconnect().is_none());
+}
+
+#[test]
+fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_its_name() {
+    let (_server, mut client, _stop) = read_ahead(&reply_to(GetJointPos::INFO));
+    let error = client.get_joint_pos().expect_err("nobody is owed the copy");
+    assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
 }
 
 #[test]

@@ -35,34 +35,9 @@ fn short_move() -> JointMove {
     JointMove { mode: MoveMode::Absolute, joint_position, speed: 90.0, acceleration: Some(700.0) }
 }
 
-fn faults() -> Vec<Fault> {
-    let hold = Duration::from_millis(50);
-    vec![
-        Fault::None,
-        Fault::Drop,
-        Fault::Hold,
-        Fault::Delay(hold),
-        Fault::Pieces(vec![1, 2, 3]),
-        Fault::WithNext,
-        Fault::Twice,
-        Fault::Nameless,
-        Fault::Renamed("get_payload".to_owned()),
-        Fault::Before(b"{}".to_vec()),
-        Fault::After(vec![0]),
-        Fault::Instead(b"nonsense".to_vec()),
-        Fault::Garbage { bytes: 500, seed: 7 },
-        Fault::Oversized(100_000),
-        Fault::Close,
-        Fault::CloseAfter(10),
-        Fault::Reset,
-        Fault::HalfOpen,
-        Fault::Takeover,
-    ]
-}
-
 #[test]
 fn motions_end_in_time_whatever_is_wrong_with_their_reply() {
-    for fault in faults() {
+    for fault in Fault::one_of_each() {
         let (controller, mut robot) = ready();
         controller.inject(fault.clone());
         let since = Instant::now();
@@ -109,7 +84,7 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
 
 #[test]
 fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
-    for fault in faults() {
+    for fault in Fault::one_of_each() {
         let (controller, mut robot) = ready();
         let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
         controller.inject_for("servo_j", fault.clone());

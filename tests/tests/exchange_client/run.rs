@@ -1,0 +1,251 @@
+//! One run: the server's moves, and the calls of the threads.
+
+use std::io::{Read, Write};
+use std::net::{Shutdown, TcpListener, TcpStream};
+use std::time::Duration;
+
+use jaka_proto::framing::Framer;
+use jaka_sync::Config;
+
+use crate::drops::Drops;
+use crate::model::{Actor, Got, Message, Model, STOP};
+use crate::step::{CLIENT, Handles, NAMES, STOPS, Step};
+use crate::workers::{Order, Worker, got};
+
+/// How long a call waits that is not to wait in vain.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// How long a call waits that is.
+const HASTE: Duration = Duration::from_millis(2);
+
+/// The server's side, and the model.
+struct Run {
+    model: Model,
+    workers: Vec<Worker>,
+    handles: Handles,
+    stream: TcpStream,
+    framer: Framer,
+    /// Commands that the server has received and not answered.
+    to_answer: Vec<(&'static str, u32)>,
+    number: u32,
+    last: Option<(&'static str, u32)>,
+    has_ended: bool,
+    drops: Drops,
+}
+
+impl Run {
+    fn new(handles: Handles) -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+        let address = listener.local_addr().expect("it is bound");
+        let timeout = if handles == Handles::Hasty { HASTE } else { PATIENCE };
+        let client = Config::new().reply_timeout(timeout).connect(address).expect("it listens");
+        let (stream, _) = listener.accept().expect("the client has connected");
+        stream.set_read_timeout(Some(PATIENCE)).expect("the time is not zero");
+        let stops = STOPS.map(|_| Worker::of_stop_handle(client.stop_handle()));
+        let workers = [Worker::of_client(client)].into_iter().chain(stops).collect();
+        let model = Model::default();
+        let (framer, to_answer) = (Framer::default(), Vec::new());
+        Self {
+            model,
+            workers,
+            handles,
+            stream,
+            framer,
+            to_answer,
+            number: 0,
+            last: None,
+            has_ended: false,
+            drops: Drops::from_now(),
+        }
+    }
+
+    fn take(&mut self, step: Step) -> Result<(), String> {
+        match step {
+            Step::Call(name) => self.begin(CLIENT, NAMES[name])?,
+            Step::CallInVain(name) => self.call_in_vain(CLIENT, NAMES[name])?,
+            Step::Stop(handle) if self.handles == Handles::Hasty => self.call_in_vain(STOPS[handle], STOP)?,
+            Step::Stop(handle) => self.begin(STOPS[handle], STOP)?,
+            Step::CallAndStop(name, handle) => self.call_and_stop(NAMES[name], STOPS[handle]),
+            Step::Answer => self.answer(1),
+            Step::AnswerTwo => self.answer(2),
+            Step::AnswerNameless => self.answer_as(|_, number| vec![Message::Nameless { number }]),
+            Step::AnswerTwice => {
+                self.answer_as(|name, number| vec![Message::Reply { name, number }, Message::Surplus { name, number }]);
+            }
+            Step::Lose => self.lose(),
+            Step::Copy => {
+                let copy = self.last.map(|(name, number)| Message::Surplus { name, number });
+                self.write(copy.as_slice());
+            }
+            Step::Unasked(name) => self.write(&[Message::Surplus { name: NAMES[name], number: u32::MAX >> 1 }]),
+            Step::Garbage => self.write(&[Message::Garbage]),
+            Step::End => self.write(&[Message::End]),
+        }
+        self.check_ends()
+    }
+
+    /// A call begins, and the server receives it.
+    fn begin(&mut self, actor: Actor, name: &'static str) -> Result<(), String> {
+        if self.model.waits(actor) {
+            return Ok(());
+        }
+        self.order(actor, name, PATIENCE);
+        if self.model.send(actor, name, self.number + 1) {
+            self.receive(name);
+        }
+        self.check_ends()
+    }
+
+    /// A call ends at its deadline, with what has been waiting for it, or before that is read.
+    fn call_in_vain(&mut self, actor: Actor, name: &'static str) -> Result<(), String> {
+        if self.model.waits(actor) {
+            return Ok(());
+        }
+        let mut in_haste = self.model.clone();
+        self.order(actor, name, HASTE);
+        if self.model.send(actor, name, self.number + 1) {
+            self.receive(name);
+            self.model.give_up(actor);
+            in_haste.send_only(actor, name, self.number);
+            in_haste.give_up(actor);
+        }
+        let end = self.end_of(actor)?;
+        if !self.model.ended.contains(&(actor, end)) {
+            // On a busy machine the deadline can come before what is waiting is read.
+            self.model = in_haste;
+        }
+        self.check(actor, end)?;
+        self.check_ends()
+    }
+
+    /// Two threads send at the same time: the wire says which was first.
+    fn call_and_stop(&mut self, name: &'static str, stop: Actor) {
+        let is_busy = self.model.waits(CLIENT) || self.model.waits(stop);
+        if is_busy || self.handles == Handles::Hasty || self.model.is_broken || self.model.has_more() {
+            return;
+        }
+        self.order(CLIENT, name, PATIENCE);
+        self.order(stop, STOP, PATIENCE);
+        for _ in 0..2 {
+            let received = self.next_request();
+            let (actor, name) = if received.contains(STOP) { (stop, STOP) } else { (CLIENT, name) };
+            self.number += 1;
+            self.to_answer.push((name, self.number));
+            self.model.send(actor, name, self.number);
+        }
+    }
+
+    fn order(&self, actor: Actor, name: &'static str, timeout: Duration) {
+        let order = if actor == CLIENT { Order::Call { name, timeout } } else { Order::Stop };
+        self.workers[actor].orders.send(order).expect("the thread waits for orders");
+    }
+
+    fn receive(&mut self, name: &'static str) {
+        let request = self.next_request();
+        assert!(request.contains(name), "{request} in place of {name}");
+        self.number += 1;
+        self.to_answer.push((name, self.number));
+    }
+
+    fn next_request(&mut self) -> String {
+        loop {
+            if let Some(request) = self.framer.next_frame().expect("clients send requests") {
+                return String::from_utf8_lossy(request).into_owned();
+            }
+            let count = self.stream.read(self.framer.spare()).expect("the client sends a request");
+            assert!(count > 0, "the client has closed the connection");
+            self.framer.filled(count);
+        }
+    }
+
+    /// Answers the oldest commands in one write.
+    fn answer(&mut self, count: usize) {
+        let count = count.min(self.to_answer.len());
+        let replies: Vec<_> =
+            self.to_answer.drain(..count).map(|(name, number)| Message::Reply { name, number }).collect();
+        if let Some(Message::Reply { name, number }) = replies.last() {
+            self.last = Some((name, *number));
+        }
+        self.write(&replies);
+    }
+
+    fn answer_as(&mut self, messages: impl FnOnce(&'static str, u32) -> Vec<Message>) {
+        if let Some((name, number)) = self.to_answer.first().copied() {
+            self.to_answer.remove(0);
+            self.write(&messages(name, number));
+        }
+    }
+
+    fn lose(&mut self) {
+        if !self.to_answer.is_empty() {
+            let (name, _) = self.to_answer.remove(0);
+            self.model.lose(name);
+        }
+    }
+
+    /// Writes at once, unless the connection has ended.
+    fn write(&mut self, messages: &[Message]) {
+        if self.has_ended || self.model.is_broken || messages.is_empty() {
+            return;
+        }
+        let text: String = messages.iter().map(ToString::to_string).collect();
+        self.stream.write_all(text.as_bytes()).expect("the client's system takes bytes");
+        if messages.contains(&Message::End) {
+            self.has_ended = true;
+            self.stream.shutdown(Shutdown::Write).expect("the connection is open");
+        }
+        self.model.write(messages);
+    }
+
+    /// Each call has ended of which the model says so, and in the way that it says.
+    fn check_ends(&mut self) -> Result<(), String> {
+        while let Some((actor, _)) = self.model.ended.first().copied() {
+            let end = self.end_of(actor)?;
+            self.check(actor, end)?;
+        }
+        let has_come = self.drops.wait_for(self.model.dropped, PATIENCE);
+        if has_come { Ok(()) } else { Err(format!("a late reply is not dropped: {:?}", self.model)) }
+    }
+
+    fn end_of(&self, actor: Actor) -> Result<Got, String> {
+        let result = self.workers[actor].results.recv_timeout(PATIENCE);
+        result.map(got).map_err(|_| format!("the call of {actor} does not end: {:?}", self.model))
+    }
+
+    fn check(&mut self, actor: Actor, end: Got) -> Result<(), String> {
+        let place = self.model.ended.iter().position(|(other, _)| *other == actor);
+        let expected = place.map(|place| self.model.ended.remove(place).1);
+        if expected == Some(end) {
+            return Ok(());
+        }
+        Err(format!("the call of {actor} ended with {end:?}, and not {expected:?}: {:?}", self.model))
+    }
+
+    /// All answers come, and then the connection ends: now every call has ended, and nothing more is sent.
+    fn finish(mut self) -> Result<(), String> {
+        self.answer(usize::MAX);
+        self.check_ends()?;
+        self.write(&[Message::End]);
+        self.check_ends()?;
+        self.begin(CLIENT, NAMES[0])?;
+        self.check_ends()?;
+        assert!(!self.model.is_waited_for(), "nobody waits on a connection that has ended");
+        for actor in [CLIENT, STOPS[0], STOPS[1]] {
+            self.begin(actor, STOP)?;
+        }
+        for worker in self.workers.drain(..) {
+            drop(worker.orders);
+            worker.thread.join().expect("no call panics");
+        }
+        let mut rest = Vec::new();
+        self.stream.read_to_end(&mut rest).map_err(|error| error.to_string())?;
+        let sent = [self.framer.partial(), &rest].concat();
+        if sent.is_empty() { Ok(()) } else { Err(format!("sent behind the end: {}", String::from_utf8_lossy(&sent))) }
+    }
+}
+
+pub(crate) fn run(handles: Handles, steps: &[Step]) -> Result<(), String> {
+    let mut run = Run::new(handles);
+    steps.iter().try_for_each(|step| run.take(*step))?;
+    run.finish()
+}

@@ -1,0 +1,155 @@
+//! Calls on the command port, each with its reply.
+
+use std::io::{self, Write};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use jaka_proto::recording::{Event, Port, Recording};
+use jaka_sync::kinematics::{GetJointPos, GetJointPosReply};
+use jaka_sync::payload::SetPayload;
+use jaka_sync::program::StopProgram;
+use jaka_sync::{Client, Command, Error, Recorder};
+use serde_json::json;
+
+use crate::cell::{Cell, Kind, LIMIT, Next, Seen, position};
+use crate::outcome::Outcome;
+
+/// The commands of these calls.
+fn command(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Setting => SetPayload::INFO.name,
+        Kind::Stop => StopProgram::INFO.name,
+        _ => GetJointPos::INFO.name,
+    }
+}
+
+pub(crate) fn run(cell: &Cell<'_>) -> Seen {
+    let tape = Tape::default();
+    let recorder = (cell.kind == Kind::Recorded).then(|| Recorder::new(tape.clone()).expect("a thread can be had"));
+    let config = recorder.iter().fold(cell.config(), |config, recorder| config.recorder(recorder.clone()));
+    let mut client = config.connect(cell.controller.command_addr()).expect("the controller listens");
+    cell.strike(command(cell.kind));
+    let timeout = cell.patience(cell.expected.first);
+    let first = cell.ends(timeout, cell.expected.first, || call(cell, &mut client, timeout));
+    cell.lift();
+    let timeout = cell.patience(cell.then);
+    let next = cell.ends(timeout, cell.then, || match cell.next {
+        Next::Other => other(cell, &mut client, timeout),
+        Next::Same => same(cell, &mut client, timeout),
+    });
+    if let Some(recorder) = recorder {
+        tape.check(cell, &recorder);
+    }
+    Seen { first, beside: None, next }
+}
+
+fn call(cell: &Cell<'_>, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+    match cell.kind {
+        // The timeout of these two is the configuration's.
+        Kind::Stop => client.stop_handle().stop(),
+        Kind::Raw => {
+            let mark = cell.mark();
+            let reply = client.call_raw(GetJointPos::INFO.name, &json!({}))?;
+            check_text(cell, mark, &reply.to_string());
+            Ok(())
+        }
+        Kind::Text => {
+            let mark = cell.mark();
+            let request = json!({"cmdName": GetJointPos::INFO.name}).to_string();
+            check_text(cell, mark, client.call_text(&request, timeout)?);
+            Ok(())
+        }
+        _ => same(cell, client, timeout),
+    }
+}
+
+/// Another call of the same name.
+fn same(cell: &Cell<'_>, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+    match cell.kind {
+        Kind::Setting => {
+            let centroid = cell.controller.state().payload.centroid;
+            let mass = cell.mark() + 0.5;
+            client.call_within(&SetPayload { mass, centroid }, timeout)?;
+            assert_eq!(cell.controller.state().payload.mass.to_bits(), mass.to_bits(), "the setting was not made");
+            Ok(())
+        }
+        Kind::Stop => client.call_within(&StopProgram, timeout),
+        _ => cell.joint_position(client, timeout),
+    }
+}
+
+/// A call of another name.
+fn other(cell: &Cell<'_>, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+    match cell.kind {
+        Kind::Setting | Kind::Stop => cell.joint_position(client, timeout),
+        _ => cell.payload(client, timeout),
+    }
+}
+
+/// A raw reply, which the fault may have replaced: if it has the field, it has the arm's position.
+fn check_text(cell: &Cell<'_>, mark: f64, reply: &str) {
+    if let Ok(reply) = jaka_proto::read_payload::<GetJointPosReply>(GetJointPos::INFO, reply) {
+        assert_eq!(reply.joint_position, position(mark), "{cell}: the reply is another's");
+    }
+}
+
+/// A query that waits, and meanwhile a stop from another thread.
+pub(crate) fn run_stop_beside(cell: &Cell<'_>) -> Seen {
+    let mut client = cell.client();
+    let stop = client.stop_handle();
+    cell.strike(GetJointPos::INFO.name);
+    let (timeout, expected) = (cell.patience(cell.expected.first), cell.expected);
+    let sent = cell.controller.requests().len();
+    let mark = cell.mark();
+    let (called, stopped) = thread::scope(|scope| {
+        let calling = scope.spawn(|| client.call_within(&GetJointPos, timeout));
+        assert!(cell.controller.wait_for_requests(sent + 1, LIMIT), "the query is sent");
+        let stopping = scope.spawn(|| stop.stop());
+        (calling.join().expect("no call panics"), stopping.join().expect("no call panics"))
+    });
+    if let Ok(reply) = &called {
+        assert_eq!(reply.joint_position, position(mark), "{cell}: the reply is another's");
+    }
+    let first = cell.ends(Duration::ZERO, expected.first, || called.map(drop));
+    let beside = cell.ends(Duration::ZERO, expected.beside.unwrap_or(Outcome::Ok), || stopped);
+    cell.lift();
+    let timeout = cell.patience(cell.then);
+    let next = cell.ends(timeout, cell.then, || cell.payload(&mut client, timeout));
+    Seen { first, beside: Some(beside), next }
+}
+
+/// A file in memory.
+#[derive(Debug, Clone, Default)]
+struct Tape(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Tape {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Tape {
+    /// The recording can be read, nothing was dropped, and it has what the controller received.
+    fn check(&self, cell: &Cell<'_>, recorder: &Recorder) {
+        let report = recorder.finish().expect("memory can be written");
+        assert_eq!(report.dropped, 0);
+        let recording = Recording::read(&self.0.lock().unwrap_or_else(PoisonError::into_inner)).expect("it is one");
+        assert_eq!(report.entries, recording.entries.len() as u64);
+        let sent: Vec<_> = recording
+            .entries
+            .iter()
+            .filter_map(|entry| match &entry.event {
+                Event::Sent(message) if entry.port == Port::Command => Some(message.to_string()),
+                _ => None,
+            })
+            .collect();
+        let received = cell.controller.requests();
+        assert!(sent.starts_with(&received), "{cell}: recorded {sent:?}, received {received:?}");
+    }
+}

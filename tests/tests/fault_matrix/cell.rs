@@ -1,0 +1,242 @@
+//! One cell of the matrix: a controller, a fault, a call, and the next one.
+
+use std::fmt::{self, Debug};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays};
+use jaka_sync::kinematics::GetJointPos;
+use jaka_sync::payload::GetPayload;
+use jaka_sync::types::JointPosition;
+use jaka_sync::{Client, Config, Error};
+
+use crate::model::{self, Expected};
+use crate::outcome::Outcome;
+use crate::troubles::Trouble;
+use crate::{calls, robot, status};
+
+/// The kinds of calls: the columns of the matrix.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Query,
+    Setting,
+    Raw,
+    Text,
+    /// A query whose connection is recorded.
+    Recorded,
+    /// A stop handle, while no call waits.
+    Stop,
+    /// A query, and a stop handle while it waits.
+    StopBeside,
+    Motion,
+    ServoSession,
+    StatusStream,
+    Monitor,
+}
+
+impl Kind {
+    pub(crate) const ALL: [Self; 11] = [
+        Self::Query,
+        Self::Setting,
+        Self::Raw,
+        Self::Text,
+        Self::Recorded,
+        Self::Stop,
+        Self::StopBeside,
+        Self::Motion,
+        Self::ServoSession,
+        Self::StatusStream,
+        Self::Monitor,
+    ];
+
+    /// True where the reply has fields that the spec knows.
+    pub(crate) fn has_typed_fields(self) -> bool {
+        matches!(self, Self::Query | Self::Recorded | Self::StopBeside)
+    }
+}
+
+/// The call after the one with the fault.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Next {
+    Other,
+    Same,
+}
+
+/// What was seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Seen {
+    pub(crate) first: Outcome,
+    pub(crate) beside: Option<Outcome>,
+    pub(crate) next: Outcome,
+}
+
+/// Nothing may take longer, on a busy machine.
+pub(crate) const LIMIT: Duration = Duration::from_secs(60);
+
+/// How long a call may take that is to succeed.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+
+/// The longest message that clients take: more than a status packet, less than an oversized reply.
+pub(crate) const MAX_FRAME: usize = 16 << 10;
+
+/// How often status packets come, by the controller's clock.
+pub(crate) const PERIOD: Duration = Duration::from_millis(8);
+
+/// A fault and a call that meet.
+pub(crate) struct Cell<'t> {
+    pub(crate) trouble: &'t Trouble,
+    pub(crate) kind: Kind,
+    pub(crate) next: Next,
+    pub(crate) expected: Expected,
+    /// What the next call is expected to end with.
+    pub(crate) then: Outcome,
+    pub(crate) controller: Controller,
+    /// Where the arm is, as a number that no state before had.
+    mark: AtomicU32,
+    is_lifted: AtomicBool,
+    pause: Duration,
+}
+
+impl<'t> Cell<'t> {
+    /// An arm that is powered and enabled, and a clock that stands still.
+    pub(crate) fn new(trouble: &'t Trouble, kind: Kind, next: Next, pause: Duration) -> Self {
+        let expected = model::expected(trouble, kind);
+        let then = if next == Next::Same { expected.same } else { None }.unwrap_or(expected.other);
+        let controller = Controller::builder().delays(Delays::NONE).stepped_clock().status_period(PERIOD);
+        let controller = controller.start().expect("loopback has free ports");
+        controller.set_state(|state| {
+            state.powered = true;
+            state.enabled = true;
+        });
+        Self {
+            trouble,
+            kind,
+            next,
+            expected,
+            then,
+            controller,
+            mark: AtomicU32::new(0),
+            is_lifted: AtomicBool::new(false),
+            pause,
+        }
+    }
+
+    /// Makes the call and the next one.
+    pub(crate) fn run(&self) -> Seen {
+        match self.kind {
+            Kind::Query | Kind::Setting | Kind::Raw | Kind::Text | Kind::Recorded | Kind::Stop => calls::run(self),
+            Kind::StopBeside => calls::run_stop_beside(self),
+            Kind::Motion => robot::run_motion(self),
+            Kind::ServoSession => robot::run_servo_session(self),
+            Kind::StatusStream => status::run_stream(self),
+            Kind::Monitor => status::run_monitor(self),
+        }
+    }
+
+    /// How long a call waits: short where it is to wait in vain.
+    pub(crate) fn patience(&self, expected: Outcome) -> Duration {
+        match self.kind {
+            _ if !expected.is_timeout() => PATIENCE,
+            // These have calls before that must succeed.
+            Kind::Motion | Kind::ServoSession => Duration::from_millis(250),
+            _ => Duration::from_millis(100),
+        }
+    }
+
+    pub(crate) fn config(&self) -> Config {
+        Config::new().max_frame(MAX_FRAME).reply_timeout(self.patience(self.expected.first))
+    }
+
+    pub(crate) fn client(&self) -> Client {
+        self.config().connect(self.controller.command_addr()).expect("the controller listens")
+    }
+
+    /// From now on the next reply to this command, and status packets, go wrong.
+    pub(crate) fn strike(&self, command: &str) {
+        if let Some(fault) = self.trouble.fault(command) {
+            self.controller.inject_for(command, fault);
+        }
+        self.controller.status_fault(self.trouble.status());
+    }
+
+    /// From now on nothing goes wrong any more.
+    pub(crate) fn lift(&self) {
+        self.is_lifted.store(true, Ordering::SeqCst);
+        self.controller.clear_faults();
+        self.controller.status_fault(jaka_sim::StatusFault::None);
+        if !self.pause.is_zero() {
+            thread::sleep(self.pause);
+        }
+    }
+
+    /// Moves the arm at once to where it has never been, by a number that goes up.
+    pub(crate) fn mark(&self) -> f64 {
+        let mark = f64::from(self.mark.fetch_add(1, Ordering::SeqCst) + 1);
+        self.controller.set_state(|state| {
+            state.joint_position = position(mark);
+            state.payload.mass = mark;
+        });
+        mark
+    }
+
+    /// Makes a call that ends in time, and tells how it ended.
+    pub(crate) fn ends<T: Into<Outcome> + Debug>(
+        &self,
+        timeout: Duration,
+        expected: Outcome,
+        call: impl FnOnce() -> Result<T, Error>,
+    ) -> Outcome {
+        let sent = self.controller.requests().len();
+        let since = Instant::now();
+        let result = call();
+        let took = since.elapsed();
+        assert!(took < timeout + PATIENCE, "{self}: took {took:?}");
+        let shown = format!("{result:?}");
+        if let Err(error) = &result {
+            assert!(!matches!(error, Error::Timeout { .. }) || took >= timeout, "{self}: {error} after {took:?}");
+            assert!(!self.is_broken() || !error.may_have_run(), "{self}: sent on a broken connection, {error:?}");
+            if error.is_disconnected() && !error.may_have_run() {
+                assert_eq!(self.controller.requests().len(), sent, "{self}: {error}");
+            }
+        }
+        let outcome = result.map_or_else(|error| Outcome::of(&error), Into::into);
+        if outcome != expected {
+            println!("{self}: {shown} instead of {expected}");
+        }
+        outcome
+    }
+
+    /// True where the first call has broken the connection.
+    fn is_broken(&self) -> bool {
+        let ended = self.expected.beside.unwrap_or(self.expected.first);
+        self.is_lifted.load(Ordering::SeqCst) && matches!(ended, Outcome::Broken(_))
+    }
+
+    /// Where the arm is now, and nothing else.
+    pub(crate) fn joint_position(&self, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+        let mark = self.mark();
+        let found = client.call_within(&GetJointPos, timeout)?.joint_position;
+        assert_eq!(found, position(mark), "{self}: the reply is another's");
+        Ok(())
+    }
+
+    /// The payload as it is now, and nothing else.
+    pub(crate) fn payload(&self, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+        let mark = self.mark();
+        let found = client.call_within(&GetPayload, timeout)?.mass;
+        assert_eq!(found.to_bits(), mark.to_bits(), "{self}: the reply is another's");
+        Ok(())
+    }
+}
+
+impl fmt::Display for Cell<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {:?}, then {:?}", self.trouble, self.kind, self.next)
+    }
+}
+
+/// The position with this mark.
+pub(crate) fn position(mark: f64) -> JointPosition {
+    [mark; 6].into()
+}

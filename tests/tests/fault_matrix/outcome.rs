@@ -1,0 +1,116 @@
+//! What calls end with.
+
+use std::fmt;
+
+use jaka_proto::Mistrust;
+use jaka_proto::framing::FrameError;
+use jaka_sync::{Disconnect, Error};
+
+/// What a call ended with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// Success, with the data that the simulator had.
+    Ok,
+    Refused,
+    /// The reply does not fit the spec.
+    Unexpected,
+    Timeout,
+    ReplyLost,
+    /// The connection is broken for good.
+    Broken(Cause),
+    /// The motion was accepted; status packets stopped coming, or their connection ended.
+    StatusLost,
+    /// The motion was accepted, and its end is not known at the deadline.
+    Deadline,
+    /// Not sent, since a connection is lost.
+    NotAcknowledged,
+}
+
+/// What broke a connection.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cause {
+    /// Its end, or an error of the system.
+    End,
+    Garbage,
+    TooLong,
+    NotUtf8,
+    NotJson,
+    Unasked,
+    Nameless,
+    Ambiguous,
+}
+
+impl Outcome {
+    /// # Panics
+    /// The error is none that a fault may lead to.
+    pub(crate) fn of(error: &Error) -> Self {
+        match error {
+            Error::Refused { .. } | Error::RefusedBecause { .. } => Self::Refused,
+            Error::Timeout { .. } | Error::StatusTimeout { .. } => Self::Timeout,
+            Error::ReplyLost { .. } => Self::ReplyLost,
+            Error::UnexpectedReply { .. } | Error::UnexpectedStatus { .. } => Self::Unexpected,
+            Error::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
+            Error::NotAcknowledged { .. } => Self::NotAcknowledged,
+            Error::ServoModeNotLeft { first, .. } => Self::of(first),
+            other => panic!("no fault may lead to {other:?}"),
+        }
+    }
+
+    /// True where a call waits to its deadline.
+    pub(crate) fn is_timeout(self) -> bool {
+        matches!(self, Self::Timeout | Self::Deadline | Self::Broken(Cause::Ambiguous))
+    }
+}
+
+impl From<()> for Outcome {
+    fn from((): ()) -> Self {
+        Self::Ok
+    }
+}
+
+impl Cause {
+    fn of(cause: &Disconnect) -> Self {
+        match cause {
+            Disconnect::Closed { .. } | Disconnect::Read(_) | Disconnect::Write(_) => Self::End,
+            Disconnect::Frame(FrameError::Garbage { .. }) => Self::Garbage,
+            Disconnect::Frame(FrameError::TooLong { .. }) => Self::TooLong,
+            Disconnect::NotUtf8 => Self::NotUtf8,
+            Disconnect::NotJson(_) => Self::NotJson,
+            Disconnect::Mistrust(Mistrust::Unasked { .. }) => Self::Unasked,
+            Disconnect::Mistrust(Mistrust::Nameless) => Self::Nameless,
+            Disconnect::Mistrust(Mistrust::Ambiguous { .. }) => Self::Ambiguous,
+            other => panic!("no fault may lead to {other:?}"),
+        }
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Ok => f.write_str("ok"),
+            Self::Refused => f.write_str("refused"),
+            Self::Unexpected => f.write_str("unexpected"),
+            Self::Timeout => f.write_str("timeout"),
+            Self::ReplyLost => f.write_str("reply lost"),
+            Self::Broken(cause) => write!(f, "**{cause}**"),
+            Self::StatusLost => f.write_str("status lost"),
+            Self::Deadline => f.write_str("deadline"),
+            Self::NotAcknowledged => f.write_str("not sent"),
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::End => "end",
+            Self::Garbage => "garbage",
+            Self::TooLong => "too long",
+            Self::NotUtf8 => "no UTF-8",
+            Self::NotJson => "no JSON",
+            Self::Unasked => "unasked",
+            Self::Nameless => "nameless",
+            Self::Ambiguous => "ambiguous",
+        })
+    }
+}

@@ -1,0 +1,73 @@
+//! The matrix as a table.
+
+use std::fmt::Write;
+
+use crate::cell::Kind;
+use crate::model::Expected;
+use crate::outcome::Outcome;
+use crate::troubles::Trouble;
+
+const BEGIN: &str =
+    "<!-- The fault matrix begins. Written by `UPDATE_EXPECT=1 cargo test -p jaka-tests --test fault_matrix`. -->";
+const END: &str = "<!-- The fault matrix ends. -->";
+
+/// A table in Markdown.
+pub(crate) fn table(troubles: &[Trouble], rows: &[[Expected; Kind::ALL.len()]]) -> String {
+    let mut table = "|".to_owned();
+    for name in [""].into_iter().chain(Kind::ALL.map(name)) {
+        push(&mut table, name);
+    }
+    table.push_str("\n|");
+    table.push_str(&"---|".repeat(Kind::ALL.len() + 1));
+    for (trouble, cells) in troubles.iter().zip(rows) {
+        table.push_str("\n|");
+        push(&mut table, &format!("`{trouble}`"));
+        for cell in cells {
+            push(&mut table, &text(*cell));
+        }
+    }
+    table + "\n"
+}
+
+fn push(table: &mut String, cell: &str) {
+    // Writing to a string cannot fail.
+    let _ = write!(table, " {} |", cell.replace('|', "\\|"));
+}
+
+fn name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Query => "query",
+        Kind::Setting => "setting",
+        Kind::Raw => "raw call",
+        Kind::Text => "`call_text`",
+        Kind::Recorded => "recorded",
+        Kind::Stop => "stop",
+        Kind::StopBeside => "query + stop",
+        Kind::Motion => "motion",
+        Kind::ServoSession => "servo session",
+        Kind::StatusStream => "status stream",
+        Kind::Monitor => "monitor",
+    }
+}
+
+/// What the call ends with, and what the next calls do where that is not to be expected.
+fn text(cell: Expected) -> String {
+    let (first, beside) = (Some(cell.first.to_string()), cell.beside.map(|stop| format!(" + {stop}")));
+    let next = (cell.other != usual(cell.beside.unwrap_or(cell.first))).then(|| format!(", next {}", cell.other));
+    let again = cell.same.filter(|same| *same != cell.other).map(|same| format!(", again {same}"));
+    [first, beside, next, again].into_iter().flatten().collect()
+}
+
+/// What the next call ends with as a rule: the same where the connection is broken, and success otherwise.
+fn usual(outcome: Outcome) -> Outcome {
+    if matches!(outcome, Outcome::Broken(_)) { outcome } else { Outcome::Ok }
+}
+
+/// The document with this table.
+pub(crate) fn in_document(table: &str) -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/reliability.md");
+    let document = std::fs::read_to_string(path).expect("the document is there");
+    let (before, rest) = document.split_once(BEGIN).expect("the document has a place for the matrix");
+    let (_, after) = rest.split_once(END).expect("the place for the matrix ends");
+    format!("{before}{BEGIN}\n\n{table}\n{END}{after}")
+}

@@ -1,0 +1,113 @@
+//! What goes wrong: the rows of the matrix.
+
+use std::fmt;
+use std::time::Duration;
+
+use jaka_proto::messages::motion::Jog;
+use jaka_proto::wire::Writer;
+use jaka_proto::{Command, ErrorCode, write_refusal};
+use jaka_sim::{Fault, StatusFault};
+use proptest::prelude::RngCore;
+use proptest::test_runner::TestRng;
+
+/// Something that goes wrong on one of the ports.
+#[derive(Debug, Clone)]
+pub(crate) enum Trouble {
+    Reply(Fault),
+    /// The controller refuses the command.
+    Refusal,
+    /// The reply says that the command was accepted, and has none of its fields.
+    Misfit,
+    Status(StatusFault),
+}
+
+/// Later than any call waits that is to see a timeout.
+pub(crate) const LATE: Duration = Duration::from_millis(400);
+
+/// One fault of each kind that the simulator has, and more of those that can come in several ways.
+pub(crate) fn all() -> Vec<Trouble> {
+    let replies = Fault::one_of_each().into_iter().chain(more_replies()).map(Trouble::Reply);
+    let status = StatusFault::one_of_each().into_iter().chain(more_status()).map(Trouble::Status);
+    replies.chain([Trouble::Refusal, Trouble::Misfit]).chain(status).collect()
+}
+
+fn more_replies() -> Vec<Fault> {
+    let stranger = envelope(Some(Jog::INFO.name), ErrorCode(0));
+    vec![
+        Fault::Delay(LATE),
+        Fault::Oversized(10_000),
+        Fault::CloseAfter(10_000),
+        Fault::Before(b" \r\n".to_vec()),
+        Fault::Before(stranger.clone()),
+        Fault::After(stranger),
+        Fault::Instead(b"{errorCode: 0}".to_vec()),
+        Fault::Instead(b"{\"\xff\": 0}".to_vec()),
+    ]
+}
+
+fn more_status() -> [StatusFault; 2] {
+    [StatusFault::Slow(Duration::from_secs(20)), StatusFault::Instead(b"joint_actual_position:(0, 0)\n".to_vec())]
+}
+
+fn envelope(command: Option<&str>, code: ErrorCode) -> Vec<u8> {
+    let mut out = Writer::new();
+    write_refusal(command, code, "", &mut out);
+    out.into_string().into_bytes()
+}
+
+impl Trouble {
+    /// What is wrong with the reply to this command, if something is.
+    pub(crate) fn fault(&self, command: &str) -> Option<Fault> {
+        let instead = |code| Fault::Instead(envelope(Some(command), code));
+        match self {
+            Self::Reply(fault) => Some(fault.clone()),
+            Self::Refusal => Some(instead(ErrorCode(2))),
+            Self::Misfit => Some(instead(ErrorCode(0))),
+            Self::Status(_) => None,
+        }
+    }
+
+    /// What is wrong with status packets.
+    pub(crate) fn status(&self) -> StatusFault {
+        if let Self::Status(fault) = self { fault.clone() } else { StatusFault::None }
+    }
+
+    /// The same with other parameters, where these make no difference to what is expected.
+    pub(crate) fn at_random(&self, random: &mut TestRng) -> Self {
+        let mut below = |limit: usize| below(random, limit);
+        match self {
+            Self::Reply(Fault::Pieces(_)) => {
+                let sizes = (0..below(8)).map(|_| 1 + below(30)).collect();
+                Self::Reply(Fault::Pieces(sizes))
+            }
+            Self::Reply(Fault::CloseAfter(10)) => Self::Reply(Fault::CloseAfter(below(40))),
+            Self::Reply(Fault::Delay(time)) if *time < LATE => {
+                Self::Reply(Fault::Delay(Duration::from_millis(below(50) as u64)))
+            }
+            Self::Status(StatusFault::Pieces(_)) => Self::Status(StatusFault::Pieces(1 + below(2000))),
+            Self::Status(StatusFault::CloseAfter(_)) => Self::Status(StatusFault::CloseAfter(below(2000))),
+            other => other.clone(),
+        }
+    }
+}
+
+/// A pause between two calls, so that they meet what is on the wire at different moments; mostly none.
+pub(crate) fn pause(random: &mut TestRng) -> Duration {
+    let micros = [0, 0, 50, 500, 5000][below(random, 5)];
+    Duration::from_micros(micros)
+}
+
+fn below(random: &mut TestRng, limit: usize) -> usize {
+    usize::try_from(random.next_u64() % limit as u64).expect("it is below a usize")
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reply(fault) => fault.fmt(f),
+            Self::Refusal => f.write_str("a refusal"),
+            Self::Misfit => f.write_str("a reply without its fields"),
+            Self::Status(fault) => write!(f, "status {fault}"),
+        }
+    }
+}
