@@ -162,6 +162,13 @@ fn depth_is_limited() {
     assert!(from_json(&("[".repeat(65) + &"]".repeat(65))).is_err());
 }
 
+#[test]
+fn brackets_that_are_closed_do_not_count() {
+    let modules = vec!["(), [], {'a': [()]}"; 40].join(", ");
+    let json = to_json(&format!("[{modules}]")).expect("four are open at most");
+    assert!(from_json(&json).is_ok());
+}
+
 fn text() -> impl Strategy<Value = String> {
     let nasty = prop::sample::select("'\"\\()[]{}:,ux0 \0\n\r\t\u{7f}\u{80}é机🤖".chars().collect::<Vec<_>>());
     prop::collection::vec(prop_oneof![3 => nasty, 1 => any::<char>()], 0..10).prop_map(String::from_iter)
