@@ -83,6 +83,8 @@ fn malformed_python_is_refused() {
         ("nan", "a value at byte 0"),
         ("[inf]", "a value at byte 1"),
         ("-inf", "a digit at byte 1"),
+        ("-+5", "a digit at byte 1"),
+        ("+-5", "a digit at byte 1"),
         ("(0, -1e999)", "a finite number at byte 4"),
         ("(,)", "a value at byte 1"),
         ("(1,,2)", "a value at byte 3"),
