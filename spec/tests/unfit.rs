@@ -320,7 +320,7 @@ fn types_that_are_too_large_or_too_deep() {
     field(
         &format!("type = 'int{}'", "[]".repeat(100_000)),
         &expect![[r"
-        newer.toml:6:45: command `go`, field `a`: a type has at most 8 brackets, not 100000
+        newer.toml:6:45: command `go`, field `a`: a type has at most 4 brackets
     "]],
     );
     field(
