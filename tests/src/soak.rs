@@ -113,7 +113,7 @@ fn round(options: &Options, host: &Arc<Host>, peak: &Arc<Peak>, summary: &mut Su
     let mut all_end = true;
     for _ in 0..options.arms {
         if let Ok((arm, result)) = results.recv_timeout(LIMIT) {
-            settle(options, host, arm, result, &findings, summary);
+            settle(options, host, arm, &result, &findings, summary);
         } else {
             findings.add(format!("an arm has panicked, or does not end within {LIMIT:?}"));
             all_end = false;
@@ -128,7 +128,7 @@ fn round(options: &Options, host: &Arc<Host>, peak: &Arc<Peak>, summary: &mut Su
 }
 
 /// Compares an arm's account with what its simulator saw.
-fn settle(options: &Options, host: &Host, arm: u32, done: Done, findings: &Findings, summary: &mut Summary) {
+fn settle(options: &Options, host: &Host, arm: u32, done: &Done, findings: &Findings, summary: &mut Summary) {
     let seen = host.requests(arm);
     for finding in account::check(&done.connections, &seen, &arm::text(&StopProgram)) {
         findings.add(format!("arm {arm}: {finding}"));
