@@ -13,7 +13,16 @@ use jaka_tests::soak::{self, Host, Length, Options};
 /// Has the process run the simulators of another.
 const SIMULATORS: &str = "--simulators";
 
+/// Has glibc's allocator keep one heap. With one for each thread, as is usual, the holes in them grow for a long time where threads
+/// come and go, and hide whether the program itself holds more and more.
+const ONE_HEAP: (&str, &str) = ("MALLOC_ARENA_MAX", "1");
+
 fn main() -> Result<ExitCode, Box<dyn Error>> {
+    if env::var_os(ONE_HEAP.0).is_none() {
+        let mut again = Command::new(env::current_exe()?);
+        let status = again.args(env::args_os().skip(1)).env(ONE_HEAP.0, ONE_HEAP.1).status()?;
+        return Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+    }
     let (mut minutes, mut seed) = (60.0, None);
     let mut arguments = env::args().skip(1);
     while let Some(argument) = arguments.next() {

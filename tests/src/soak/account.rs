@@ -157,7 +157,9 @@ mod tests {
     fn connections() -> Vec<Connection> {
         let sent = |texts: &[(&str, Fate)]| {
             let mut connection = Connection::new(texts[0].0.to_owned());
-            texts.iter().for_each(|(text, fate)| connection.note((*text).to_owned(), *fate));
+            for (text, fate) in texts {
+                connection.note((*text).to_owned(), *fate);
+            }
             connection
         };
         let mut second = sent(&[("b", Fate::Seen), ("b1", Fate::Perhaps), ("b2", Fate::Sent), ("b3", Fate::Sent)]);
@@ -204,7 +206,8 @@ mod tests {
     #[test]
     fn recordings_have_the_order_of_the_wire() {
         let mut connection = Connection::new("a".to_owned());
-        ["a", "b"].map(|text| connection.note(text.to_owned(), Fate::Seen));
+        connection.note("a".to_owned(), Fate::Seen);
+        connection.note("b".to_owned(), Fate::Seen);
         connection.stops = Stops { sent: 1, seen: 1 };
         connection.recorded = Some(["a", "stop", "b"].map(str::to_owned).to_vec());
         let found = |seen: [&str; 3]| check(std::slice::from_ref(&connection), &seen.map(str::to_owned), STOP).len();

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_proto::read_payload;
 use jaka_sync::io::GetFuncdiStatus;
-use jaka_sync::kinematics::{GetDhParam, GetJointPos};
+use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
 use jaka_sync::motion::JointMove;
 use jaka_sync::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
 use jaka_sync::power::{GetRobotState, GetVersion};
@@ -36,10 +36,14 @@ const VARIABLE: i64 = 5500;
 /// How close an arm that has reached its target is, in degrees.
 const CLOSE: f64 = 0.1;
 
+/// The tool's turn about the vertical where joint 1 is at 0, in degrees, of the simulator's arm.
+const UPRIGHT: f64 = 90.0;
+
 type Operation = fn(&mut Arm, &mut Session);
 
 /// What can be done, and how often beside the others.
-const OPERATIONS: [(u32, Operation); 13] = [
+const OPERATIONS: [(u32, Operation); 14] = [
+    (16, forward_kinematics),
     (12, set_mass),
     (12, get_mass),
     (4, get_mass_as_text),
@@ -78,6 +82,19 @@ fn call<C: Command>(arm: &mut Arm, session: &mut Session, command: &C) -> Result
     let result = session.robot.client().call_within(command, timeout);
     arm.note(session, text(command), &result);
     result
+}
+
+/// Some queries of one name in a row, each of which has an answer of its own: the tool turns about the vertical as joint 1 does.
+fn forward_kinematics(arm: &mut Arm, session: &mut Session) {
+    for _ in 0..3 {
+        let angle = f64::from(arm.serial() % 34_000) / 100.0 - 170.0;
+        let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
+        let Ok(reply) = call(arm, session, &KineForward { joint_position }) else { continue };
+        let off = (reply.pose.rz - angle - UPRIGHT).rem_euclid(360.0);
+        if off.min(360.0 - off) > 1e-6 {
+            arm.find(&format!("a reply to another query: at {angle} the tool is at {:?}", reply.pose));
+        }
+    }
 }
 
 fn set_mass(arm: &mut Arm, session: &mut Session) {

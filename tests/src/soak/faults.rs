@@ -6,7 +6,7 @@ use std::time::Duration;
 use jaka_sim::{Fault, FaultPlan, StatusFault};
 use jaka_sync::Command;
 use jaka_sync::io::GetFuncdiStatus;
-use jaka_sync::kinematics::{GetDhParam, GetJointPos};
+use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
 use jaka_sync::motion::JointMove;
 use jaka_sync::payload::{GetPayload, SetPayload};
 use jaka_sync::power::{GetRobotState, GetVersion};
@@ -25,7 +25,8 @@ pub(super) type Script = BTreeMap<&'static str, Vec<Fault>>;
 const ONCE: [&str; 4] =
     [GetRobotState::INFO.name, GetVersion::INFO.name, GetDhParam::INFO.name, GetFuncdiStatus::INFO.name];
 
-const USUAL: [&str; 11] = [
+const USUAL: [&str; 12] = [
+    KineForward::INFO.name,
     GetJointPos::INFO.name,
     JointMove::INFO.name,
     GetPayload::INFO.name,

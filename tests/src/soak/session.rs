@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use jaka_proto::recording::{Event, Port, Recording};
-use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot};
+use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
 
 use super::account::Connection;
 use super::arm::Place;
@@ -20,6 +20,9 @@ const MAX_FRAME: usize = 64 << 10;
 
 /// How long connecting may take.
 const CONNECT: Duration = Duration::from_secs(60);
+
+/// One in so many status packets is recorded.
+const SAMPLING: u32 = 20;
 
 /// One connection of an arm.
 #[derive(Debug)]
@@ -45,7 +48,9 @@ impl Session {
     pub(super) fn new(place: &Place, first: String, is_recorded: bool) -> Result<Self, Error> {
         let tape = Tape::default();
         let recorder = is_recorded.then(|| Recorder::new(tape.clone()).expect("a thread can be had"));
-        let config = recorder.iter().fold(config(), |config, recorder| config.recorder(recorder.clone()));
+        let sampling = StatusSampling::EveryNth(SAMPLING);
+        let config = config().status_sampling(sampling);
+        let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
         let monitor: Monitor = config.monitor(place.ports.status)?;
         observe(&monitor, &place.rate, &place.findings);
         let client = config.connect(place.ports.commands)?;

@@ -5,14 +5,14 @@ use std::fmt;
 use super::resources::{Handles, growth};
 use super::tally::Tally;
 
-/// From how many samples of the memory on its trend is judged.
+/// How many samples of the memory its trend takes at least.
 const SAMPLES: usize = 10;
 
-/// One part in so many of the samples, at the beginning, is left out of the trend.
-const WARM_UP: usize = 5;
+/// So many samples at the beginning are left out of the trend, or a fifth of all where that is more.
+const WARM_UP: usize = 12;
 
 /// By how much the memory may grow over the whole time behind the warm-up, in KiB.
-const GROWTH: f64 = 2048.0;
+const GROWTH: f64 = 1024.0;
 
 /// What came of a soak.
 #[derive(Debug, Clone)]
@@ -48,8 +48,8 @@ impl Summary {
 
     /// All that is wrong; empty if nothing is.
     pub fn findings(&self) -> Vec<String> {
-        let grown = (self.memory.len() >= SAMPLES && self.growth() > GROWTH)
-            .then(|| format!("the memory has grown by {:.0} KiB, and may by {GROWTH} KiB", self.growth()));
+        let grown = self.growth().filter(|growth| *growth > GROWTH);
+        let grown = grown.map(|growth| format!("the memory has grown by {growth:.0} KiB, and may by {GROWTH} KiB"));
         self.findings.iter().cloned().chain(grown).collect()
     }
 
@@ -58,9 +58,10 @@ impl Summary {
         self.tally.get(what)
     }
 
-    /// By how much the memory has grown behind the warm-up, in KiB.
-    fn growth(&self) -> f64 {
-        growth(&self.memory[self.memory.len() / WARM_UP..])
+    /// By how much the memory has grown behind the warm-up, in KiB; `None` where the time was too short to tell.
+    fn growth(&self) -> Option<f64> {
+        let samples = self.memory.get(WARM_UP.max(self.memory.len() / 5)..)?;
+        (samples.len() >= SAMPLES).then(|| growth(samples))
     }
 
     /// The most important figures so far, in a line.
@@ -82,11 +83,11 @@ impl fmt::Display for Summary {
         writeln!(f, "held: {first} at first, {last} at last, {most} at most")?;
         let ends = [self.memory.first(), self.memory.last(), self.memory.iter().max()];
         let [first, last, most] = ends.map(|kib| kib.copied().unwrap_or_default());
-        let growth = self.growth();
-        writeln!(
-            f,
-            "memory at rest: {first} KiB at first, {last} KiB at last, {most} KiB at most; trend {growth:+.0} KiB"
-        )?;
+        writeln!(f, "memory at rest: {first} KiB at first, {last} KiB at last, {most} KiB at most")?;
+        match self.growth() {
+            Some(growth) => writeln!(f, "trend of the memory behind the warm-up: {growth:+.0} of {GROWTH:+} KiB")?,
+            None => writeln!(f, "too short for a trend of the memory")?,
+        }
         let findings = self.findings();
         findings.iter().try_for_each(|finding| writeln!(f, "WRONG: {finding}"))?;
         write!(f, "{}", if findings.is_empty() { "nothing is wrong" } else { "something is wrong" })
