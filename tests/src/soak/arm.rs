@@ -121,7 +121,7 @@ impl Arm {
     }
 
     /// Ends a connection: by what broke it, or because the program wants it to.
-    pub(super) fn leave(&mut self, mut session: Session) {
+    fn leave(&mut self, mut session: Session) {
         let is_broken = session.robot.client().disconnect().is_some();
         self.tally.one(if is_broken { "connections broken" } else { "connections left" });
         let connection = session.end(&self.place, &mut self.tally);

@@ -26,6 +26,9 @@ impl Held {
             self.possible.push(value);
             self.set_here = true;
         }
+        if fate == Fate::Seen {
+            self.answered();
+        }
     }
 
     /// A command of this connection was answered: all that was sent before it has arrived.
@@ -66,7 +69,6 @@ mod tests {
         for value in [1.0, 2.0] {
             let mut held = Held::unknown();
             held.set(1.0, Fate::Seen);
-            held.answered();
             held.set(2.0, Fate::Sent);
             held.set(3.0, Fate::NotSent);
             held.new_connection();
