@@ -16,6 +16,7 @@ mod robot;
 mod servo_session;
 mod status_stream;
 mod stop;
+mod sync;
 
 pub use call::Call;
 pub use client::Client;

@@ -6,9 +6,13 @@ mod statistics;
 mod subscription;
 mod thread;
 
+#[cfg(all(test, shuttle))]
+mod interleavings;
+
 use std::fmt::Display;
+use std::net::TcpStream;
 use std::ops::ControlFlow;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -23,6 +27,7 @@ pub use self::statistics::MonitorStatistics;
 use self::subscription::Queue;
 pub use self::subscription::Subscription;
 use crate::recorder::{self, Tap};
+use crate::sync::{Condvar, Mutex, MutexGuard};
 use crate::{Config, Disconnect, Error, Exchanges};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
@@ -87,12 +92,27 @@ struct State<S> {
     /// Why the newest packet could not be decoded, until one can.
     unfit: Option<DecodeError>,
     /// The connection, for the monitor to end it.
-    stream: Option<std::net::TcpStream>,
+    stream: Option<TcpStream>,
     tap: Tap,
     closing: bool,
 }
 
 impl<S> Board<S> {
+    fn new(stream: Option<TcpStream>, tap: Tap) -> Self {
+        let state = State {
+            latest: None,
+            counters: Counters::default(),
+            queues: Vec::new(),
+            observers: Observers::default(),
+            ended: None,
+            unfit: None,
+            stream,
+            tap,
+            closing: false,
+        };
+        Self { state: Mutex::new(state), changed: Condvar::new() }
+    }
+
     fn lock(&self) -> MutexGuard<'_, State<S>> {
         // Every change is made whole before the lock is left.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
@@ -117,18 +137,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = recorder::connect(address, Port::Status, config)?;
         let failed = |source| Error::Connect { address: address.to_owned(), source };
-        let state = State {
-            latest: None,
-            counters: Counters::default(),
-            queues: Vec::new(),
-            observers: Observers::default(),
-            ended: None,
-            unfit: None,
-            stream: Some(stream.try_clone().map_err(failed)?),
-            tap: tap.clone(),
-            closing: false,
-        };
-        let board = Arc::new(Board { state: Mutex::new(state), changed: Condvar::new() });
+        let board = Arc::new(Board::new(Some(stream.try_clone().map_err(failed)?), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let thread = builder.spawn(move || worker.run((stream, tap), decode::<S>)).map_err(failed)?;

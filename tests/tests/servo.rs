@@ -173,3 +173,30 @@ fn a_stop_or_a_lost_connection_ends_the_session() {
     let error = session.finish().expect_err("servo mode cannot be left");
     assert!(matches!(error, Error::ServoModeNotLeft { .. }) || error.is_disconnected(), "{error:?}");
 }
+
+#[test]
+fn no_set_point_goes_out_behind_a_stop() {
+    let (controller, mut robot) = ready();
+    let stop = robot.stop_handle();
+    // A beat of a second, so that the session waits for it while the stop comes.
+    let config = ServoConfig::new().step_count(125);
+    std::thread::scope(|scope| {
+        let sending = scope.spawn(|| {
+            let mut session = robot.servo(&config).expect("the arm is enabled");
+            (0..100).find_map(|_| session.joints_by(STEP).err())
+        });
+        let is_set_point = |request: &String| request.contains("servo_j");
+        let mut received = 1;
+        while !controller.requests().iter().any(is_set_point) {
+            assert!(controller.wait_for_requests(received, Duration::from_secs(30)), "a set-point comes");
+            received = controller.requests().len() + 1;
+        }
+        // Most likely the session waits by now; where it does not, the test passes all the same.
+        controller.wait_for_requests(received, Duration::from_millis(100));
+        stop.stop().expect("the controller takes the stop");
+        let error = sending.join().expect("it does not panic").expect("the session has ended");
+        assert!(matches!(error, Error::NotAcknowledged { .. }), "{error:?}");
+        let behind = controller.requests().into_iter().skip_while(|request| !request.contains("stop_program"));
+        assert_eq!(behind.filter(is_set_point).collect::<Vec<_>>(), Vec::<String>::new());
+    });
+}

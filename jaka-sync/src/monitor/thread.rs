@@ -21,7 +21,7 @@ pub(super) struct Worker<S> {
     board: Arc<Board<S>>,
     address: String,
     config: Config,
-    number: u64,
+    pub(super) number: u64,
     tap: Tap,
     /// The framer drops what comes until a packet begins.
     is_lost: bool,
@@ -41,6 +41,11 @@ impl<S> Worker<S> {
             self.record_end(&cause);
             connected = self.reconnect(cause);
         }
+        self.end();
+    }
+
+    /// Tells all who wait that no packet will come any more.
+    pub(super) fn end(&self) {
         let mut state = self.board.lock();
         for queue in state.queues.drain(..) {
             queue.close();
@@ -134,7 +139,7 @@ impl<S> Worker<S> {
         Ok(())
     }
 
-    fn post(&mut self, decoded: Result<S, DecodeError>) {
+    pub(super) fn post(&mut self, decoded: Result<S, DecodeError>) {
         let now = Instant::now();
         let mut state = self.board.lock();
         match decoded {
@@ -167,7 +172,7 @@ impl<S> Worker<S> {
     }
 
     /// Connects anew as the policy says; `None` if the monitor has come to its end.
-    fn reconnect(&self, mut cause: Disconnect) -> Option<(TcpStream, Tap)> {
+    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(TcpStream, Tap)> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
                 break;

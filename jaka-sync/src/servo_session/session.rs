@@ -193,8 +193,9 @@ impl<'r> ServoSession<'r> {
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
-        self.robot.check_latch()?;
         let late = self.pace.wait();
+        // Behind the wait: a stop may have come meanwhile.
+        self.robot.check_latch()?;
         let ticket = self.robot.client().post(request)?;
         self.outstanding.push_back(ticket);
         self.report.late(late, self.config.period());
