@@ -174,7 +174,8 @@ impl<'p> Place<'p> {
     ///
     /// # Errors
     /// The field holds what the spec forbids, or holds something and the controller's firmware does not have it.
-    pub fn check<T: Validate>(&'p self, name: &'static str, value: &T, limits: &Limits) -> Result<(), NotSent> {
+    // Not generic, or each type of a field would compile a copy.
+    pub fn check(&'p self, name: &'static str, value: &dyn Validate, limits: &Limits) -> Result<(), NotSent> {
         let place = self.inner(PlaceName::Field(name));
         if value.is_present() {
             place.exists(&limits.firmware)?;

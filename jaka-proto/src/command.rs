@@ -29,10 +29,14 @@ pub trait Command: Fields + Validate {
     /// # Errors
     /// A field holds what the spec forbids, or the firmware does not have the command or a field that is given.
     fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
-        let request = Place::request(Self::INFO.name, rules.into());
-        request.exists(&Self::INFO.firmware)?;
-        self.validate(&request, &Limits::NONE)
+        check_request(Self::INFO, self, rules.into())
     }
+}
+
+fn check_request(info: &CommandInfo, request: &dyn Validate, rules: Rules) -> Result<(), NotSent> {
+    let place = Place::request(info.name, rules);
+    place.exists(&info.firmware)?;
+    request.validate(&place, &Limits::NONE)
 }
 
 /// Something to do with a request, whatever its type: see [`Request::visit`](crate::Request::visit).

@@ -122,8 +122,13 @@ fn write_envelope(command: Option<&str>, code: ErrorCode, message: &str, out: &m
 /// # Errors
 /// A field is missing or does not fit its type.
 pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
+    crate::wire::read_message(&as_object(command, reply))
+}
+
+/// The reply as a JSON object, also where it is a bare Python tuple.
+fn as_object<'r>(command: &CommandInfo, reply: &'r str) -> Cow<'r, str> {
     let Some(key) = command.bare_reply.filter(|_| reply.trim_start().starts_with('(')) else {
-        return crate::wire::read_message(reply);
+        return Cow::Borrowed(reply);
     };
     let mut wrapped = Writer::new();
     wrapped.raw("{");
@@ -131,5 +136,5 @@ pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, 
     wrapped.raw(":");
     wrapped.text(reply.trim());
     wrapped.raw("}");
-    crate::wire::read_message(wrapped.as_str())
+    Cow::Owned(wrapped.into_string())
 }

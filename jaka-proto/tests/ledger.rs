@@ -1,6 +1,6 @@
 //! Who may receive which reply.
 
-use jaka_proto::{Ledger, Mistrust, Ticket};
+use jaka_proto::{Envelope, Ledger, Mistrust, Ticket};
 
 fn sent(ledger: &mut Ledger, command: &'static str) -> Ticket {
     ledger.sent(command.into())
@@ -30,8 +30,8 @@ fn a_late_reply_belongs_to_nobody() {
     let mut ledger = Ledger::new();
     let a = sent(&mut ledger, "a");
     ledger.give_up(a).expect("nothing has come");
-    assert!(!ledger.awaits(a));
     let b = sent(&mut ledger, "b");
+    assert!(!ledger.awaits(a) && ledger.awaits(b));
     let late = ledger.arrived("a").expect("it is owed");
     assert_eq!((late.ticket, late.awaited), (a, false));
     assert_eq!(ledger.arrived("b").expect("it is owed").ticket, b);
@@ -113,4 +113,44 @@ fn a_nameless_refusal_is_the_reply_of_the_only_debtor() {
     sent(&mut ledger, "a");
     sent(&mut ledger, "b");
     assert_eq!(ledger.arrived_nameless(), Err(Mistrust::Nameless));
+}
+
+#[test]
+fn a_reply_without_a_name_is_attributed_only_if_it_is_a_refusal() {
+    let arrived = |ledger: &mut Ledger, json| {
+        let envelope = Envelope::read(json).expect("it is an object");
+        ledger.arrived_reply(Some(&envelope)).map(|arrival| arrival.ticket)
+    };
+    let mut ledger = Ledger::new();
+    let a = sent(&mut ledger, "a");
+    assert_eq!(arrived(&mut ledger, r#"{"errorCode": "0"}"#), Err(Mistrust::Nameless));
+    assert_eq!(arrived(&mut ledger, r#"{"errorCode": "fine"}"#), Err(Mistrust::Nameless));
+    assert_eq!(arrived(&mut ledger, r#"{"errorCode": "1"}"#), Ok(a));
+    let b = sent(&mut ledger, "b");
+    assert_eq!(arrived(&mut ledger, r#"{"errorCode": "0", "cmdName": " b"}"#), Ok(b));
+}
+
+#[test]
+fn a_bare_tuple_is_the_reply_of_the_one_command_that_is_answered_so() {
+    let mut ledger = Ledger::new();
+    sent(&mut ledger, "a");
+    assert!(matches!(ledger.arrived_reply(None), Err(Mistrust::Unasked { .. })));
+    let status = sent(&mut ledger, "get_extio_status");
+    assert_eq!(ledger.arrived_reply(None).expect("it is owed").ticket, status);
+}
+
+#[test]
+fn mistrust_names_the_command() {
+    let command = || "jog".to_owned();
+    let told =
+        [Mistrust::Unasked { command: command() }, Mistrust::Nameless, Mistrust::Ambiguous { command: command() }]
+            .map(|mistrust| mistrust.to_string());
+    assert_eq!(
+        told,
+        [
+            "a reply to `jog` came that nobody is owed",
+            "a reply came that names no command",
+            "one of two replies to `jog` is lost, and it cannot be told which",
+        ]
+    );
 }

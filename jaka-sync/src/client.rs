@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
-use jaka_proto::wire::{DecodeError, Fields, Reader};
+use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
 use serde_json::Value;
 
@@ -75,30 +75,21 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call).
     pub fn call_within<C: Command>(&mut self, command: &C, timeout: Duration) -> Result<C::Reply, Error> {
-        let info = C::INFO;
-        let sent = self.send(command, timeout)?;
-        match self.link.wait(&sent, &mut self.reply) {
-            Ok(()) => {}
-            Err(error) if !info.reply_certain && closed(&error) => return without_reply(info),
-            Err(error) => return Err(error),
-        }
-        if info.ends_session {
-            self.link.end(info);
-        }
-        let payload = read_payload(info, &self.reply);
-        payload.map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
+        command.check(self.rules())?;
+        let reply = exchange(&self.link, C::INFO, &mut |out| command.write_request(out), timeout, &mut self.reply)?;
+        let payload = read_payload(C::INFO, reply);
+        payload.map_err(|source| self.link.attach(reply::unexpected(C::INFO.name, source)))
     }
 
     /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
     pub(crate) fn post<C: Command>(&self, command: &C) -> Result<Ticket, Error> {
-        self.send(command, Duration::ZERO).map(|sent| sent.ticket)
+        command.check(self.rules())?;
+        send(&self.link, C::INFO, &mut |out| command.write_request(out), Duration::ZERO).map(|sent| sent.ticket)
     }
 
-    /// Sends a command, unless the spec forbids it or the controller's firmware does not have it.
-    fn send<C: Command>(&self, command: &C, timeout: Duration) -> Result<Sent<'static>, Error> {
-        command.check(Rules { ranges: self.config.advisory_ranges, firmware: self.firmware })?;
-        let name = C::INFO.name;
-        self.link.send(name, Cow::Borrowed(name), timeout, |out| command.write_request(out))
+    /// What commands are checked against, beside the spec.
+    fn rules(&self) -> Rules {
+        Rules { ranges: self.config.advisory_ranges, firmware: self.firmware }
     }
 
     /// Takes off the replies to commands that were posted, as far as they have come.
@@ -228,18 +219,44 @@ impl Client {
     }
 }
 
+/// Sends a request and waits for its reply, whose text it gives back.
+///
+/// Not generic, and neither is [`send`]: 82 copies of them would be most of what this crate takes to compile.
+fn exchange<'r>(
+    link: &Link,
+    info: &'static CommandInfo,
+    write: &mut dyn FnMut(&mut Writer),
+    timeout: Duration,
+    reply: &'r mut String,
+) -> Result<&'r str, Error> {
+    let sent = send(link, info, write, timeout)?;
+    match link.wait(&sent, reply) {
+        Ok(()) => {}
+        // Such a command has a reply without fields.
+        Err(error) if !info.reply_certain && closed(&error) => return Ok("{}"),
+        Err(error) => return Err(error),
+    }
+    if info.ends_session {
+        link.end(info);
+    }
+    Ok(reply)
+}
+
+fn send(
+    link: &Link,
+    info: &'static CommandInfo,
+    write: &mut dyn FnMut(&mut Writer),
+    timeout: Duration,
+) -> Result<Sent<'static>, Error> {
+    link.send(info.name, Cow::Borrowed(info.name), timeout, write)
+}
+
 /// True if the controller closed the connection, as it does when it goes down.
 fn closed(error: &Error) -> bool {
     let Error::Disconnected { sent: true, cause, .. } = error else {
         return false;
     };
     matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))
-}
-
-/// The reply of a command that needs none: one without fields.
-fn without_reply<R: Fields>(info: &CommandInfo) -> Result<R, Error> {
-    let empty = R::read_fields(&mut Reader::new("{}"));
-    empty.map_err(|source| reply::unexpected(info.name, source))
 }
 
 fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgument> {
