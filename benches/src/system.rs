@@ -1,0 +1,8 @@
+//! What the benchmarks of the system share: a server that answers printed messages, figures of interleaved rounds, and what
+//! the system tells of a process.
+
+pub mod canned;
+pub mod child;
+pub mod figures;
+pub mod process;
+pub mod report;
