@@ -4,5 +4,6 @@
 pub mod canned;
 pub mod child;
 pub mod figures;
+pub mod options;
 pub mod process;
 pub mod report;

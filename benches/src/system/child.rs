@@ -70,7 +70,8 @@ impl Drop for Server {
 }
 
 impl Addresses {
-    fn read(line: &str) -> Option<Self> {
+    /// Reads a line as servers print it.
+    pub fn read(line: &str) -> Option<Self> {
         let (commands, status) = line.split_once(' ')?;
         Some(Self { commands: commands.parse().ok()?, status: status.parse().ok()? })
     }
