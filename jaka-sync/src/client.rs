@@ -11,11 +11,11 @@ use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
-use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, read_payload};
 use serde_json::Value;
 
 use crate::link::{Link, Sent};
-use crate::{Config, Disconnect, Error, StopHandle, recorder, reply};
+use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
 ///
@@ -89,31 +89,31 @@ impl Client {
         payload.map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
     }
 
-    /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
-    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<Ticket, Error> {
-        self.send(command, Duration::ZERO).map(|sent| sent.ticket)
-    }
-
     /// Sends a command, unless the spec forbids it or the controller's firmware does not have it.
     fn send<C: Command>(&self, command: &C, timeout: Duration) -> Result<Sent<'static>, Error> {
-        command.check(Rules { ranges: self.config.advisory_ranges, firmware: self.firmware })?;
+        self.check(command)?;
         let name = C::INFO.name;
         self.link.send(name, Cow::Borrowed(name), timeout, |out| command.write_request(out))
     }
 
-    /// Takes off the replies to commands that were posted, as far as they have come.
-    pub(crate) fn drain(
-        &self,
-        command: &str,
-        mine: impl Fn(Ticket) -> bool,
-        each: impl FnMut(Ticket, Result<(), Error>),
-    ) -> Result<(), Error> {
-        self.link.drain(mine, each, command)
+    fn check<C: Command>(&self, command: &C) -> Result<(), Error> {
+        Ok(command.check(Rules { ranges: self.config.advisory_ranges, firmware: self.firmware })?)
     }
 
-    /// Gives up the reply to a command that was posted.
-    pub(crate) fn forget(&self, ticket: Ticket) {
-        self.link.forget(ticket);
+    /// Sends a command without waiting for its reply, which is counted, and says how many are outstanding.
+    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<usize, Error> {
+        self.check(command)?;
+        self.link.post(C::INFO.name, |out| command.write_request(out))
+    }
+
+    /// The connection, for those who post.
+    pub(crate) fn link(&self) -> &Link {
+        &self.link
+    }
+
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, and at least one.
+    pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
+        Pipeline::new(self, window)
     }
 
     /// Reads the controller's version once (`get_version`, 4.51), and from then on refuses, before it is sent, what the spec

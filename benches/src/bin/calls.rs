@@ -1,9 +1,11 @@
 //! Does one thing so many times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where WHAT is `call` for
-//! calls with their replies, or `servo` for set-points.
+//! calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points without a beat.
 
 use std::error::Error;
 use std::time::Duration;
 
+use jaka_sync::servo::ServoJ;
+use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -14,6 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let count = count.parse()?;
     match &**what {
         "call" => call(commands, count),
+        "pipeline" => pipeline(commands, count),
         "servo" => servo(commands, status, count),
         other => Err(format!("`{other}` is not known").into()),
     }
@@ -24,6 +27,17 @@ fn call(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
     for _ in 0..count {
         std::hint::black_box(client.get_joint_pos()?.joint_position);
     }
+    Ok(())
+}
+
+fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
+    let mut client = Client::connect(commands)?;
+    let mut pipeline = client.pipeline(64);
+    for _ in 0..count {
+        let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1].into();
+        pipeline.send(&ServoJ { mode: MoveMode::Relative, joint_position, step_count: Some(1.into()) })?;
+    }
+    pipeline.finish()?;
     Ok(())
 }
 

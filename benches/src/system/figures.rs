@@ -135,7 +135,9 @@ mod tests {
     fn percentiles_are_those_of_all_samples() {
         let mut samples = Samples::default();
         (0..=100).for_each(|micros| samples.push(Duration::from_micros(micros)));
-        assert_eq!([0.0, 0.5, 0.99, 1.0].map(|share| samples.percentile(share)), [0.0, 50.0, 99.0, 100.0]);
+        for share in [0.0, 0.5, 0.99, 1.0] {
+            assert!((samples.percentile(share) - 100.0 * share).abs() < 1e-9);
+        }
         assert!(Samples::default().medians().is_empty());
     }
 }
