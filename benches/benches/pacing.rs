@@ -3,8 +3,11 @@
 //! Options: `--seconds N` for each turn (1), `--rounds N` (10), `--spin MICROSECONDS` (200).
 
 use std::error::Error;
+use std::io::{ErrorKind, Read, Write};
+use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
+use jaka_benches::system::canned::SET_POINT;
 use jaka_benches::system::child::{Addresses, Server};
 use jaka_benches::system::figures::median;
 use jaka_benches::system::report::{self, Target};
@@ -46,7 +49,7 @@ fn main() -> Result<(), Failure> {
         for turn in 0..4 {
             let way = (round + turn) as usize % 4;
             match way {
-                0 => ways[way].bare(time),
+                0 => ways[way].bare(prompt.robots()[0], time)?,
                 1 => ways[way].session(prompt.robots()[0], Duration::ZERO, time)?,
                 2 => ways[way].session(prompt.robots()[0], spin, time)?,
                 _ => ways[way].session(late.robots()[0], spin, time)?,
@@ -60,17 +63,27 @@ fn main() -> Result<(), Failure> {
 }
 
 impl Way {
-    /// A loop that only sleeps to absolute times.
-    fn bare(&mut self, time: Duration) {
+    /// A loop that sleeps to absolute times, writes, and reads what has come.
+    fn bare(&mut self, robot: Addresses, time: Duration) -> Result<(), Failure> {
+        let mut stream = TcpStream::connect(robot.commands)?;
+        stream.set_nodelay(true)?;
+        stream.set_nonblocking(true)?;
+        let mut buffer = vec![0; 8 << 10];
         let (cpu, start) = (process::thread_cpu(), Instant::now());
-        let dues = (0..).map(|beat| PERIOD * beat).take_while(|due| *due < time);
-        let late = dues.map(|due| {
+        let mut behind = Vec::new();
+        for due in (0..).map(|beat| PERIOD * beat).take_while(|due| *due < time) {
+            let answers = stream.read(&mut buffer).or_else(|error| match error.kind() {
+                ErrorKind::WouldBlock => Ok(0),
+                _ => Err(error),
+            });
             std::thread::sleep((start + due).saturating_duration_since(Instant::now()));
-            (due, micros(start.elapsed() - due))
-        });
-        let late: Vec<_> = late.collect();
-        self.ran(start, cpu, &late);
-        self.late.extend(late.iter().map(|(_, late)| late));
+            behind.push((due, micros(start.elapsed()) - micros(due)));
+            stream.write_all(SET_POINT)?;
+            std::hint::black_box(&buffer[..answers?]);
+        }
+        self.ran(start, cpu, &behind);
+        self.late.extend(behind.iter().map(|(_, late)| late));
+        Ok(())
     }
 
     fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
@@ -95,13 +108,14 @@ impl Way {
 
     /// Adds what a session took, and how far behind the clock its beats were.
     fn ran(&mut self, start: Instant, cpu: Option<Duration>, behind: &[(Duration, f64)]) {
-        self.cpu += process::thread_cpu().zip(cpu).map_or(Duration::ZERO, |(after, before)| after - before);
+        self.cpu +=
+            process::thread_cpu().zip(cpu).map_or(Duration::ZERO, |(after, before)| after.saturating_sub(before));
         self.wall += start.elapsed();
         let third = behind.len() / 3;
         let middle = |part: &[(Duration, f64)]| median(&mut part.iter().map(|(_, behind)| *behind).collect::<Vec<_>>());
         let (first, last) = (&behind[..third], &behind[behind.len() - third..]);
         if let Some(((begin, _), (end, _))) = first.first().zip(last.first()) {
-            self.drift.push((middle(last) - middle(first)) / micros(*end - *begin));
+            self.drift.push((middle(last) - middle(first)) / (micros(*end) - micros(*begin)));
         }
     }
 
@@ -135,6 +149,7 @@ fn print(ways: &mut [Way; 4], run: &str) {
     let ratio = |share| (spinning.percentile(share), sleeping.percentile(share));
     let [p50, p90] = [0.5, 0.9].map(ratio).map(|(spinning, sleeping)| spinning / sleeping);
     report::figure("p50 of sleeping sessions beside the bare loop", sleeping.percentile(0.5) / bare.percentile(0.5));
+    report::figure("CPU of sleeping sessions beside the bare loop", sleeping.cpu_percent() / bare.cpu_percent());
     report::verdict("p50 of lateness, spinning beside sleeping", p50, Target::AtMost(0.05));
     report::verdict("p90 of lateness, spinning beside sleeping", p90, Target::AtMost(0.25));
     report::verdict("CPU, spinning, percent of a core", spinning.cpu_percent(), Target::AtMost(2.5));

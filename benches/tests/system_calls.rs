@@ -63,9 +63,14 @@ fn a_call_is_one_write_and_one_read() {
 }
 
 #[test]
-fn a_set_point_takes_one_write_and_one_read() {
-    let Some(mut counts) = each("servo", 50) else { return };
-    // The list of how late they were grows.
-    counts.retain(|name, _| !["brk", "mremap", "mmap", "munmap", "madvise"].contains(&&**name));
-    assert_eq!(counts, Counts::from([("sendto".to_owned(), 50), ("recvfrom".to_owned(), 50)]));
+fn a_set_point_is_one_write_and_one_read() {
+    let Some(counts) = each("servo", 50) else { return };
+    let of = |name: &str| counts.get(name).copied().unwrap_or_default();
+    assert_eq!(of("sendto"), 50, "{counts:?}");
+    // At the end the last answers are asked for until they have come, and the monitor looks up about each second.
+    assert!((50..75).contains(&of("recvfrom")), "{counts:?}");
+    // The socket's mode and timeout stay as they are.
+    for name in ["ioctl", "fcntl", "setsockopt"] {
+        assert_eq!(of(name), 0, "{counts:?}");
+    }
 }

@@ -45,7 +45,7 @@ impl Timeout {
         if (left / 2..=left).contains(&self.0) {
             return Ok(());
         }
-        let timeout = (left - left / 8).max(SHORTEST);
+        let timeout = (left / 8 * 7).max(SHORTEST);
         stream.set_read_timeout(Some(timeout))?;
         self.0 = timeout;
         Ok(())

@@ -51,8 +51,7 @@ fn connect(robot: Addresses) -> io::Result<(TcpStream, Status)> {
 
 fn servo(mut stream: TcpStream, time: Duration) -> io::Result<Tally> {
     let mut buffer = vec![0; 8 << 10];
-    stream.write_all(SERVO_ON)?;
-    stream.read(&mut buffer)?;
+    switch(&mut stream, SERVO_ON)?;
     stream.set_nonblocking(true)?;
     let (mut tally, mut beat, mut answers) = (Tally::default(), 0, 0);
     let start = Instant::now();
@@ -72,9 +71,18 @@ fn servo(mut stream: TcpStream, time: Duration) -> io::Result<Tally> {
     answers += arrived(&mut stream, &mut buffer)?;
     tally.answered = answers;
     stream.set_nonblocking(false)?;
-    stream.write_all(SERVO_OFF)?;
-    stream.read(&mut buffer)?;
+    switch(&mut stream, SERVO_OFF)?;
     Ok(tally)
+}
+
+/// Switches servo mode, and waits for the end of the reply.
+fn switch(stream: &mut TcpStream, request: &[u8]) -> io::Result<()> {
+    stream.write_all(request)?;
+    let mut byte = [0];
+    while byte != *b"}" {
+        stream.read_exact(&mut byte)?;
+    }
+    Ok(())
 }
 
 /// Reads what has come, once, and counts the answers in it.

@@ -110,7 +110,8 @@ impl Link {
     /// Gives up the replies to all posted commands: they belong to nobody when they come.
     pub(crate) fn forget_posted(&self) {
         let mut state = self.lock();
-        for debt in std::mem::take(&mut state.posted).outstanding {
+        state.posted.answers = Answers::default();
+        while let Some(debt) = state.posted.outstanding.pop_front() {
             if let Err(mistrust) = state.ledger.give_up(debt.ticket) {
                 self.break_off(&mut state, Disconnect::Mistrust(mistrust));
             }
