@@ -11,11 +11,11 @@ use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{DecodeError, Writer};
-use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, read_payload};
 use serde_json::Value;
 
-use crate::link::{Link, Sent};
-use crate::{Config, Disconnect, Error, StopHandle, recorder, reply};
+use crate::link::Link;
+use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
 ///
@@ -81,30 +81,25 @@ impl Client {
         payload.map_err(|source| self.link.attach(reply::unexpected(C::INFO.name, source)))
     }
 
-    /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
-    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<Ticket, Error> {
-        command.check(self.rules())?;
-        send(&self.link, C::INFO, &mut |out| command.write_request(out), Duration::ZERO).map(|sent| sent.ticket)
-    }
-
     /// What commands are checked against, beside the spec.
     fn rules(&self) -> Rules {
         Rules { ranges: self.config.advisory_ranges, firmware: self.firmware }
     }
 
-    /// Takes off the replies to commands that were posted, as far as they have come.
-    pub(crate) fn drain(
-        &self,
-        command: &str,
-        mine: impl Fn(Ticket) -> bool,
-        each: impl FnMut(Ticket, Result<(), Error>),
-    ) -> Result<(), Error> {
-        self.link.drain(mine, each, command)
+    /// Sends a command without waiting for its reply, which is counted, and says how many are outstanding.
+    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<usize, Error> {
+        command.check(self.rules())?;
+        self.link.post(C::INFO.name, &mut |out| command.write_request(out))
     }
 
-    /// Gives up the reply to a command that was posted.
-    pub(crate) fn forget(&self, ticket: Ticket) {
-        self.link.forget(ticket);
+    /// The connection, for those who post.
+    pub(crate) fn link(&self) -> &Link {
+        &self.link
+    }
+
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, and at least one.
+    pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
+        Pipeline::new(self, window)
     }
 
     /// Reads the controller's version once (`get_version`, 4.51), and from then on refuses, before it is sent, what the spec
@@ -160,7 +155,7 @@ impl Client {
         let request = raw_request(command, parameters)?;
         let timeout = self.config.reply_timeout;
         let owed = Cow::Owned(command.trim().to_owned());
-        let sent = self.link.send(command, owed, timeout, |out| out.raw(&request))?;
+        let sent = self.link.send(command, owed, timeout, &mut |out| out.raw(&request))?;
         self.link.wait(&sent, &mut self.reply)?;
         serde_json::from_str(&self.reply).map_err(|error| {
             let source = DecodeError::unfit(format!("JSON ({error})"), &self.reply);
@@ -184,7 +179,7 @@ impl Client {
                 InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
             );
         };
-        let sent = self.link.send(command, Cow::Owned(command.to_owned()), timeout, |out| out.raw(request))?;
+        let sent = self.link.send(command, Cow::Owned(command.to_owned()), timeout, &mut |out| out.raw(request))?;
         self.link.wait(&sent, &mut self.reply)?;
         Ok(&self.reply)
     }
@@ -221,7 +216,7 @@ impl Client {
 
 /// Sends a request and waits for its reply, whose text it gives back.
 ///
-/// Not generic, and neither is [`send`]: 82 copies of them would be most of what this crate takes to compile.
+/// Not generic: 82 copies of it would be most of what this crate takes to compile.
 fn exchange<'r>(
     link: &Link,
     info: &'static CommandInfo,
@@ -229,7 +224,7 @@ fn exchange<'r>(
     timeout: Duration,
     reply: &'r mut String,
 ) -> Result<&'r str, Error> {
-    let sent = send(link, info, write, timeout)?;
+    let sent = link.send(info.name, Cow::Borrowed(info.name), timeout, write)?;
     match link.wait(&sent, reply) {
         Ok(()) => {}
         // Such a command has a reply without fields.
@@ -240,15 +235,6 @@ fn exchange<'r>(
         link.end(info);
     }
     Ok(reply)
-}
-
-fn send(
-    link: &Link,
-    info: &'static CommandInfo,
-    write: &mut dyn FnMut(&mut Writer),
-    timeout: Duration,
-) -> Result<Sent<'static>, Error> {
-    link.send(info.name, Cow::Borrowed(info.name), timeout, write)
 }
 
 /// True if the controller closed the connection, as it does when it goes down.

@@ -9,6 +9,7 @@ mod link;
 mod methods;
 mod monitor;
 mod pack;
+mod pipeline;
 mod receive;
 mod recorder;
 mod reply;
@@ -37,6 +38,7 @@ pub use jaka_proto::{
     wire::{DecodeError, Typed},
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
+pub use pipeline::Pipeline;
 pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};

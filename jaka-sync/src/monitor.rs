@@ -95,6 +95,8 @@ struct State<S> {
     stream: Option<TcpStream>,
     tap: Tap,
     closing: bool,
+    /// Threads that wait for a change.
+    sleepers: usize,
 }
 
 impl<S> Board<S> {
@@ -109,6 +111,7 @@ impl<S> Board<S> {
             stream,
             tap,
             closing: false,
+            sleepers: 0,
         };
         Self { state: Mutex::new(state), changed: Condvar::new() }
     }
@@ -118,8 +121,20 @@ impl<S> Board<S> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn wait<'b>(&'b self, state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
-        self.changed.wait_timeout(state, time).unwrap_or_else(PoisonError::into_inner).0
+    fn wait<'b>(&'b self, mut state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
+        state.sleepers += 1;
+        let mut state = self.changed.wait_timeout(state, time).unwrap_or_else(PoisonError::into_inner).0;
+        state.sleepers -= 1;
+        state
+    }
+
+    /// Wakes those who wait. Where nobody does, which is usual, it takes no system call.
+    fn wake(&self, state: MutexGuard<'_, State<S>>) {
+        let sleepers = state.sleepers;
+        drop(state);
+        if sleepers > 0 {
+            self.changed.notify_all();
+        }
     }
 }
 
@@ -276,8 +291,7 @@ impl<S> Clone for Waker<S> {
 impl<S> Waker<S> {
     pub(crate) fn wake(&self) {
         // With the lock, so that nobody is between looking and waiting.
-        drop(self.board.lock());
-        self.board.changed.notify_all();
+        self.board.wake(self.board.lock());
     }
 }
 
@@ -297,8 +311,7 @@ impl<S> Drop for Monitor<S> {
             // An error says that the connection has ended already.
             let _ = stream.shutdown(std::net::Shutdown::Both);
         }
-        drop(state);
-        self.board.changed.notify_all();
+        self.board.wake(state);
         if let Some(thread) = self.thread.take() {
             // A panic there has been reported.
             drop(thread.join());

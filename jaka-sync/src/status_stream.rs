@@ -118,10 +118,11 @@ impl StatusStream {
                 return Ok(());
             }
             let left = self.timeout.saturating_sub(since.elapsed());
-            match self.read(left) {
-                Ok(Chunk::Some) => {}
-                Ok(Chunk::TimeUp) => return Err(self.time_up()),
-                Err(cause) => return Err(self.break_off(cause)),
+            if left.is_zero() {
+                return Err(self.time_up());
+            }
+            if let Err(cause) = self.read(left) {
+                return Err(self.break_off(cause));
             }
         }
     }

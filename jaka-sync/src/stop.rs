@@ -43,7 +43,7 @@ impl StopHandle {
     /// As [`Client::call`](crate::Client::call). Unless the call succeeds, expect the robot to move on.
     pub fn stop(&self) -> Result<(), Error> {
         let info = StopProgram::INFO;
-        let write = |out: &mut _| StopProgram.write_request(out);
+        let write = &mut |out: &mut _| StopProgram.write_request(out);
         let sent = self.link.send(info.name, Cow::Borrowed(info.name), self.timeout, write)?;
         self.link.wait(&sent, &mut String::new())
     }

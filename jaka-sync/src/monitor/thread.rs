@@ -50,8 +50,7 @@ impl<S> Worker<S> {
         for queue in state.queues.drain(..) {
             queue.close();
         }
-        drop(state);
-        self.board.changed.notify_all();
+        self.board.wake(state);
     }
 
     fn record_end(&self, cause: &Disconnect) {
@@ -167,8 +166,7 @@ impl<S> Worker<S> {
                 state.unfit = Some(error);
             }
         }
-        drop(state);
-        self.board.changed.notify_all();
+        self.board.wake(state);
     }
 
     /// Connects anew as the policy says; `None` if the monitor has come to its end.
