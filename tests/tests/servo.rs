@@ -26,9 +26,10 @@ fn ready() -> (Controller, Robot) {
     (controller, Robot::new(client, monitor))
 }
 
-/// The last set-points are under way when they have been answered.
-fn arrives(robot: &Robot, is_there: impl Fn(&RobotStatus) -> bool) {
-    robot.monitor().wait_until(is_there, Duration::from_secs(30)).expect("the arm follows the set-points");
+/// The last set-points are under way when they have been answered, and are given up when servo mode is left.
+fn arrives(controller: &Controller, is_there: impl Fn(&RobotStatus) -> bool) {
+    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(is_there, Duration::from_secs(30)).expect("the arm follows the set-points");
 }
 
 const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
@@ -43,10 +44,10 @@ fn every_set_point_is_sent_in_order_and_answered() {
     for _ in 0..100 {
         session.joints_by(STEP).expect("servo mode is on");
     }
+    arrives(&controller, |status| status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6));
     let report = session.finish().expect("all were accepted");
     assert_eq!((report.cycles, report.accepted, report.refused, report.unanswered), (100, 100, 0, 0));
     assert!(report.lateness(0.5) <= report.lateness(1.0));
-    arrives(&robot, |status| status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6));
     assert!(controller.requests().last().is_some_and(|last| last.contains("servo_move")));
     assert_eq!(controller.state().servo_filter, filter);
     let sent = controller.requests();
@@ -71,9 +72,9 @@ fn a_closure_gives_set_points_until_it_breaks() {
     assert_eq!(end.expect("servo mode is on"), "done");
     // The beat is that of two cycles; one that was missed altogether is passed over.
     assert!(times.iter().all(|time| time.as_millis() % 16 == 0) && times.is_sorted());
+    arrives(&controller, |status| status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6));
     let report = session.finish().expect("all were accepted");
     assert_eq!(report.accepted, 20);
-    arrives(&robot, |status| status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6));
 }
 
 #[test]
@@ -87,10 +88,10 @@ fn the_tool_centre_point_follows_set_points_too() {
     for _ in 0..10 {
         session.pose_by([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]).expect("servo mode is on");
     }
+    let is_there = |at: Pose| (at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01;
+    arrives(&controller, |status| status.actual_position.is_some_and(is_there));
     let report = session.finish().expect("all were accepted");
     assert_eq!((report.cycles, report.accepted), (30, 30));
-    let is_there = |at: Pose| (at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01;
-    arrives(&robot, |status| status.actual_position.is_some_and(is_there));
 }
 
 #[test]
