@@ -48,6 +48,8 @@ fn assert_broken(controller: &Controller, client: &mut Client, cause: &str) {
         assert!(source.to_string().contains(cause), "`{source}` does not say `{cause}`");
     }
     assert_eq!(controller.requests().len(), before);
+    let told = client.disconnect().expect("it can be asked too").to_string();
+    assert!(told.contains(cause), "`{told}` does not say `{cause}`");
 }
 
 /// The cause of a broken connection, of a call that had been sent.

@@ -226,6 +226,31 @@ fn memory_is_bounded_when_reads_fill_the_room() {
     }
 }
 
+#[test]
+fn bytes_are_moved_and_memory_grows_only_where_room_lacks() {
+    let mut framer = Framer::default();
+    assert_eq!(framer.spare().len(), ROOM);
+    let frame = [b"{".as_slice(), &[b' '; ROOM - 64], b"}"].concat();
+    framer.push(&frame);
+    framer.push(b"{");
+    assert_eq!(framer.next_frame(), Ok(Some(frame.as_slice())));
+    framer.push(&vec![b' '; ROOM - framer.end]);
+    assert_eq!((framer.start, framer.buffer.len()), (frame.len(), ROOM), "what comes fits exactly");
+    framer.push(b" ");
+    assert_eq!((framer.start, framer.buffer.len()), (0, ROOM), "the rest is moved over what was taken");
+    framer.push(&[b' '; ROOM]);
+    assert_eq!(framer.buffer.len(), 2 * ROOM, "nothing was taken that could be overwritten");
+}
+
+#[test]
+fn a_framer_is_shown_without_its_bytes() {
+    let mut framer = Framer::default();
+    framer.push(b"{\"secret\"");
+    assert_eq!(framer.next_frame(), Ok(None));
+    let shown = format!("{framer:?}");
+    assert!(shown.contains("partial: 9") && shown.contains("visited: 9") && !shown.contains("secret"), "{shown}");
+}
+
 fn nasty_string() -> impl Strategy<Value = String> {
     let nasty = prop::sample::select(r#"{}()[]"'\/,: u0n"#.chars().chain(['\0', '\n', '机']).collect::<Vec<_>>());
     let any = prop_oneof![4 => nasty, 1 => any::<char>()];

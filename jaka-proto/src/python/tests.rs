@@ -83,6 +83,8 @@ fn malformed_python_is_refused() {
         ("nan", "a value at byte 0"),
         ("[inf]", "a value at byte 1"),
         ("-inf", "a digit at byte 1"),
+        ("-+5", "a digit at byte 1"),
+        ("+-5", "a digit at byte 1"),
         ("(0, -1e999)", "a finite number at byte 4"),
         ("(,)", "a value at byte 1"),
         ("(1,,2)", "a value at byte 3"),
@@ -160,6 +162,13 @@ fn depth_is_limited() {
     }
     assert!(from_json(&("[".repeat(64) + &"]".repeat(64))).is_ok());
     assert!(from_json(&("[".repeat(65) + &"]".repeat(65))).is_err());
+}
+
+#[test]
+fn brackets_that_are_closed_do_not_count() {
+    let modules = vec!["(), [], {'a': [()]}"; 40].join(", ");
+    let json = to_json(&format!("[{modules}]")).expect("four are open at most");
+    assert!(from_json(&json).is_ok());
 }
 
 fn text() -> impl Strategy<Value = String> {
