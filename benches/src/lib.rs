@@ -13,3 +13,8 @@ pub const PACKET_OF_DOCUMENT: &str = include_str!("../data/status-document.json"
 
 /// A status packet of 9 KB with all keys of the spec and the style of firmware 1.5.14, a blank behind each comma and colon.
 pub const PACKET_OF_NEWER: &str = include_str!("../data/status-newer.json");
+
+/// All works.
+pub fn works() -> Vec<measure::Work<'static>> {
+    [encode::works(), reply::works(), status::works(), framing::works()].into_iter().flatten().collect()
+}

@@ -48,6 +48,16 @@ pub enum Target {
     AtLeast(&'static str, f64, &'static str),
 }
 
+/// With tabs between the parts, for scripts.
+impl std::fmt::Display for Target {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::AtMost(name, factor, than) => write!(f, "{name}\tat most\t{factor}\t{than}"),
+            Self::AtLeast(name, factor, than) => write!(f, "{name}\tat least\t{factor}\t{than}"),
+        }
+    }
+}
+
 /// A work, its contenders with the limit first, and what is asked of them.
 #[derive(Debug)]
 pub struct Work<'a> {

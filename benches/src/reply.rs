@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
-use jaka_proto::{Command, Envelope, read_payload};
+use jaka_proto::{Command, read_reply};
 use serde_json::Value;
 
 use crate::limit::joint_pos_reply as limit;
@@ -31,9 +31,9 @@ pub fn works() -> Vec<Work<'static>> {
 }
 
 fn ours(text: &str) -> GetJointPosReply {
-    let envelope = Envelope::read(text).expect("the reply is JSON");
-    assert!(envelope.command.as_deref() == Some("get_joint_pos") && envelope.code.is_ok_and(|code| code.is_success()));
-    read_payload(GetJointPos::INFO, text).expect("the reply fits")
+    let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, text).expect("the reply is JSON");
+    assert!(reply.envelope.is_some_and(|envelope| envelope.command.as_deref() == Some("get_joint_pos")));
+    reply.payload.expect("the command was accepted").expect("the reply fits")
 }
 
 fn by_serde(text: &str) -> peers::JointPosReply<'_> {
