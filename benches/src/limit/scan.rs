@@ -22,8 +22,10 @@ impl<'a> Scan<'a> {
     /// Skips white space, of which there is at most one blank as a rule.
     #[inline]
     pub fn blank(&mut self) {
-        if self.rest().first().is_some_and(|byte| *byte <= b' ') {
-            self.blanks();
+        match *self.rest() {
+            [byte, ..] if byte > b' ' => {}
+            [b' ', byte, ..] if byte > b' ' => self.at += 1,
+            _ => self.blanks(),
         }
     }
 
@@ -51,21 +53,35 @@ impl<'a> Scan<'a> {
     /// Takes a comma or the closing bracket: true for the comma.
     #[inline]
     pub fn comma(&mut self, close: u8) -> Option<bool> {
+        match *self.rest() {
+            [b',', byte, ..] if byte > b' ' => self.at += 1,
+            [b',', b' ', byte, ..] if byte > b' ' => self.at += 2,
+            [byte, ..] if byte == close => {
+                self.at += 1;
+                return Some(false);
+            }
+            _ => return self.comma_far(close),
+        }
+        Some(true)
+    }
+
+    #[inline(never)]
+    fn comma_far(&mut self, close: u8) -> Option<bool> {
         self.blank();
         let byte = *self.rest().first()?;
         self.at += 1;
-        if byte == b',' {
-            self.blank();
-            return Some(true);
-        }
-        (byte == close).then_some(false)
+        self.blank();
+        if byte == b',' { Some(true) } else { (byte == close).then_some(false) }
     }
 
     /// A string without escapes.
     #[inline]
     pub fn text(&mut self) -> Option<&'a str> {
         self.need(b"\"")?;
-        let len = memchr::memchr2(b'"', b'\\', self.rest())?;
+        let rest = self.rest();
+        let is_end = |byte: &u8| matches!(byte, b'"' | b'\\');
+        let near = rest.iter().take(24).position(is_end);
+        let len = near.or_else(|| memchr::memchr2(b'"', b'\\', rest))?;
         let text = self.text.get(self.at..self.at + len)?;
         self.at += len;
         self.eat(b"\"").then_some(text)
@@ -113,19 +129,22 @@ impl<'a> Scan<'a> {
     pub fn float(&mut self) -> Option<f64> {
         let rest = self.rest();
         let sign = usize::from(rest.first() == Some(&b'-'));
-        let (whole, end) = digits(rest, sign, 0);
-        let (all, last) = match rest.get(end) {
-            Some(b'.') => digits(rest, end + 1, whole),
-            _ => (whole, end),
-        };
-        let fraction = last.saturating_sub(end + 1);
-        let exact = end > sign && last - sign <= 20 && all < 1 << 53 && fraction <= 22;
-        if !exact || (last > end && fraction == 0) || matches!(rest.get(last), Some(b'e' | b'E')) {
+        let (mut all, mut end) = digits(rest, sign, 0);
+        let mut fraction = 0;
+        if let (Some(b'.'), true) = (rest.get(end), end > sign) {
+            let first = end + 1;
+            (all, end) = eights(rest, first, all);
+            (all, end) = digits(rest, end, all);
+            fraction = end - first;
+        }
+        // At most 19 digits and the point.
+        let is_usual = end > sign && end - sign <= 20 - usize::from(fraction == 0) && rest.get(end - 1) != Some(&b'.');
+        if !is_usual || matches!(rest.get(end), Some(b'e' | b'E')) {
             return self.float_slowly();
         }
-        self.at += last;
-        #[expect(clippy::cast_precision_loss, reason = "below 2^53 each whole number has a float of its own")]
-        let value = all as f64 / POWERS[fraction];
+        #[expect(clippy::cast_precision_loss, reason = "up to 2^53 each whole number has a float of its own")]
+        let value = if all <= 1 << 53 { all as f64 / POWERS[fraction] } else { long_quotient(all, fraction)? };
+        self.at += end;
         Some(if sign == 1 { -value } else { value })
     }
 
@@ -148,6 +167,29 @@ impl<'a> Scan<'a> {
         }
         loop {
             into.push(one(self)?);
+            if !self.comma(b']')? {
+                return Some(());
+            }
+        }
+    }
+
+    /// Truth values in brackets, each written as 0 or 1.
+    pub fn bits(&mut self, into: &mut Vec<bool>) -> Option<()> {
+        into.clear();
+        self.need(b"[")?;
+        if self.eat(b"]") {
+            return Some(());
+        }
+        loop {
+            let bytes = self.rest();
+            let mut at = 0;
+            while let [bit @ (b'0' | b'1'), b',', behind, ..] = bytes[at..] {
+                into.push(bit == b'1');
+                at += 2 + usize::from(behind == b' ');
+            }
+            self.at += at;
+            self.blank();
+            into.push(self.bit()?);
             if !self.comma(b']')? {
                 return Some(());
             }
@@ -190,15 +232,32 @@ impl<'a> Scan<'a> {
 /// Takes digits from `at` on: `value` with them behind it, which wraps around behind the 19th, and where they end.
 #[inline]
 fn digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
-    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()).and_then(eight_digits) {
-        value = value.wrapping_mul(100_000_000).wrapping_add(eight);
-        at += 8;
-    }
     while let Some(digit) = bytes.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
         value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
         at += 1;
     }
     (value, at)
+}
+
+/// The same by eight at once, as long as there are as many.
+#[inline]
+fn eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
+    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()).and_then(eight_digits) {
+        value = value.wrapping_mul(100_000_000).wrapping_add(eight);
+        at += 8;
+    }
+    (value, at)
+}
+
+/// `digits` by 10 to the power of `fraction`, by whole numbers: the last bit stands for all that is left.
+#[inline(never)]
+fn long_quotient(digits: u64, fraction: usize) -> Option<f64> {
+    let power = u128::from(10_u64.pow(u32::try_from(fraction).ok().filter(|fraction| *fraction <= 18)?));
+    let dividend = u128::from(digits) << 64;
+    let quotient = dividend / power;
+    let rest = u128::from(quotient * power != dividend);
+    #[expect(clippy::cast_precision_loss, reason = "this is where it is rounded, once")]
+    Some((quotient | rest) as f64 * (1.0 / 18_446_744_073_709_551_616.0))
 }
 
 /// The number that eight digits make, all at once.

@@ -202,7 +202,9 @@ fn scalar_list<T: Scalar>(list: &mut Vec<T>, reader: &mut Reader<'_>) -> Result<
     list.clear();
     reader.begin_array()?;
     while reader.next_element()? {
-        list.push(T::decode(reader).map_err(|error| error.in_element(list.len()))?);
+        if reader.usual_run(|value| list.push(value)) == 0 {
+            list.push(T::decode(reader).map_err(|error| error.in_element(list.len()))?);
+        }
     }
     Ok(())
 }
@@ -212,13 +214,19 @@ fn scalar_array<T: Scalar, const N: usize>(reader: &mut Reader<'_>) -> Result<[T
     let start = reader.clone();
     let mut values = [T::default(); N];
     let mut len = 0;
-    reader.begin_array()?;
-    while reader.next_element()? {
-        let value = T::decode(reader).map_err(|error| error.in_element(len))?;
-        if let Some(slot) = values.get_mut(len) {
+    let mut slots = values.iter_mut();
+    let mut take = |value| {
+        if let Some(slot) = slots.next() {
             *slot = value;
         }
-        len += 1;
+    };
+    reader.begin_array()?;
+    while reader.next_element()? {
+        let usual = reader.usual_run(&mut take);
+        if usual == 0 {
+            take(T::decode(reader).map_err(|error| error.in_element(len))?);
+        }
+        len += usual.max(1);
     }
     if len == N { Ok(values) } else { Err(not_an_array_of(N, start)) }
 }

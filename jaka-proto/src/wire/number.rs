@@ -8,6 +8,26 @@ pub(super) trait Scalar: Decode + Copy + Default {
     fn usual(bytes: &[u8]) -> Option<(Self, usize)>;
 }
 
+/// Takes values in their usual form and the commas between them, as many as follow each other, and gives each to `take`;
+/// tells how many they are, and the length of all without a comma behind the last.
+#[inline]
+pub(super) fn run<T: Scalar>(bytes: &[u8], mut take: impl FnMut(T)) -> (usize, usize) {
+    let mut count = 0;
+    let mut end = 0;
+    let mut next = 0;
+    while let Some((value, len)) = bytes.get(next..).and_then(T::usual) {
+        take(value);
+        count += 1;
+        end = next + len;
+        next = match bytes[end..] {
+            [b',', b' ', ..] => end + 2,
+            [b',', ..] => end + 1,
+            _ => break,
+        };
+    }
+    (count, end)
+}
+
 /// Truth written as 0 and 1, or as a word.
 impl Scalar for bool {
     #[inline]
@@ -43,14 +63,15 @@ impl Scalar for f64 {
     fn usual(bytes: &[u8]) -> Option<(Self, usize)> {
         let sign = usize::from(bytes.first() == Some(&b'-'));
         let (mut digits, mut end) = take_digits(bytes, sign, 0);
-        let mut fraction = 0;
         let mut count = end - sign;
+        let mut fraction = 0;
         if count == 0 {
             return None;
         }
         if bytes.get(end) == Some(&b'.') {
             let start = end + 1;
-            (digits, end) = take_digits(bytes, start, digits);
+            (digits, end) = take_eights(bytes, start, digits);
+            (digits, end) = take_digits(bytes, end, digits);
             fraction = end - start;
             count += fraction;
             if fraction == 0 {
@@ -110,13 +131,19 @@ fn digit(bytes: &[u8], at: usize) -> Option<u8> {
 /// Takes digits from `at` on: `value` with them behind it, which wraps around behind the 19th, and where they end.
 #[inline]
 fn take_digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
-    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()).and_then(eight_digits) {
-        value = value.wrapping_mul(100_000_000).wrapping_add(eight);
-        at += 8;
-    }
     while let Some(digit) = digit(bytes, at) {
         value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
         at += 1;
+    }
+    (value, at)
+}
+
+/// The same by eight at once, as long as there are as many.
+#[inline]
+fn take_eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
+    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()).and_then(eight_digits) {
+        value = value.wrapping_mul(100_000_000).wrapping_add(eight);
+        at += 8;
     }
     (value, at)
 }

@@ -146,6 +146,16 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn next(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
+        match *self.rest() {
+            [b',', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 1,
+            [b',', b' ', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 2,
+            _ => return self.next_closely(close, expected),
+        }
+        Ok(true)
+    }
+
+    #[inline(never)]
+    fn next_closely(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
         if self.peek() == Some(close) {
             self.at += 1;
             self.comma = true;
@@ -168,6 +178,15 @@ impl<'a> Reader<'a> {
         self.at += len;
         self.comma = true;
         Some(value)
+    }
+
+    /// Reads the elements of an array as far as they are written in their usual form, and tells how many they were.
+    #[inline]
+    pub(super) fn usual_run<T: Scalar>(&mut self, take: impl FnMut(T)) -> usize {
+        let (count, len) = number::run(self.rest(), take);
+        self.at += len;
+        self.comma |= count > 0;
+        count
     }
 
     /// Reads null, if that is the next value.
@@ -215,7 +234,7 @@ impl<'a> Reader<'a> {
         let mut escaped = false;
         loop {
             let rest = self.rest();
-            let Some(found) = memchr2(b'"', b'\\', rest) else {
+            let Some(found) = quote_or_escape(rest) else {
                 self.at = self.text.len();
                 return Err(self.malformed("the end of a string"));
             };
@@ -311,6 +330,13 @@ impl<'a> Reader<'a> {
             _ => bool::decode(self),
         }
     }
+}
+
+/// Where the string ends or an escape begins. Most strings are short.
+#[inline]
+fn quote_or_escape(bytes: &[u8]) -> Option<usize> {
+    let near = bytes.iter().take(24).position(|byte| matches!(byte, b'"' | b'\\'));
+    near.or_else(|| memchr2(b'"', b'\\', bytes))
 }
 
 /// Reads one message.

@@ -32,7 +32,7 @@ pub(super) fn known<'a, T: Blank>(
 }
 
 pub(super) fn bits(scan: &mut Scan<'_>, into: &mut Vec<bool>) -> Option<()> {
-    scan.list(into, Scan::bit)
+    scan.bits(into)
 }
 
 pub(super) fn floats(scan: &mut Scan<'_>, into: &mut Vec<f64>) -> Option<()> {
