@@ -158,11 +158,12 @@ pub mod motion {
                 0 => {
                     let mut frame = None;
                     let mut axis = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
+                    let mut keys = reader
+                        .begin_fields(&["\"coord_map\":", "\"jnum\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -180,12 +181,13 @@ pub mod motion {
                     let mut frame = None;
                     let mut axis = None;
                     let mut velocity = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
-                            "jogvel" => reader.field("velocity", &mut velocity)?,
+                    let mut keys = reader
+                        .begin_fields(&["\"coord_map\":", "\"jnum\":", "\"jogvel\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
+                            2 => reader.field("velocity", &mut velocity)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -209,13 +211,21 @@ pub mod motion {
                     let mut axis = None;
                     let mut velocity = None;
                     let mut distance = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
-                            "jogvel" => reader.field("velocity", &mut velocity)?,
-                            "poscmd" => reader.field("distance", &mut distance)?,
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"coord_map\":",
+                                "\"jnum\":",
+                                "\"jogvel\":",
+                                "\"poscmd\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
+                            2 => reader.field("velocity", &mut velocity)?,
+                            3 => reader.field("distance", &mut distance)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -244,13 +254,21 @@ pub mod motion {
                     let mut axis = None;
                     let mut velocity = None;
                     let mut position = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
-                            "jogvel" => reader.field("velocity", &mut velocity)?,
-                            "poscmd" => reader.field("position", &mut position)?,
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"coord_map\":",
+                                "\"jnum\":",
+                                "\"jogvel\":",
+                                "\"poscmd\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
+                            2 => reader.field("velocity", &mut velocity)?,
+                            3 => reader.field("position", &mut position)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -457,15 +475,16 @@ pub mod motion {
             let mut joint_position = None;
             let mut speed = None;
             let mut acceleration = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
+            let mut keys = reader
+                .begin_fields(
+                    &["\"relFlag\":", "\"jointPosition\":", "\"speed\":", "\"accel\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("joint_position", &mut joint_position)?,
+                    2 => reader.field("speed", &mut speed)?,
+                    3 => reader.field("acceleration", &mut acceleration)?,
                     _ => reader.skip()?,
                 }
             }
@@ -574,12 +593,13 @@ pub mod motion {
             let mut pose = None;
             let mut speed = None;
             let mut acceleration = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "endPosition" => reader.field("pose", &mut pose)?,
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
+            let mut keys = reader
+                .begin_fields(&["\"endPosition\":", "\"speed\":", "\"accel\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pose", &mut pose)?,
+                    1 => reader.field("speed", &mut speed)?,
+                    2 => reader.field("acceleration", &mut acceleration)?,
                     _ => reader.skip()?,
                 }
             }
@@ -705,14 +725,23 @@ pub mod motion {
             let mut speed = None;
             let mut acceleration = None;
             let mut tolerance = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "cartPosition" => reader.field("pose", &mut pose)?,
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
-                    "tol" => reader.field("tolerance", &mut tolerance)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"relFlag\":",
+                        "\"cartPosition\":",
+                        "\"speed\":",
+                        "\"accel\":",
+                        "\"tol\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("pose", &mut pose)?,
+                    2 => reader.field("speed", &mut speed)?,
+                    3 => reader.field("acceleration", &mut acceleration)?,
+                    4 => reader.field("tolerance", &mut tolerance)?,
                     _ => reader.skip()?,
                 }
             }
@@ -857,15 +886,25 @@ pub mod motion {
             let mut speed = None;
             let mut acceleration = None;
             let mut tolerance = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "pos_mid" => reader.field("mid_pose", &mut mid_pose)?,
-                    "pos_end" => reader.field("end_pose", &mut end_pose)?,
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
-                    "tol" => reader.field("tolerance", &mut tolerance)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"relFlag\":",
+                        "\"pos_mid\":",
+                        "\"pos_end\":",
+                        "\"speed\":",
+                        "\"accel\":",
+                        "\"tol\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("mid_pose", &mut mid_pose)?,
+                    2 => reader.field("end_pose", &mut end_pose)?,
+                    3 => reader.field("speed", &mut speed)?,
+                    4 => reader.field("acceleration", &mut acceleration)?,
+                    5 => reader.field("tolerance", &mut tolerance)?,
                     _ => reader.skip()?,
                 }
             }

@@ -39,11 +39,11 @@ pub mod network {
         ) -> Result<Self, wire::DecodeError> {
             let mut delay = None;
             let mut action = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "timeLimit" => reader.field("delay", &mut delay)?,
-                    "motType" => reader.field("action", &mut action)?,
+            let mut keys = reader.begin_fields(&["\"timeLimit\":", "\"motType\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("delay", &mut delay)?,
+                    1 => reader.field("action", &mut action)?,
                     _ => reader.skip()?,
                 }
             }

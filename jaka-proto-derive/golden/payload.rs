@@ -32,11 +32,11 @@ pub mod payload {
         ) -> Result<Self, wire::DecodeError> {
             let mut mass = None;
             let mut centroid = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "mass" => reader.field("mass", &mut mass)?,
-                    "centroid" => reader.field("centroid", &mut centroid)?,
+            let mut keys = reader.begin_fields(&["\"mass\":", "\"centroid\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mass", &mut mass)?,
+                    1 => reader.field("centroid", &mut centroid)?,
                     _ => reader.skip()?,
                 }
             }
@@ -131,11 +131,11 @@ pub mod payload {
         ) -> Result<Self, wire::DecodeError> {
             let mut centroid = None;
             let mut mass = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "centroid" => reader.field("centroid", &mut centroid)?,
-                    "mass" => reader.field("mass", &mut mass)?,
+            let mut keys = reader.begin_fields(&["\"centroid\":", "\"mass\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("centroid", &mut centroid)?,
+                    1 => reader.field("mass", &mut mass)?,
                     _ => reader.skip()?,
                 }
             }

@@ -63,10 +63,10 @@ pub mod servo {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut in_servo_mode = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "in_servomove" => reader.field("in_servo_mode", &mut in_servo_mode)?,
+            let mut keys = reader.begin_fields(&["\"in_servomove\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("in_servo_mode", &mut in_servo_mode)?,
                     _ => reader.skip()?,
                 }
             }
@@ -107,10 +107,10 @@ pub mod servo {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut servo_mode = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("servo_mode", &mut servo_mode)?,
+            let mut keys = reader.begin_fields(&["\"relFlag\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("servo_mode", &mut servo_mode)?,
                     _ => reader.skip()?,
                 }
             }
@@ -194,14 +194,13 @@ pub mod servo {
             let mut mode = None;
             let mut joint_position = None;
             let mut step_count = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
-                    "stepNum" => reader.field("step_count", &mut step_count)?,
+            let mut keys = reader
+                .begin_fields(&["\"relFlag\":", "\"jointPosition\":", "\"stepNum\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("joint_position", &mut joint_position)?,
+                    2 => reader.field("step_count", &mut step_count)?,
                     _ => reader.skip()?,
                 }
             }
@@ -306,12 +305,13 @@ pub mod servo {
             let mut pose = None;
             let mut mode = None;
             let mut step_count = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "catPosition" => reader.field("pose", &mut pose)?,
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "stepNum" => reader.field("step_count", &mut step_count)?,
+            let mut keys = reader
+                .begin_fields(&["\"catPosition\":", "\"relFlag\":", "\"stepNum\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pose", &mut pose)?,
+                    1 => reader.field("mode", &mut mode)?,
+                    2 => reader.field("step_count", &mut step_count)?,
                     _ => reader.skip()?,
                 }
             }
@@ -560,9 +560,9 @@ pub mod servo {
         ) -> Result<Self, wire::DecodeError> {
             match reader.tag("filter_type", "filter_type")? {
                 0 => {
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
+                    let mut keys = reader.begin_fields(&[])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
                             _ => reader.skip()?,
                         }
                     }
@@ -570,12 +570,10 @@ pub mod servo {
                 }
                 1 => {
                     let mut cutoff_frequency = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "lpf_cf" => {
-                                reader.field("cutoff_frequency", &mut cutoff_frequency)?
-                            }
+                    let mut keys = reader.begin_fields(&["\"lpf_cf\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("cutoff_frequency", &mut cutoff_frequency)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -591,20 +589,23 @@ pub mod servo {
                     let mut max_rotation_speed = None;
                     let mut max_rotation_acceleration = None;
                     let mut max_rotation_jerk = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "nlf_max_vr" => {
+                    let mut keys = reader
+                        .begin_fields(
+                            &["\"nlf_max_vr\":", "\"nlf_max_ar\":", "\"nlf_max_jr\":"],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => {
                                 reader.field("max_rotation_speed", &mut max_rotation_speed)?
                             }
-                            "nlf_max_ar" => {
+                            1 => {
                                 reader
                                     .field(
                                         "max_rotation_acceleration",
                                         &mut max_rotation_acceleration,
                                     )?
                             }
-                            "nlf_max_jr" => {
+                            2 => {
                                 reader.field("max_rotation_jerk", &mut max_rotation_jerk)?
                             }
                             _ => reader.skip()?,
@@ -633,20 +634,26 @@ pub mod servo {
                     let mut position_coefficient = None;
                     let mut speed_coefficient = None;
                     let mut acceleration_coefficient = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "mmf_max_buf" => {
-                                reader.field("window_width", &mut window_width)?
-                            }
-                            "mmf_kp" => {
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"mmf_max_buf\":",
+                                "\"mmf_kp\":",
+                                "\"mmf_kv\":",
+                                "\"mmf_ka\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("window_width", &mut window_width)?,
+                            1 => {
                                 reader
                                     .field("position_coefficient", &mut position_coefficient)?
                             }
-                            "mmf_kv" => {
+                            2 => {
                                 reader.field("speed_coefficient", &mut speed_coefficient)?
                             }
-                            "mmf_ka" => {
+                            3 => {
                                 reader
                                     .field(
                                         "acceleration_coefficient",
@@ -686,34 +693,44 @@ pub mod servo {
                     let mut max_translation_speed = None;
                     let mut max_translation_acceleration = None;
                     let mut max_translation_jerk = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "nlf_max_vr" => {
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"nlf_max_vr\":",
+                                "\"nlf_max_ar\":",
+                                "\"nlf_max_jr\":",
+                                "\"nlf_max_vp\":",
+                                "\"nlf_max_ap\":",
+                                "\"nlf_max_jp\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => {
                                 reader.field("max_rotation_speed", &mut max_rotation_speed)?
                             }
-                            "nlf_max_ar" => {
+                            1 => {
                                 reader
                                     .field(
                                         "max_rotation_acceleration",
                                         &mut max_rotation_acceleration,
                                     )?
                             }
-                            "nlf_max_jr" => {
+                            2 => {
                                 reader.field("max_rotation_jerk", &mut max_rotation_jerk)?
                             }
-                            "nlf_max_vp" => {
+                            3 => {
                                 reader
                                     .field("max_translation_speed", &mut max_translation_speed)?
                             }
-                            "nlf_max_ap" => {
+                            4 => {
                                 reader
                                     .field(
                                         "max_translation_acceleration",
                                         &mut max_translation_acceleration,
                                     )?
                             }
-                            "nlf_max_jp" => {
+                            5 => {
                                 reader
                                     .field("max_translation_jerk", &mut max_translation_jerk)?
                             }
@@ -756,13 +773,12 @@ pub mod servo {
                 5 => {
                     let mut buffer_size = None;
                     let mut coefficient = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "mmf_max_buf" => {
-                                reader.field("buffer_size", &mut buffer_size)?
-                            }
-                            "mmf_kp" => reader.field("coefficient", &mut coefficient)?,
+                    let mut keys = reader
+                        .begin_fields(&["\"mmf_max_buf\":", "\"mmf_kp\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("buffer_size", &mut buffer_size)?,
+                            1 => reader.field("coefficient", &mut coefficient)?,
                             _ => reader.skip()?,
                         }
                     }

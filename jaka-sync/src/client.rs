@@ -11,10 +11,11 @@ use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{DecodeError, Fields, Reader};
-use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, read_payload};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
 use crate::link::{Link, Sent};
+use crate::reply::{TextAlone, Typed};
 use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
@@ -77,7 +78,8 @@ impl Client {
     pub fn call_within<C: Command>(&mut self, command: &C, timeout: Duration) -> Result<C::Reply, Error> {
         let info = C::INFO;
         let sent = self.send(command, timeout)?;
-        match self.link.wait(&sent, &mut self.reply) {
+        let mut payload = Typed::<C>::NONE;
+        match self.link.wait(&sent, &mut self.reply, &mut payload) {
             Ok(()) => {}
             Err(error) if !info.reply_certain && closed(&error) => return without_reply(info),
             Err(error) => return Err(error),
@@ -85,8 +87,7 @@ impl Client {
         if info.ends_session {
             self.link.end(info);
         }
-        let payload = read_payload(info, &self.reply);
-        payload.map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
+        payload.take(&self.reply).map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
     }
 
     /// Sends a command, unless the spec forbids it or the controller's firmware does not have it.
@@ -170,7 +171,7 @@ impl Client {
         let timeout = self.config.reply_timeout;
         let owed = Cow::Owned(command.trim().to_owned());
         let sent = self.link.send(command, owed, timeout, |out| out.raw(&request))?;
-        self.link.wait(&sent, &mut self.reply)?;
+        self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
         serde_json::from_str(&self.reply).map_err(|error| {
             let source = DecodeError::unfit(format!("JSON ({error})"), &self.reply);
             self.link.attach(reply::unexpected(command, source))
@@ -194,7 +195,7 @@ impl Client {
             );
         };
         let sent = self.link.send(command, Cow::Owned(command.to_owned()), timeout, |out| out.raw(request))?;
-        self.link.wait(&sent, &mut self.reply)?;
+        self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
         Ok(&self.reply)
     }
 
