@@ -101,10 +101,11 @@ impl Client {
         Ok(command.check(Rules { ranges: self.config.advisory_ranges, firmware: self.firmware })?)
     }
 
-    /// Sends a command without waiting for its reply, which is counted, and says how many are outstanding.
-    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<usize, Error> {
-        self.check(command)?;
-        self.link.post(C::INFO.name, |out| command.write_request(out))
+    /// Sends commands in one write without waiting for their replies, which are counted, and says how many are outstanding.
+    pub(crate) fn post<C: Command>(&self, commands: &[C]) -> Result<usize, Error> {
+        commands.iter().try_for_each(|command| self.check(command))?;
+        let requests = commands.iter().map(|command| |out: &mut _| command.write_request(out));
+        self.link.post(C::INFO.name, requests)
     }
 
     /// The connection, for those who post.

@@ -83,25 +83,29 @@ impl Link {
         write: impl FnOnce(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
         let since = Instant::now();
-        let ticket = self.transmit(&mut self.lock(), command, owed, write)?;
+        let ticket = self.transmit(&mut self.lock(), command, |state| self.enter(state, owed, write))?;
         Ok(Sent { ticket, command, since, timeout })
     }
 
-    /// Sends a command whose reply is counted, and says of how many the reply is outstanding.
-    pub(crate) fn post(&self, command: &'static str, write: impl FnOnce(&mut Writer)) -> Result<usize, Error> {
+    /// Sends commands of one name in one write, and says of how many posted commands the replies are outstanding, which are
+    /// counted.
+    pub(crate) fn post(
+        &self,
+        command: &'static str,
+        requests: impl IntoIterator<Item = impl FnOnce(&mut Writer)>,
+    ) -> Result<usize, Error> {
         let mut state = self.lock();
-        let ticket = self.transmit(&mut state, command, Cow::Borrowed(command), write)?;
-        state.posted.sent(ticket, command);
+        self.transmit(&mut state, command, |state| {
+            for write in requests {
+                let ticket = self.enter(state, Cow::Borrowed(command), write);
+                state.posted.sent(ticket, command);
+            }
+        })?;
         Ok(state.posted.outstanding())
     }
 
-    fn transmit(
-        &self,
-        state: &mut State,
-        command: &str,
-        owed: Cow<'static, str>,
-        write: impl FnOnce(&mut Writer),
-    ) -> Result<Ticket, Error> {
+    /// Sends the commands that are entered.
+    fn transmit<T>(&self, state: &mut State, command: &str, enter: impl FnOnce(&mut State) -> T) -> Result<T, Error> {
         // None of what has been read and not looked at is a reply to a command that goes out now.
         if let Err(cause) = self.settle_read(state) {
             self.break_off(state, cause);
@@ -110,15 +114,22 @@ impl Link {
             return Err(self.attach(disconnected(command, Progress::NotSent, cause)));
         }
         state.out.clear();
-        write(&mut state.out);
-        log::trace!(target: "jaka_sync::wire", "-> {}", state.out.as_str());
-        self.tap.sent(state.out.as_str());
-        let ticket = state.ledger.sent(owed);
+        let entered = enter(state);
         if let Err(source) = self.write(state) {
             let cause = self.break_off(state, Disconnect::Write(source));
             return Err(self.attach(disconnected(command, Progress::Sent, cause)));
         }
-        Ok(ticket)
+        Ok(entered)
+    }
+
+    /// Puts a command behind what is to go out, and enters it as owed a reply.
+    fn enter(&self, state: &mut State, owed: Cow<'static, str>, write: impl FnOnce(&mut Writer)) -> Ticket {
+        let start = state.out.as_str().len();
+        write(&mut state.out);
+        let request = &state.out.as_str()[start..];
+        log::trace!(target: "jaka_sync::wire", "-> {request}");
+        self.tap.sent(request);
+        state.ledger.sent(owed)
     }
 
     /// Writes what is to go out, and waits until the system has taken it.

@@ -192,7 +192,7 @@ impl<'r> ServoSession<'r> {
         }
         self.robot.check_latch()?;
         let late = self.pace.wait();
-        let outstanding = self.robot.client().post(request)?;
+        let outstanding = self.robot.client().post(std::slice::from_ref(request))?;
         self.report.late(late, self.config.period());
         self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
         Ok(())
