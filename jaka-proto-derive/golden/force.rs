@@ -308,15 +308,15 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"axis\":");
             wire::Encode::encode(&self.axis, out);
-            out.key("\"opt\":");
+            out.raw(",\"opt\":");
             wire::Encode::encode(&self.enabled, out);
-            out.key("\"ftUser\":");
+            out.raw(",\"ftUser\":");
             wire::Encode::encode(&self.user_force, out);
-            out.key("\"ftConstant\":");
+            out.raw(",\"ftConstant\":");
             wire::Encode::encode(&self.constant_force, out);
-            out.key("\"ftNnormalTrack\":");
+            out.raw(",\"ftNnormalTrack\":");
             wire::Encode::encode(&self.normal_track, out);
-            out.key("\"ftReboundFK\":");
+            out.raw(",\"ftReboundFK\":");
             wire::Encode::encode(&self.rebound, out);
         }
         fn read_fields(
@@ -740,7 +740,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
-            out.key("\"mass\":");
+            out.raw(",\"mass\":");
             wire::Encode::encode(&self.mass, out);
         }
         fn read_fields(
@@ -784,7 +784,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"mass\":");
             wire::Encode::encode(&self.mass, out);
-            out.key("\"centroid\":");
+            out.raw(",\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
         }
         fn read_fields(
@@ -885,7 +885,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
-            out.key("\"mass\":");
+            out.raw(",\"mass\":");
             wire::Encode::encode(&self.mass, out);
         }
         fn read_fields(
@@ -1077,7 +1077,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"compliance_type\":");
             wire::Encode::encode(&self.compliance_type, out);
-            out.key("\"sensor_compensation\":");
+            out.raw(",\"sensor_compensation\":");
             out.choose(*&self.sensor_compensation, "0", "1");
         }
         fn read_fields(
@@ -1123,7 +1123,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"sensor_compensation\":");
             wire::Encode::encode(&self.sensor_compensation, out);
-            out.key("\"compliance_type\":");
+            out.raw(",\"compliance_type\":");
             wire::Encode::encode(&self.compliance_type, out);
         }
         fn read_fields(
@@ -1209,9 +1209,9 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"type\":");
             wire::Encode::encode(&self.communication, out);
-            out.key("\"ip_addr\":");
+            out.raw(",\"ip_addr\":");
             wire::Encode::encode(&self.address, out);
-            out.key("\"port\":");
+            out.raw(",\"port\":");
             wire::Encode::encode(&self.port, out);
         }
         fn read_fields(
@@ -1328,9 +1328,9 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"ip_addr\":");
             wire::Encode::encode(&self.address, out);
-            out.key("\"type\":");
+            out.raw(",\"type\":");
             wire::Encode::encode(&self.communication, out);
-            out.key("\"port\":");
+            out.raw(",\"port\":");
             wire::Encode::encode(&self.port, out);
         }
         fn read_fields(
@@ -1590,15 +1590,14 @@ pub mod force {
     impl wire::Encode for AdmittanceAxis {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             out.choose(*&self.enabled, "0", "1");
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.user_force, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rebound, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.constant_force, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.normal_track, out);
             out.raw("]");
         }
@@ -1804,15 +1803,14 @@ pub mod force {
     impl wire::Encode for VelocityCompliance {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.level, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate1, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate2, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate3, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate4, out);
             out.raw("]");
         }

@@ -33,9 +33,9 @@ pub mod frames {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tooloffset\":");
             wire::Encode::encode(&self.offset, out);
-            out.key("\"id\":");
+            out.raw(",\"id\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"name\":");
+            out.raw(",\"name\":");
             wire::Encode::encode(&self.name, out);
         }
         fn read_fields(
@@ -253,9 +253,9 @@ pub mod frames {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"userffset\":");
             wire::Encode::encode(&self.offset, out);
-            out.key("\"id\":");
+            out.raw(",\"id\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"name\":");
+            out.raw(",\"name\":");
             wire::Encode::encode(&self.name, out);
         }
         fn read_fields(

@@ -28,9 +28,9 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"type\":");
             wire::Encode::encode(&self.kind, out);
-            out.key("\"index\":");
+            out.raw(",\"index\":");
             wire::Encode::encode(&self.index, out);
-            out.key("\"value\":");
+            out.raw(",\"value\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -196,9 +196,9 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"type\":");
             wire::Encode::encode(&self.kind, out);
-            out.key("\"index\":");
+            out.raw(",\"index\":");
             wire::Encode::encode(&self.index, out);
-            out.key("\"value\":");
+            out.raw(",\"value\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -457,7 +457,7 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tio_vout_ena\":");
             wire::Encode::encode(&self.output_enable, out);
-            out.key("\"tio_vout_vol\":");
+            out.raw(",\"tio_vout_vol\":");
             wire::Encode::encode(&self.output_voltage, out);
         }
         fn read_fields(
@@ -591,7 +591,7 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tio_vout_ena\":");
             wire::Encode::encode(&self.output_enable, out);
-            out.key("\"tio_vout_vol\":");
+            out.raw(",\"tio_vout_vol\":");
             wire::Encode::encode(&self.output_voltage, out);
         }
         fn read_fields(
@@ -752,11 +752,10 @@ pub mod io {
     impl wire::Encode for ExtioStatus {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.count, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.modules, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.state, out);
             out.raw("]");
         }
@@ -812,7 +811,7 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"setup\":");
             wire::Encode::encode(&self.setup, out);
-            out.key("\"pinmap\":");
+            out.raw(",\"pinmap\":");
             wire::Encode::encode(&self.pin_map, out);
         }
         fn read_fields(
@@ -896,29 +895,27 @@ pub mod io {
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Rtu { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(0);
-                    out.comma();
+                    out.raw("[0");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     match connection {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
                         }
                         wire::Typed::Raw(value) => wire::Encode::encode(value, out),
                     }
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
                 Self::Tcp { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(1);
-                    out.comma();
+                    out.raw("[1");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(connection, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
@@ -1027,17 +1024,16 @@ pub mod io {
     impl wire::Encode for ExtioRtu {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.baud_rate, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.data_bit_length, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.slave_id, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.data_bits, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.parity, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.stop_bit_length, out);
             out.raw("]");
         }
@@ -1100,12 +1096,11 @@ pub mod io {
     impl wire::Encode for ExtioTcp {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.address, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.port, out);
             if let Some(value) = &self.slave_id {
-                out.comma();
+                out.raw(",");
                 wire::Encode::encode(value, out);
             }
             out.raw("]");
@@ -1175,11 +1170,11 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"ai\":");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.key("\"do\":");
+            out.raw(",\"do\":");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.key("\"ao\":");
+            out.raw(",\"ao\":");
             wire::Encode::encode(&self.analog_outputs, out);
-            out.key("\"di\":");
+            out.raw(",\"di\":");
             wire::Encode::encode(&self.digital_inputs, out);
         }
         fn read_fields(
@@ -1238,9 +1233,8 @@ pub mod io {
     impl wire::Encode for ExtioPinRange {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.start, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.count, out);
             out.raw("]");
         }
@@ -1297,11 +1291,11 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"ai\":");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.key("\"do\":");
+            out.raw(",\"do\":");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.key("\"ao\":");
+            out.raw(",\"ao\":");
             wire::Encode::encode(&self.analog_outputs, out);
-            out.key("\"di\":");
+            out.raw(",\"di\":");
             wire::Encode::encode(&self.digital_inputs, out);
         }
         fn read_fields(
@@ -1383,7 +1377,7 @@ pub mod io {
             out.key("\"state\":");
             out.choose(*&self.running, "0", "1");
             if let Some(value) = &self.digital_inputs {
-                out.key("\"di\":");
+                out.raw(",\"di\":");
                 out.array(
                     value,
                     |out, item| {
@@ -1392,7 +1386,7 @@ pub mod io {
                 );
             }
             if let Some(value) = &self.digital_outputs {
-                out.key("\"do\":");
+                out.raw(",\"do\":");
                 out.array(
                     value,
                     |out, item| {
@@ -1401,11 +1395,11 @@ pub mod io {
                 );
             }
             if let Some(value) = &self.analog_inputs {
-                out.key("\"ai\":");
+                out.raw(",\"ai\":");
                 wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.analog_outputs {
-                out.key("\"ao\":");
+                out.raw(",\"ao\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -1521,9 +1515,8 @@ pub mod io {
     impl wire::Encode for FunctionInput {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.kind, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.index, out);
             out.raw("]");
         }

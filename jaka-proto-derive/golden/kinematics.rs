@@ -127,7 +127,7 @@ pub mod kinematics {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"jointPosition\":");
             wire::Encode::encode(&self.reference_joint_position, out);
-            out.key("\"cartPosition\":");
+            out.raw(",\"cartPosition\":");
             wire::Encode::encode(&self.pose, out);
         }
         fn read_fields(
@@ -417,11 +417,11 @@ pub mod kinematics {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"alpha\":");
             wire::Encode::encode(&self.alpha, out);
-            out.key("\"a\":");
+            out.raw(",\"a\":");
             wire::Encode::encode(&self.a, out);
-            out.key("\"d\":");
+            out.raw(",\"d\":");
             wire::Encode::encode(&self.d, out);
-            out.key("\"joint_homeoff\":");
+            out.raw(",\"joint_homeoff\":");
             wire::Encode::encode(&self.joint_home_offset, out);
         }
         fn read_fields(

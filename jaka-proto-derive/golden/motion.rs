@@ -108,45 +108,41 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             match self {
                 Self::Stop { frame, axis } => {
-                    out.key("\"jog_mode\":");
-                    out.int(0);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":0");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
                 }
                 Self::Continuous { frame, axis, velocity } => {
-                    out.key("\"jog_mode\":");
-                    out.int(1);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":1");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
-                    out.key("\"jogvel\":");
+                    out.raw(",\"jogvel\":");
                     wire::Encode::encode(velocity, out);
                 }
                 Self::Increment { frame, axis, velocity, distance } => {
-                    out.key("\"jog_mode\":");
-                    out.int(2);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":2");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
-                    out.key("\"jogvel\":");
+                    out.raw(",\"jogvel\":");
                     wire::Encode::encode(velocity, out);
-                    out.key("\"poscmd\":");
+                    out.raw(",\"poscmd\":");
                     wire::Encode::encode(distance, out);
                 }
                 Self::Absolute { frame, axis, velocity, position } => {
-                    out.key("\"jog_mode\":");
-                    out.int(3);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":3");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
-                    out.key("\"jogvel\":");
+                    out.raw(",\"jogvel\":");
                     wire::Encode::encode(velocity, out);
-                    out.key("\"poscmd\":");
+                    out.raw(",\"poscmd\":");
                     wire::Encode::encode(position, out);
                 }
             }
@@ -459,12 +455,12 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"jointPosition\":");
+            out.raw(",\"jointPosition\":");
             wire::Encode::encode(&self.joint_position, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -580,10 +576,10 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"endPosition\":");
             wire::Encode::encode(&self.pose, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -704,16 +700,16 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"cartPosition\":");
+            out.raw(",\"cartPosition\":");
             wire::Encode::encode(&self.pose, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.tolerance {
-                out.key("\"tol\":");
+                out.raw(",\"tol\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -866,15 +862,15 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"pos_mid\":");
+            out.raw(",\"pos_mid\":");
             wire::Encode::encode(&self.mid_pose, out);
-            out.key("\"pos_end\":");
+            out.raw(",\"pos_end\":");
             wire::Encode::encode(&self.end_pose, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
-            out.key("\"accel\":");
+            out.raw(",\"accel\":");
             wire::Encode::encode(&self.acceleration, out);
-            out.key("\"tol\":");
+            out.raw(",\"tol\":");
             wire::Encode::encode(&self.tolerance, out);
         }
         fn read_fields(

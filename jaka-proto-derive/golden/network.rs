@@ -31,7 +31,7 @@ pub mod network {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"timeLimit\":");
             wire::Encode::encode(&self.delay, out);
-            out.key("\"motType\":");
+            out.raw(",\"motType\":");
             wire::Encode::encode(&self.action, out);
         }
         fn read_fields(

@@ -40,16 +40,16 @@ pub mod changed {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"jointPosition\":");
+            out.raw(",\"jointPosition\":");
             wire::Encode::encode(&self.joint_position, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.zone {
-                out.key("\"zone\":");
+                out.raw(",\"zone\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -252,7 +252,7 @@ pub mod changed {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tio_vout_ena\":");
             wire::Encode::encode(&self.output_enable, out);
-            out.key("\"tio_vout_vol\":");
+            out.raw(",\"tio_vout_vol\":");
             wire::Encode::encode(&self.output_voltage, out);
         }
         fn read_fields(

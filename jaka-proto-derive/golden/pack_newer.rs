@@ -57,11 +57,11 @@ pub mod newer {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"inpos\":");
             wire::Encode::encode(&self.in_position, out);
-            out.key("\"paused\":");
+            out.raw(",\"paused\":");
             wire::Encode::encode(&self.paused, out);
-            out.key("\"queue\":");
+            out.raw(",\"queue\":");
             wire::Encode::encode(&self.queue, out);
-            out.key("\"active_queue\":");
+            out.raw(",\"active_queue\":");
             wire::Encode::encode(&self.active_queue, out);
         }
         fn read_fields(

@@ -24,7 +24,7 @@ pub mod payload {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"mass\":");
             wire::Encode::encode(&self.mass, out);
-            out.key("\"centroid\":");
+            out.raw(",\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
         }
         fn read_fields(
@@ -123,7 +123,7 @@ pub mod payload {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
-            out.key("\"mass\":");
+            out.raw(",\"mass\":");
             wire::Encode::encode(&self.mass, out);
         }
         fn read_fields(
@@ -162,11 +162,10 @@ pub mod payload {
     impl wire::Encode for Centroid {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.x, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.y, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.z, out);
             out.raw("]");
         }

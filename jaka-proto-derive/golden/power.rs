@@ -325,10 +325,10 @@ pub mod power {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"enable\":");
             out.choose(*&self.enabled, "\"robot_disabled\"", "\"robot_enabled\"");
-            out.key("\"power\":");
+            out.raw(",\"power\":");
             out.choose(*&self.powered_on, "\"powered_off\"", "\"powered_on\"");
             if let Some(value) = &self.error_code {
-                out.key("\"errcode\":");
+                out.raw(",\"errcode\":");
                 match value {
                     wire::Typed::Known(value) => {
                         wire::Encode::encode(value, out);
@@ -337,7 +337,7 @@ pub mod power {
                 }
             }
             if let Some(value) = &self.error_message {
-                out.key("\"msg\":");
+                out.raw(",\"msg\":");
                 wire::Encode::encode(value, out);
             }
         }

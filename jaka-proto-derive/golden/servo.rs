@@ -181,10 +181,10 @@ pub mod servo {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"jointPosition\":");
+            out.raw(",\"jointPosition\":");
             wire::Encode::encode(&self.joint_position, out);
             if let Some(value) = &self.step_count {
-                out.key("\"stepNum\":");
+                out.raw(",\"stepNum\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -292,10 +292,10 @@ pub mod servo {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"catPosition\":");
             wire::Encode::encode(&self.pose, out);
-            out.key("\"relFlag\":");
+            out.raw(",\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
             if let Some(value) = &self.step_count {
-                out.key("\"stepNum\":");
+                out.raw(",\"stepNum\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -482,13 +482,11 @@ pub mod servo {
         fn write_fields(&self, out: &mut wire::Writer) {
             match self {
                 Self::Disabled {} => {
-                    out.key("\"filter_type\":");
-                    out.int(0);
+                    out.key("\"filter_type\":0");
                 }
                 Self::JointLowPass { cutoff_frequency } => {
-                    out.key("\"filter_type\":");
-                    out.int(1);
-                    out.key("\"lpf_cf\":");
+                    out.key("\"filter_type\":1");
+                    out.raw(",\"lpf_cf\":");
                     wire::Encode::encode(cutoff_frequency, out);
                 }
                 Self::JointNonlinear {
@@ -496,13 +494,12 @@ pub mod servo {
                     max_rotation_acceleration,
                     max_rotation_jerk,
                 } => {
-                    out.key("\"filter_type\":");
-                    out.int(2);
-                    out.key("\"nlf_max_vr\":");
+                    out.key("\"filter_type\":2");
+                    out.raw(",\"nlf_max_vr\":");
                     wire::Encode::encode(max_rotation_speed, out);
-                    out.key("\"nlf_max_ar\":");
+                    out.raw(",\"nlf_max_ar\":");
                     wire::Encode::encode(max_rotation_acceleration, out);
-                    out.key("\"nlf_max_jr\":");
+                    out.raw(",\"nlf_max_jr\":");
                     wire::Encode::encode(max_rotation_jerk, out);
                 }
                 Self::JointMean {
@@ -511,15 +508,14 @@ pub mod servo {
                     speed_coefficient,
                     acceleration_coefficient,
                 } => {
-                    out.key("\"filter_type\":");
-                    out.int(3);
-                    out.key("\"mmf_max_buf\":");
+                    out.key("\"filter_type\":3");
+                    out.raw(",\"mmf_max_buf\":");
                     wire::Encode::encode(window_width, out);
-                    out.key("\"mmf_kp\":");
+                    out.raw(",\"mmf_kp\":");
                     wire::Encode::encode(position_coefficient, out);
-                    out.key("\"mmf_kv\":");
+                    out.raw(",\"mmf_kv\":");
                     wire::Encode::encode(speed_coefficient, out);
-                    out.key("\"mmf_ka\":");
+                    out.raw(",\"mmf_ka\":");
                     wire::Encode::encode(acceleration_coefficient, out);
                 }
                 Self::CartesianNonlinear {
@@ -530,27 +526,25 @@ pub mod servo {
                     max_translation_acceleration,
                     max_translation_jerk,
                 } => {
-                    out.key("\"filter_type\":");
-                    out.int(4);
-                    out.key("\"nlf_max_vr\":");
+                    out.key("\"filter_type\":4");
+                    out.raw(",\"nlf_max_vr\":");
                     wire::Encode::encode(max_rotation_speed, out);
-                    out.key("\"nlf_max_ar\":");
+                    out.raw(",\"nlf_max_ar\":");
                     wire::Encode::encode(max_rotation_acceleration, out);
-                    out.key("\"nlf_max_jr\":");
+                    out.raw(",\"nlf_max_jr\":");
                     wire::Encode::encode(max_rotation_jerk, out);
-                    out.key("\"nlf_max_vp\":");
+                    out.raw(",\"nlf_max_vp\":");
                     wire::Encode::encode(max_translation_speed, out);
-                    out.key("\"nlf_max_ap\":");
+                    out.raw(",\"nlf_max_ap\":");
                     wire::Encode::encode(max_translation_acceleration, out);
-                    out.key("\"nlf_max_jp\":");
+                    out.raw(",\"nlf_max_jp\":");
                     wire::Encode::encode(max_translation_jerk, out);
                 }
                 Self::SpeedLookahead { buffer_size, coefficient } => {
-                    out.key("\"filter_type\":");
-                    out.int(5);
-                    out.key("\"mmf_max_buf\":");
+                    out.key("\"filter_type\":5");
+                    out.raw(",\"mmf_max_buf\":");
                     wire::Encode::encode(buffer_size, out);
-                    out.key("\"mmf_kp\":");
+                    out.raw(",\"mmf_kp\":");
                     wire::Encode::encode(coefficient, out);
                 }
             }

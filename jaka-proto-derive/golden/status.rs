@@ -1588,13 +1588,13 @@ pub mod status {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"status\":");
             wire::Encode::encode(&self.pin_states, out);
-            out.key("\"setup\":");
+            out.raw(",\"setup\":");
             wire::Encode::encode(&self.setup, out);
-            out.key("\"num\":");
+            out.raw(",\"num\":");
             wire::Encode::encode(&self.count, out);
-            out.key("\"pinmap\":");
+            out.raw(",\"pinmap\":");
             wire::Encode::encode(&self.pin_maps, out);
-            out.key("\"mode\":");
+            out.raw(",\"mode\":");
             wire::Encode::encode(&self.mode, out);
         }
         fn read_fields(
@@ -1706,23 +1706,22 @@ pub mod status {
     impl wire::Encode for ExtioPinStates {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             out.array(
                 &self.digital_inputs,
                 |out, item| {
                     out.choose(*item, "0", "1");
                 },
             );
-            out.comma();
+            out.raw(",");
             out.array(
                 &self.digital_outputs,
                 |out, item| {
                     out.choose(*item, "0", "1");
                 },
             );
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_outputs, out);
             out.raw("]");
         }
@@ -1797,29 +1796,27 @@ pub mod status {
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Rtu { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(0);
-                    out.comma();
+                    out.raw("[0");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     match connection {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
                         }
                         wire::Typed::Raw(value) => wire::Encode::encode(value, out),
                     }
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
                 Self::Tcp { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(1);
-                    out.comma();
+                    out.raw("[1");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(connection, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
@@ -1924,13 +1921,12 @@ pub mod status {
     impl wire::Encode for ExtioReportPins {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.digital_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_outputs, out);
             out.raw("]");
         }
@@ -1981,13 +1977,12 @@ pub mod status {
     impl wire::Encode for ExtioReportPinMap {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.digital_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_outputs, out);
             out.raw("]");
         }
@@ -2085,17 +2080,16 @@ pub mod status {
     impl wire::Encode for MonitorData {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.scb_major_version, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.scb_minor_version, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.cabinet_temperature, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.bus_average_power, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.bus_average_current, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.joints, out);
             out.raw("]");
         }
@@ -2204,28 +2198,27 @@ pub mod status {
     impl wire::Encode for JointMonitor {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.current, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.voltage, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.temperature, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.average_power, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.current_fluctuation, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.total_revolutions, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.total_running_time, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.cycles_since_start, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.running_time_since_start, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.torque, out);
             if let Some(value) = &self.eleventh {
-                out.comma();
+                out.raw(",");
                 wire::Encode::encode(value, out);
             }
             out.raw("]");
@@ -2309,9 +2302,8 @@ pub mod status {
     impl wire::Encode for TorqueSensorReport {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.settings, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.state, out);
             out.raw("]");
         }
@@ -2384,11 +2376,10 @@ pub mod status {
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Tcp { connection, payload } => {
-                    out.raw("[");
-                    out.int(0);
-                    out.comma();
+                    out.raw("[0");
+                    out.raw(",");
                     wire::Encode::encode(connection, out);
-                    out.comma();
+                    out.raw(",");
                     match payload {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
@@ -2398,16 +2389,15 @@ pub mod status {
                     out.raw("]");
                 }
                 Self::Serial { connection, payload } => {
-                    out.raw("[");
-                    out.int(1);
-                    out.comma();
+                    out.raw("[1");
+                    out.raw(",");
                     match connection {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
                         }
                         wire::Typed::Raw(value) => wire::Encode::encode(value, out),
                     }
-                    out.comma();
+                    out.raw(",");
                     match payload {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
@@ -2505,9 +2495,8 @@ pub mod status {
     impl wire::Encode for TorqueSensorTcp {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.address, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.port, out);
             out.raw("]");
         }
@@ -2560,13 +2549,12 @@ pub mod status {
     impl wire::Encode for TorqueSensorSerial {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.baud_rate, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.data_bits, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.stop_bits, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.parity, out);
             out.raw("]");
         }
@@ -2621,9 +2609,8 @@ pub mod status {
     impl wire::Encode for TorqueSensorPayload {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.mass, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.centroid, out);
             out.raw("]");
         }
@@ -2679,18 +2666,17 @@ pub mod status {
     impl wire::Encode for TorqueSensorState {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             out.choose(*&self.working, "0", "1");
-            out.comma();
+            out.raw(",");
             match &self.error_code {
                 wire::Typed::Known(value) => {
                     wire::Encode::encode(value, out);
                 }
                 wire::Typed::Raw(value) => wire::Encode::encode(value, out),
             }
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.contact_force, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.raw_reading, out);
             out.raw("]");
         }

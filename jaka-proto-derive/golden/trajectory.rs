@@ -37,11 +37,11 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"acc\":");
             wire::Encode::encode(&self.acceleration, out);
-            out.key("\"vel\":");
+            out.raw(",\"vel\":");
             wire::Encode::encode(&self.speed, out);
-            out.key("\"xyz_interval\":");
+            out.raw(",\"xyz_interval\":");
             wire::Encode::encode(&self.position_interval, out);
-            out.key("\"rpy_interval\":");
+            out.raw(",\"rpy_interval\":");
             wire::Encode::encode(&self.orientation_interval, out);
         }
         fn read_fields(
@@ -200,11 +200,11 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"acc\":");
             wire::Encode::encode(&self.acceleration, out);
-            out.key("\"xyz_interval\":");
+            out.raw(",\"xyz_interval\":");
             wire::Encode::encode(&self.position_interval, out);
-            out.key("\"rpy_interval\":");
+            out.raw(",\"rpy_interval\":");
             wire::Encode::encode(&self.orientation_interval, out);
-            out.key("\"vel\":");
+            out.raw(",\"vel\":");
             wire::Encode::encode(&self.speed, out);
         }
         fn read_fields(
@@ -266,7 +266,7 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"mode\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"filename\":");
+            out.raw(",\"filename\":");
             wire::Encode::encode(&self.file_name, out);
         }
         fn read_fields(
@@ -467,7 +467,7 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"src\":");
             wire::Encode::encode(&self.source, out);
-            out.key("\"dest\":");
+            out.raw(",\"dest\":");
             wire::Encode::encode(&self.destination, out);
         }
         fn read_fields(

@@ -104,9 +104,9 @@ pub mod variables {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"id_new\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"alias_new\":");
+            out.raw(",\"alias_new\":");
             wire::Encode::encode(&self.alias, out);
-            out.key("\"value_new\":");
+            out.raw(",\"value_new\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -171,9 +171,9 @@ pub mod variables {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"alias\":");
             wire::Encode::encode(&self.alias, out);
-            out.key("\"id\":");
+            out.raw(",\"id\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"value\":");
+            out.raw(",\"value\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(

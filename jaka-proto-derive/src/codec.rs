@@ -85,16 +85,41 @@ pub(crate) fn names(fields: &[Field]) -> Vec<Ident> {
 
 /// Statements that write the fields of an object; `value` turns a field's name into a reference to its value.
 pub(crate) fn write_object(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    let fields = fields.iter().map(|field| {
+    // Behind a field that is always there, a comma is always due, and is one text with the key.
+    let behind = fields.iter().position(|field| !field.optional).map_or(fields.len(), |first| first + 1);
+    let (first, rest) = fields.split_at(behind);
+    let first = first.iter().map(|field| {
         let key = field.key();
         write_field(field, &quote!(out.key(#key);), &value(&ident(&field.name)))
+    });
+    let rest = write_further_fields(rest, &value);
+    quote!(#(#first)* #rest)
+}
+
+/// Statements that write fields of an object behind another one.
+pub(crate) fn write_further_fields(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let fields = fields.iter().map(|field| {
+        let key = format!(",{}", field.key());
+        write_field(field, &quote!(out.raw(#key);), &value(&ident(&field.name)))
     });
     quote!(#(#fields)*)
 }
 
 /// Statements that write the elements of an array, without its brackets.
 pub(crate) fn write_array(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    let fields = fields.iter().map(|field| write_field(field, &quote!(out.comma();), &value(&ident(&field.name))));
+    let [first, rest @ ..] = fields else { return TokenStream::new() };
+    let write = write_field(first, &TokenStream::new(), &value(&ident(&first.name)));
+    if !first.optional {
+        let rest = write_further_elements(rest, value);
+        return quote!(#write #rest);
+    }
+    let rest = rest.iter().map(|field| write_field(field, &quote!(out.comma();), &value(&ident(&field.name))));
+    quote!(#write #(#rest)*)
+}
+
+/// Statements that write elements of an array behind another one.
+pub(crate) fn write_further_elements(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let fields = fields.iter().map(|field| write_field(field, &quote!(out.raw(",");), &value(&ident(&field.name))));
     quote!(#(#fields)*)
 }
 

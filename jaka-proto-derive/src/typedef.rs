@@ -7,7 +7,8 @@ use quote::quote;
 
 use crate::codec::{
     Scope, declare_variants, ident, in_place, names, read_array, read_array_in_place, read_object,
-    read_object_in_place, variant_path, write_array, write_object, write_type,
+    read_object_in_place, variant_path, write_array, write_further_elements, write_further_fields, write_object,
+    write_type,
 };
 use crate::docs;
 use crate::validate;
@@ -300,9 +301,9 @@ fn text_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<String>]) -> 
 fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Choice) -> TokenStream {
     let variants = declare_variants(scope, choice);
     let write = choice.variants.iter().map(|variant| {
-        let (path, names, tag) = (variant_path(variant), names(&variant.fields), tag(variant));
-        let write = write_array(&variant.fields, |name| quote!(#name));
-        quote!(#path { #(#names),* } => { out.raw("["); out.int(#tag); #write out.raw("]"); })
+        let (path, names, begin) = (variant_path(variant), names(&variant.fields), format!("[{}", variant.wire));
+        let write = write_further_elements(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { out.raw(#begin); #write out.raw("]"); })
     });
     let read = choice.variants.iter().map(|variant| {
         let tag = tag(variant);
@@ -374,9 +375,9 @@ pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, 
     let tag_key = &choice.tag;
     let key = choice.key();
     let write = choice.variants.iter().map(|variant| {
-        let (path, names, value) = (variant_path(variant), names(&variant.fields), tag(variant));
-        let write = write_object(&variant.fields, |name| quote!(#name));
-        quote!(#path { #(#names),* } => { out.key(#key); out.int(#value); #write })
+        let (path, names, tag) = (variant_path(variant), names(&variant.fields), format!("{key}{}", variant.wire));
+        let write = write_further_fields(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { out.key(#tag); #write })
     });
     let read = choice.variants.iter().map(|variant| {
         let (value, read) = (tag(variant), read_object(&variant.fields, &variant_path(variant)));

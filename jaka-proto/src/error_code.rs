@@ -36,6 +36,9 @@ impl Encode for ErrorCode {
 /// Any number, or a string that holds one, also in hexadecimal.
 impl Decode for ErrorCode {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        if reader.eat("\"0\"") {
+            return Ok(Self(0));
+        }
         if let Some(code) = reader.text_with(hexadecimal_or_decimal) {
             return Ok(Self(code));
         }

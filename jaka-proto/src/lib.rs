@@ -11,6 +11,7 @@ mod firmware;
 pub mod framing;
 pub mod geometry;
 mod ledger;
+mod near;
 pub mod python;
 pub mod recording;
 mod request;

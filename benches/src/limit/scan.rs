@@ -80,8 +80,10 @@ impl<'a> Scan<'a> {
         self.need(b"\"")?;
         let rest = self.rest();
         let is_end = |byte: &u8| matches!(byte, b'"' | b'\\');
-        let near = rest.iter().take(24).position(is_end);
-        let len = near.or_else(|| memchr::memchr2(b'"', b'\\', rest))?;
+        let len = match rest.first_chunk::<16>().map(|near| near.iter().position(is_end)) {
+            Some(Some(near)) => near,
+            _ => memchr::memchr2(b'"', b'\\', rest)?,
+        };
         let text = self.text.get(self.at..self.at + len)?;
         self.at += len;
         self.eat(b"\"").then_some(text)
@@ -252,7 +254,7 @@ fn eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
 /// `digits` by 10 to the power of `fraction`, by whole numbers: the last bit stands for all that is left.
 #[inline(never)]
 fn long_quotient(digits: u64, fraction: usize) -> Option<f64> {
-    let power = u128::from(10_u64.pow(u32::try_from(fraction).ok().filter(|fraction| *fraction <= 18)?));
+    let power = u128::from(*WHOLE_POWERS.get(fraction)?);
     let dividend = u128::from(digits) << 64;
     let quotient = dividend / power;
     let rest = u128::from(quotient * power != dividend);
@@ -271,6 +273,29 @@ fn eight_digits(text: &[u8; 8]) -> Option<u64> {
     let fours = (pairs.wrapping_mul(100).wrapping_add(pairs >> 16)) & 0x0000_ffff_0000_ffff;
     Some(fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff)
 }
+
+/// Powers of ten, as far as the quotient has bits enough.
+const WHOLE_POWERS: [u64; 19] = [
+    1,
+    10,
+    100,
+    1_000,
+    10_000,
+    100_000,
+    1_000_000,
+    10_000_000,
+    100_000_000,
+    1_000_000_000,
+    10_000_000_000,
+    100_000_000_000,
+    1_000_000_000_000,
+    10_000_000_000_000,
+    100_000_000_000_000,
+    1_000_000_000_000_000,
+    10_000_000_000_000_000,
+    100_000_000_000_000_000,
+    1_000_000_000_000_000_000,
+];
 
 /// Powers of ten that a float holds exactly.
 const POWERS: [f64; 23] = [

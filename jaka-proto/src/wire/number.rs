@@ -101,7 +101,7 @@ fn quotient(digits: u64, fraction: usize) -> Option<f64> {
 #[inline(never)]
 fn long_quotient(digits: u64, fraction: usize) -> Option<f64> {
     // 2^53 · 2^64 / 10^18 is more than 2^57: the last bit lies below the one that decides how to round.
-    let power = 10_u64.pow(u32::try_from(fraction).ok().filter(|fraction| *fraction <= 18)?);
+    let power = *WHOLE_POWERS.get(fraction)?;
     let dividend = u128::from(digits) << 64;
     let quotient = dividend / u128::from(power);
     let rest = u128::from(quotient * u128::from(power) != dividend);
@@ -110,6 +110,29 @@ fn long_quotient(digits: u64, fraction: usize) -> Option<f64> {
 }
 
 const TWO_TO_MINUS_64: f64 = 1.0 / 18_446_744_073_709_551_616.0;
+
+/// Powers of ten, as far as the quotient has bits enough.
+const WHOLE_POWERS: [u64; 19] = [
+    1,
+    10,
+    100,
+    1_000,
+    10_000,
+    100_000,
+    1_000_000,
+    10_000_000,
+    100_000_000,
+    1_000_000_000,
+    10_000_000_000,
+    100_000_000_000,
+    1_000_000_000_000,
+    10_000_000_000_000,
+    100_000_000_000_000,
+    1_000_000_000_000_000,
+    10_000_000_000_000_000,
+    100_000_000_000_000_000,
+    1_000_000_000_000_000_000,
+];
 
 /// Powers of ten that a float holds exactly.
 const POWERS: [f64; 23] = [

@@ -6,8 +6,6 @@ mod skip;
 
 use std::borrow::Cow;
 
-use memchr::memchr2;
-
 pub use fields::Keys;
 pub(crate) use reply::read_accepted;
 
@@ -15,6 +13,7 @@ use super::decode::whole;
 use super::error::DecodeError;
 use super::number::{self, Scalar};
 use super::{Decode, Fields, Writer};
+use crate::near::first_of;
 
 /// A position in a JSON text.
 #[derive(Debug, Clone)]
@@ -192,12 +191,7 @@ impl<'a> Reader<'a> {
     /// Reads null, if that is the next value.
     #[inline]
     pub fn null(&mut self) -> bool {
-        let null = self.peek() == Some(b'n') && self.rest().starts_with(b"null");
-        if null {
-            self.at += 4;
-            self.comma = true;
-        }
-        null
+        self.eat("null")
     }
 
     /// Whether the next value is a string.
@@ -208,6 +202,17 @@ impl<'a> Reader<'a> {
     /// Whether the next value is an array.
     pub(super) fn is_array(&mut self) -> bool {
         self.peek() == Some(b'[')
+    }
+
+    /// Reads a value that is written exactly so.
+    #[inline]
+    pub(crate) fn eat(&mut self, value: &str) -> bool {
+        let eaten = self.peek().is_some() && self.rest().starts_with(value.as_bytes());
+        if eaten {
+            self.at += value.len();
+            self.comma = true;
+        }
+        eaten
     }
 
     /// Reads a string of which `read` makes something; otherwise stays before it.
@@ -234,7 +239,7 @@ impl<'a> Reader<'a> {
         let mut escaped = false;
         loop {
             let rest = self.rest();
-            let Some(found) = quote_or_escape(rest) else {
+            let Some(found) = first_of(*b"\"\\", rest) else {
                 self.at = self.text.len();
                 return Err(self.malformed("the end of a string"));
             };
@@ -332,13 +337,6 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Where the string ends or an escape begins. Most strings are short.
-#[inline]
-fn quote_or_escape(bytes: &[u8]) -> Option<usize> {
-    let near = bytes.iter().take(24).position(|byte| matches!(byte, b'"' | b'\\'));
-    near.or_else(|| memchr2(b'"', b'\\', bytes))
-}
-
 /// Reads one message.
 ///
 /// # Errors
@@ -351,7 +349,11 @@ pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
 }
 
 /// The text without the blanks around it.
+#[inline]
 pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
+    if let [b'!'..=b'~', .., b'!'..=b'~'] = text.as_bytes() {
+        return text;
+    }
     match text {
         Cow::Borrowed(text) => Cow::Borrowed(text.trim()),
         Cow::Owned(text) => Cow::Owned(text.trim().to_owned()),

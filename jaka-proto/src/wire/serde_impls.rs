@@ -82,6 +82,7 @@ macro_rules! __object_impls {
 macro_rules! __int_enum_impls {
     ($type:ident) => {
         impl $crate::wire::Encode for $type {
+            #[inline]
             fn encode(&self, out: &mut $crate::wire::Writer) {
                 out.int((*self).into());
             }

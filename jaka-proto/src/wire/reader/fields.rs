@@ -50,11 +50,12 @@ impl Keys {
 
     /// The place of a key; the one behind the last for a key that the type does not know.
     fn place(&self, key: &str) -> usize {
-        if key.bytes().any(|byte| byte < 0x20 || byte == b'"' || byte == b'\\') {
-            return self.place_of_escaped(key);
-        }
         let is = |name: &&str| name.len() == key.len() + 3 && name[1..].starts_with(key);
-        self.or_unknown(self.names.iter().position(is))
+        match self.names.iter().position(is) {
+            Some(place) if !key.contains('\\') => place,
+            _ if key.bytes().any(|byte| byte < 0x20 || byte == b'"' || byte == b'\\') => self.place_of_escaped(key),
+            _ => self.names.len(),
+        }
     }
 
     #[cold]
@@ -62,11 +63,7 @@ impl Keys {
         let mut quoted = Writer::new();
         quoted.text(key);
         quoted.raw(":");
-        self.or_unknown(self.names.iter().position(|name| *name == quoted.as_str()))
-    }
-
-    fn or_unknown(&self, place: Option<usize>) -> usize {
-        place.unwrap_or(self.names.len())
+        self.names.iter().position(|name| *name == quoted.as_str()).unwrap_or(self.names.len())
     }
 }
 
@@ -94,13 +91,12 @@ impl Reader<'_> {
                 keys.found = guess;
                 return Ok(Some(guess));
             }
+            if keys.in_reply && self.take_reply_key()? {
+                continue;
+            }
             let key = self.key()?;
             let place = keys.place(&key);
-            if place == keys.names.len() {
-                if keys.in_reply && self.take_reply_key(&key)? {
-                    continue;
-                }
-            } else {
+            if place < keys.names.len() {
                 keys.found = place;
             }
             return Ok(Some(place));

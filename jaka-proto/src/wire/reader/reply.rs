@@ -25,27 +25,35 @@ impl Slots<'_> {
 }
 
 impl<'a> Reader<'a> {
-    /// Takes the value of a key that every reply has; false for another key.
+    /// Takes a key that every reply has, and its value; false if another key comes, or one of these in an unusual form.
     ///
     /// # Errors
     /// The value is not as usual.
-    pub(super) fn take_reply_key(&mut self, key: &str) -> Result<bool, DecodeError> {
-        let twice = match key {
-            COMMAND => {
-                let command = self.plain_text()?;
-                self.reply.command.replace(command).is_some()
-            }
-            CODE => {
-                let code = ErrorCode::decode(self)?;
-                self.reply.code.replace(code).is_some()
-            }
-            MESSAGE => {
-                let message = self.plain_text()?;
-                self.reply.message.replace(message).is_some()
-            }
-            _ => return Ok(false),
+    pub(super) fn take_reply_key(&mut self) -> Result<bool, DecodeError> {
+        let twice = if self.eat_key(CODE) {
+            let code = ErrorCode::decode(self)?;
+            self.reply.code.replace(code).is_some()
+        } else if self.eat_key(MESSAGE) {
+            let message = self.plain_text()?;
+            self.reply.message.replace(message).is_some()
+        } else if self.eat_key(COMMAND) {
+            let command = self.plain_text()?;
+            self.reply.command.replace(command).is_some()
+        } else {
+            return Ok(false);
         };
         if twice { Err(DecodeError::repeated()) } else { Ok(true) }
+    }
+
+    /// Takes a key in its usual form, colon included.
+    #[inline]
+    fn eat_key(&mut self, key: &str) -> bool {
+        let rest = self.rest();
+        let eaten = rest.first() == Some(&b'"')
+            && rest.get(1..=key.len()) == Some(key.as_bytes())
+            && matches!(rest.get(1 + key.len()..), Some([b'"', b':', ..]));
+        self.at += if eaten { key.len() + 3 } else { 0 };
+        eaten
     }
 
     fn plain_text(&mut self) -> Result<&'a str, DecodeError> {

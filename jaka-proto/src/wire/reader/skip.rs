@@ -1,8 +1,7 @@
 //! Values that nobody asked for.
 
-use memchr::{memchr2, memchr3};
-
 use super::Reader;
+use crate::near::first_of;
 use crate::wire::error::DecodeError;
 use crate::wire::number;
 
@@ -73,6 +72,7 @@ impl Reader<'_> {
             Some(b'{') => self.behind_brackets(b'{', b'}'),
             Some(b'[') => self.behind_brackets(b'[', b']'),
             Some(b'"') => behind_string(self.text.as_bytes(), self.at + 1),
+            Some(b'-' | b'0'..=b'9') => Some(self.at + number::length(self.rest())),
             _ => return self.skip(),
         };
         self.at = end.ok_or_else(|| self.malformed("a value that ends"))?;
@@ -86,7 +86,7 @@ impl Reader<'_> {
         let mut at = self.at + 1;
         let mut depth = 1;
         while depth > 0 {
-            at += memchr3(b'"', open, close, bytes.get(at..)?)? + 1;
+            at += first_of([b'"', open, close], bytes.get(at..)?)? + 1;
             match bytes[at - 1] {
                 b'"' => at = behind_string(bytes, at)?,
                 bracket if bracket == open => depth += 1,
@@ -100,7 +100,7 @@ impl Reader<'_> {
 /// Where the string ends whose first character is at `at`.
 fn behind_string(bytes: &[u8], mut at: usize) -> Option<usize> {
     loop {
-        at += memchr2(b'"', b'\\', bytes.get(at..)?)? + 1;
+        at += first_of(*b"\"\\", bytes.get(at..)?)? + 1;
         if bytes[at - 1] == b'"' {
             return Some(at);
         }
