@@ -28,6 +28,7 @@ fn main() -> Result<(), Failure> {
         one(address)?,
         window("ours: Pipeline, 8 outstanding", address, 8, 2000)?,
         window("ours: Pipeline, 64 outstanding", address, 64, 8000)?,
+        together("ours: Pipeline, 8, sent together", address, 8, 2000)?,
         together("ours: Pipeline, 64, sent together", address, 64, 8000)?,
         bare("limit: bare, 1 outstanding", address, 1, 1, 500)?,
         bare("limit: bare, 8 outstanding", address, 8, 1, 2000)?,
@@ -39,11 +40,12 @@ fn main() -> Result<(), Failure> {
     for contender in &contenders {
         report::figure(&format!("{}, 1000/s", contender.name), 1000.0 / median(&mut contender.samples.medians()));
     }
-    let [one, eight, sixty_four, together, bare_one, bare_eight, bare_sixty_four, bare_together] =
+    let [one, eight, sixty_four, eight_together, together, bare_one, bare_eight, bare_sixty_four, bare_together] =
         contenders.map(|contender| contender.samples);
-    report::verdict("8 outstanding beside one at a time", ratio_of_rounds(&one, &eight), Target::AtLeast(6.0));
+    report::verdict("8 outstanding, sent together", ratio_of_rounds(&one, &eight_together), Target::AtLeast(6.0));
     report::verdict("64 outstanding, sent together", ratio_of_rounds(&one, &together), Target::AtLeast(15.0));
-    report::figure("64 outstanding, sent one by one", ratio_of_rounds(&one, &sixty_four));
+    report::figure("8 outstanding, a write for each", ratio_of_rounds(&one, &eight));
+    report::figure("64 outstanding, a write for each", ratio_of_rounds(&one, &sixty_four));
     report::figure("the same, bare, 8", ratio_of_rounds(&bare_one, &bare_eight));
     report::figure("the same, bare, 64", ratio_of_rounds(&bare_one, &bare_sixty_four));
     report::figure("the same, bare, 64, 32 in a write", ratio_of_rounds(&bare_one, &bare_together));
