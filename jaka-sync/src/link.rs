@@ -34,6 +34,12 @@ pub(crate) struct Link {
     turned: Condvar,
 }
 
+/// Asked under the lock under which a command goes out, as the last thing before it does: an error keeps it back. What another
+/// thread sends meanwhile goes out behind it, or has gone out before.
+///
+/// It must not use the connection.
+pub(crate) type Gate<'g> = Option<&'g dyn Fn() -> Result<(), Error>>;
+
 /// A command on its way: what is needed to wait for its reply.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sent<'c> {
@@ -80,28 +86,41 @@ impl Link {
         command: &'c str,
         owed: Cow<'static, str>,
         timeout: Duration,
+        gate: Gate<'_>,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
         let since = Instant::now();
-        let ticket = self.transmit(&mut self.lock(), command, owed, write)?;
+        let ticket = self.transmit(&mut self.lock(), command, gate, |state| self.enter(state, owed, write))?;
         Ok(Sent { ticket, command, since, timeout })
     }
 
-    /// Sends a command whose reply is counted, and says of how many the reply is outstanding.
-    pub(crate) fn post(&self, command: &'static str, write: &mut dyn FnMut(&mut Writer)) -> Result<usize, Error> {
+    /// Sends so many commands of one name in one write, and says of how many posted commands the replies are outstanding,
+    /// which are counted. `write` writes the request with an index.
+    pub(crate) fn post(
+        &self,
+        command: &'static str,
+        gate: Gate<'_>,
+        count: usize,
+        write: &mut dyn FnMut(usize, &mut Writer),
+    ) -> Result<usize, Error> {
         let mut state = self.lock();
-        let ticket = self.transmit(&mut state, command, Cow::Borrowed(command), write)?;
-        state.posted.sent(ticket, command);
+        self.transmit(&mut state, command, gate, |state| {
+            for index in 0..count {
+                let ticket = self.enter(state, Cow::Borrowed(command), &mut |out| write(index, out));
+                state.posted.sent(ticket, command);
+            }
+        })?;
         Ok(state.posted.outstanding())
     }
 
-    fn transmit(
+    /// Sends the commands that are entered.
+    fn transmit<T>(
         &self,
         state: &mut State,
         command: &str,
-        owed: Cow<'static, str>,
-        write: &mut dyn FnMut(&mut Writer),
-    ) -> Result<Ticket, Error> {
+        gate: Gate<'_>,
+        enter: impl FnOnce(&mut State) -> T,
+    ) -> Result<T, Error> {
         // None of what has been read and not looked at is a reply to a command that goes out now.
         if let Err(cause) = self.settle_read(state) {
             self.break_off(state, cause);
@@ -109,16 +128,24 @@ impl Link {
         if let Some(cause) = state.broken.clone() {
             return Err(self.attach(disconnected(command, Progress::NotSent, cause)));
         }
+        gate.map_or(Ok(()), |gate| gate())?;
         state.out.clear();
-        write(&mut state.out);
-        log::trace!(target: "jaka_sync::wire", "-> {}", state.out.as_str());
-        self.tap.sent(state.out.as_str());
-        let ticket = state.ledger.sent(owed);
+        let entered = enter(state);
         if let Err(source) = self.write(state) {
             let cause = self.break_off(state, Disconnect::Write(source));
             return Err(self.attach(disconnected(command, Progress::Sent, cause)));
         }
-        Ok(ticket)
+        Ok(entered)
+    }
+
+    /// Puts a command behind what is to go out, and enters it as owed a reply.
+    fn enter(&self, state: &mut State, owed: Cow<'static, str>, write: &mut dyn FnMut(&mut Writer)) -> Ticket {
+        let start = state.out.as_str().len();
+        write(&mut state.out);
+        let request = &state.out.as_str()[start..];
+        log::trace!(target: "jaka_sync::wire", "-> {request}");
+        self.tap.sent(request);
+        state.ledger.sent(owed)
     }
 
     /// Writes what is to go out, and waits until the system has taken it.

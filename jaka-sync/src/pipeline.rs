@@ -22,9 +22,10 @@ use crate::{Client, Error};
 /// use jaka_sync::types::Switch;
 ///
 /// let mut robot = Client::connect("10.5.5.100")?;
+/// let off = |index| SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::Off };
 /// let mut pipeline = robot.pipeline(8);
 /// for index in 0..16 {
-///     pipeline.send(&SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::Off })?;
+///     pipeline.send(&off(index))?;
 /// }
 /// let accepted = pipeline.finish()?;
 /// assert_eq!(accepted, 16);
@@ -35,6 +36,7 @@ pub struct Pipeline<'c> {
     client: &'c mut Client,
     window: usize,
     outstanding: usize,
+    sent: u64,
     accepted: u64,
     /// What is to be told yet.
     failed: VecDeque<Error>,
@@ -42,7 +44,7 @@ pub struct Pipeline<'c> {
 
 impl<'c> Pipeline<'c> {
     pub(crate) fn new(client: &'c mut Client, window: usize) -> Self {
-        Self { client, window: window.max(1), outstanding: 0, accepted: 0, failed: VecDeque::new() }
+        Self { client, window: window.max(1), outstanding: 0, sent: 0, accepted: 0, failed: VecDeque::new() }
     }
 
     /// Sends a command. Where the window is full, waits first until half of it has been answered.
@@ -55,14 +57,34 @@ impl<'c> Pipeline<'c> {
     ///
     /// After an error, this command was not sent, unless the error is `Disconnected` and says so.
     pub fn send<C: Command<Reply = ()>>(&mut self, command: &C) -> Result<(), Error> {
-        if self.outstanding >= self.window {
-            self.wait(self.window / 2)?;
+        self.send_all(std::slice::from_ref(command))
+    }
+
+    /// Sends commands, as many in one write as the window has room for. Where it is full, waits as [`send`](Self::send) does.
+    ///
+    /// # Errors
+    /// As [`send`](Self::send); [`sent`](Self::sent) tells how many have gone out. If one of the commands is an
+    /// [`InvalidArgument`](Error::InvalidArgument), none of those in its write was sent.
+    pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
+        let mut rest = commands;
+        while !rest.is_empty() {
+            if self.outstanding >= self.window {
+                self.wait(self.window / 2)?;
+            }
+            if let Some(error) = self.failed.pop_front() {
+                return Err(error);
+            }
+            let (now, later) = rest.split_at(rest.len().min(self.window - self.outstanding));
+            self.outstanding = self.client.post(None, now)?;
+            self.sent += now.len() as u64;
+            rest = later;
         }
-        if let Some(error) = self.failed.pop_front() {
-            return Err(error);
-        }
-        self.outstanding = self.client.post(command)?;
         Ok(())
+    }
+
+    /// How many commands have been sent.
+    pub fn sent(&self) -> u64 {
+        self.sent
     }
 
     /// How many commands have been sent whose answers have not been looked at.

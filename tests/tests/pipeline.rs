@@ -8,7 +8,7 @@ use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
 use jaka_sync::program::RapidRate;
 use jaka_sync::servo::ServoJ;
 use jaka_sync::types::{MoveMode, Switch};
-use jaka_sync::{Client, Config, Error};
+use jaka_sync::{Client, Config, Error, Recorder};
 
 /// Long enough for a busy machine: no test waits that long unless something is wrong.
 const LONG: Duration = Duration::from_secs(60);
@@ -52,6 +52,32 @@ fn all_commands_go_out_in_order_and_no_more_than_the_window_is_outstanding() {
         assert!(requests.iter().enumerate().all(in_order), "{requests:?}");
         assert_usable(&controller, &mut client);
     }
+}
+
+#[test]
+fn commands_that_are_sent_together_go_out_in_order_and_are_recorded_one_by_one() {
+    let file = std::env::temp_dir().join(format!("jaka-pipeline-{}.jsonl", std::process::id()));
+    let recorder = Recorder::create(&file).expect("the folder for temporary files can be written");
+    let controller = jaka_tests::controller();
+    let config = Config::new().recorder(recorder.clone());
+    let mut client = config.connect(controller.command_addr()).expect("the controller listens");
+    let mut pipeline = client.pipeline(16);
+    let outputs: Vec<_> = (0..100).map(|number| output(number % 8)).collect();
+    pipeline.send_all(&outputs).expect("the controller has such outputs");
+    assert_eq!(pipeline.sent(), 100);
+    let wrong = [output(1), output(-1)];
+    assert!(pipeline.send_all(&wrong).expect_err("no output has such a number").is_invalid_argument());
+    assert_eq!(pipeline.sent(), 100);
+    assert_eq!(pipeline.finish().expect("nothing was refused"), 100);
+    let requests = controller.requests();
+    let in_order = |(number, request): (usize, &String)| request.contains(&format!("\"index\":{}", number % 8));
+    assert!(requests.len() == 100 && requests.iter().enumerate().all(in_order), "{requests:?}");
+    assert_usable(&controller, &mut client);
+    drop(client);
+    recorder.finish().expect("the file can be written");
+    let text = std::fs::read_to_string(&file).expect("it was written");
+    assert_eq!(text.lines().filter(|line| line.matches("set_digital_output").count() == 1).count(), 200);
+    std::fs::remove_file(&file).expect("it is ours");
 }
 
 #[test]

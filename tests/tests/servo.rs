@@ -44,7 +44,9 @@ fn every_set_point_is_sent_in_order_and_answered() {
     for _ in 0..100 {
         session.joints_by(STEP).expect("servo mode is on");
     }
-    arrives(&controller, |status| status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6));
+    arrives(&controller, |status| {
+        status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6)
+    });
     let report = session.finish().expect("all were accepted");
     assert_eq!((report.cycles, report.accepted, report.refused, report.unanswered), (100, 100, 0, 0));
     assert!(report.lateness(0.5) <= report.lateness(1.0));
@@ -72,7 +74,9 @@ fn a_closure_gives_set_points_until_it_breaks() {
     assert_eq!(end.expect("servo mode is on"), "done");
     // The beat is that of two cycles; one that was missed altogether is passed over.
     assert!(times.iter().all(|time| time.as_millis() % 16 == 0) && times.is_sorted());
-    arrives(&controller, |status| status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6));
+    arrives(&controller, |status| {
+        status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6)
+    });
     let report = session.finish().expect("all were accepted");
     assert_eq!(report.accepted, 20);
 }

@@ -55,7 +55,7 @@ impl State {
 
     /// Settles the debt that a reply belongs to: gives it to the caller, counts it, or puts it aside for another thread.
     pub(super) fn settle(&mut self, text: &str, caller: &mut Caller<'_, '_>) -> Result<(), Disconnect> {
-        let reply = Reply::read(text).map_err(Disconnect::NotJson)?;
+        let reply = caller.read(text).map_err(Disconnect::NotJson)?;
         let arrival = self.arrived(&reply).map_err(Disconnect::Mistrust)?;
         for ticket in &arrival.lost {
             if !caller.lost(*ticket) && !self.posted.fail(*ticket, lost) {

@@ -7,16 +7,17 @@ use super::answer::{Caller, Progress, disconnected};
 use super::posted::time_up;
 use super::state::{Mode, State};
 use super::{Link, Sent};
+use crate::reply::Payload;
 use crate::{Disconnect, Error};
 
 impl Link {
-    /// Waits for the reply to a command that was sent, and puts its text into `reply`. A refusal is an error.
-    pub(crate) fn wait(&self, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
-        self.answer(sent, reply).map_err(|error| self.attach(error))
+    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `payload` read it. A refusal is an
+    /// error.
+    pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, payload: &mut dyn Payload) -> Result<(), Error> {
+        self.answer(sent, Caller::new(sent, text, payload)).map_err(|error| self.attach(error))
     }
 
-    fn answer(&self, sent: &Sent<'_>, reply: &mut String) -> Result<(), Error> {
-        let mut caller = Caller::new(sent, reply);
+    fn answer(&self, sent: &Sent<'_>, mut caller: Caller<'_, '_>) -> Result<(), Error> {
         let mut state = self.lock();
         loop {
             if let Some(answer) = state.take(sent.ticket) {

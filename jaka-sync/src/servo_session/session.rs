@@ -193,7 +193,8 @@ impl<'r> ServoSession<'r> {
         let late = self.pace.wait();
         // Behind the wait: a stop may have come meanwhile.
         self.robot.check_latch()?;
-        let outstanding = self.robot.client().post(request)?;
+        let gate = self.robot.gate();
+        let outstanding = self.robot.client().post(Some(&gate), std::slice::from_ref(request))?;
         self.report.late(late, self.config.period());
         self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
         Ok(())
