@@ -30,7 +30,11 @@ pub fn works() -> Vec<Work<'static>> {
     }]
 }
 
-fn ours(text: &str) -> GetJointPosReply {
+/// The reply, by the generated code.
+///
+/// # Panics
+/// It is none.
+pub fn ours(text: &str) -> GetJointPosReply {
     let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, text).expect("the reply is JSON");
     assert!(reply.envelope.is_some_and(|envelope| envelope.command.as_deref() == Some("get_joint_pos")));
     reply.payload.expect("the command was accepted").expect("the reply fits")
