@@ -82,7 +82,7 @@ fn one_pass_reads_what_two_passes_read() {
         format!(r#"{{"errorCode": "0", "cmdName": "x", {joints}}} x"#),
         format!(r#"{{"errorCode": "0", {joints}, {joints}}}"#),
         format!(r#"{{"errorCode": "fine", {joints}}}"#),
-        format!(r#"{{{joints}}}"#),
+        format!("{{{joints}}}"),
         r#"{"errorCode": "2", "errorMsg": "no", "joint_pos": "?", "cmdName": "get_joint_pos"}"#.to_owned(),
         r#"{"errorCode": "0", "joint_pos": [1, 2]}"#.to_owned(),
         r#"{"errorCode": "0", "protective_stop": 1, "joint_pos": 7}"#.to_owned(),
@@ -106,7 +106,7 @@ fn both<R: jaka_proto::wire::Fields + PartialEq + std::fmt::Debug>(text: &str) {
         "{text}"
     );
     let Ok(envelope) = envelope else { return };
-    let accepted = envelope.code.is_ok_and(|code| code.is_success());
+    let accepted = envelope.code.is_ok_and(jaka_proto::ErrorCode::is_success);
     let payload = accepted.then(|| read_payload::<R>(info, text));
     assert_eq!(reply.expect("it has an envelope").payload, payload, "{text}");
 }
