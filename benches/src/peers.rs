@@ -48,7 +48,7 @@ pub struct Status {
     pub extio: Option<Extio>,
     pub errcode: Option<String>,
     pub errmsg: Option<String>,
-    pub monitor_data: Option<(i64, i64, f64, f64, f64, Vec<Vec<f64>>)>,
+    pub monitor_data: Option<MonitorData>,
     pub torqsensor: Option<TorqueSensor>,
     pub joint_actual_position: Option<[f64; 6]>,
     pub actual_position: Option<[f64; 6]>,
@@ -100,6 +100,9 @@ pub struct Status {
     pub motion_line: Option<i64>,
     pub err_add_line: Option<i64>,
 }
+
+/// Measurements in the cabinet and the joints.
+pub type MonitorData = (i64, i64, f64, f64, f64, Vec<Vec<f64>>);
 
 /// Settings and state of the torque sensor.
 pub type TorqueSensor = ((i64, (String, i64), (f64, [f64; 3])), (u8, i64, [f64; 6], [f64; 6]));

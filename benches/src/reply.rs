@@ -3,6 +3,7 @@
 use std::hint::black_box;
 
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
+use jaka_proto::messages::types::JointPosition;
 use jaka_proto::{Command, read_reply};
 use serde_json::Value;
 
@@ -14,10 +15,13 @@ use crate::peers;
 pub const JOINT_POS: &str = r#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_joint_pos", "joint_pos": [-30.49325380378852, -50.84238048061508, 138.3094177913581, 90.0, -125.66847391520078, 0.125]}"#;
 
 /// The reply of `get_joint_pos`.
+///
+/// # Panics
+/// The ways of reading it do not agree.
 pub fn works() -> Vec<Work<'static>> {
     let expected = limit::read(JOINT_POS).expect("the limit takes it").joint_position;
     assert_eq!(ours(JOINT_POS).joint_position, expected);
-    assert_eq!(by_value(JOINT_POS).joint_pos, expected.0);
+    assert_eq!(JointPosition::from(by_value(JOINT_POS).joint_pos), expected);
     vec![Work {
         name: "decode get_joint_pos's reply",
         contenders: vec![
@@ -30,7 +34,11 @@ pub fn works() -> Vec<Work<'static>> {
     }]
 }
 
-fn ours(text: &str) -> GetJointPosReply {
+/// The reply, by the generated code.
+///
+/// # Panics
+/// It is none.
+pub fn ours(text: &str) -> GetJointPosReply {
     let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, text).expect("the reply is JSON");
     assert!(reply.envelope.is_some_and(|envelope| envelope.command.as_deref() == Some("get_joint_pos")));
     reply.payload.expect("the command was accepted").expect("the reply fits")

@@ -4,8 +4,7 @@ use std::hint::black_box;
 
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::messages::types::JointPosition;
-use jaka_proto::wire::{Decode, DecodeError, Reader};
+use jaka_proto::wire::{Decode, Reader};
 use memchr::memmem::Finder;
 use serde_json::Value;
 
@@ -43,6 +42,9 @@ fn full(name: &'static str, packet: &'static str) -> Work<'static> {
 }
 
 /// Decodes a packet into the value of the one before.
+///
+/// # Panics
+/// The packet does not fit.
 pub fn ours(packet: &str, status: &mut RobotStatus) {
     status.decode_into(&mut Reader::new(packet)).expect("the packet fits");
     black_box(status);
@@ -57,25 +59,9 @@ fn by_value(packet: &str) -> peers::Status {
     serde_json::from_value(value).expect("the packet fits")
 }
 
-/// A user's own choice of keys.
-#[derive(Debug, Default)]
-pub struct Joints {
-    /// The positions.
-    pub joint_actual_position: Option<JointPosition>,
-}
-
-impl Decode for Joints {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let mut this = Self::default();
-        reader.begin_object()?;
-        while let Some(key) = reader.next_key()? {
-            match &*key {
-                "joint_actual_position" => reader.field("joint_actual_position", &mut this.joint_actual_position)?,
-                _ => reader.pass()?,
-            }
-        }
-        Ok(this)
-    }
+jaka_sync::status_subset! {
+    /// A user's own choice of fields.
+    pub struct Joints { joint_actual_position }
 }
 
 fn field(name: &'static str, packet: &'static str) -> Work<'static> {
@@ -106,6 +92,14 @@ fn field(name: &'static str, packet: &'static str) -> Work<'static> {
         ],
         targets: vec![Target::AtMost("ours", 0.25, "ours, full packet")],
     }
+}
+
+/// The joint positions out of a packet, as it is cut out of a stream.
+///
+/// # Panics
+/// The packet is none.
+pub fn joints(packet: &str, framer: &mut Framer) -> Joints {
+    framed(packet, framer)
 }
 
 fn framed<T: Decode>(packet: &str, framer: &mut Framer) -> T {

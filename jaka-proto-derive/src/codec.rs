@@ -14,6 +14,8 @@ pub(crate) struct Scope<'s> {
     pub(crate) topic: Option<&'s Topic>,
     /// The path of the module that has the other topics' modules.
     pub(crate) elsewhere: &'s TokenStream,
+    /// The path of the module `wire`.
+    pub(crate) wire: &'s TokenStream,
 }
 
 impl Scope<'_> {
@@ -24,7 +26,10 @@ impl Scope<'_> {
             Type::Int => quote!(i64),
             Type::Float => quote!(f64),
             Type::Text => quote!(String),
-            Type::Json => quote!(wire::Value),
+            Type::Json => {
+                let wire = self.wire;
+                quote!(#wire::Value)
+            }
             Type::Python(inner) => self.rust_type(inner),
             Type::List(element) => {
                 let element = self.rust_type(element);
@@ -57,7 +62,8 @@ impl Scope<'_> {
     pub(crate) fn field_type(self, field: &Field) -> TokenStream {
         let mut ty = self.rust_type(&field.ty);
         if field.or_raw {
-            ty = quote!(wire::Typed<#ty>);
+            let wire = self.wire;
+            ty = quote!(#wire::Typed<#ty>);
         }
         if field.optional { quote!(Option<#ty>) } else { ty }
     }
@@ -185,7 +191,7 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
         let (text, key) = (&field.name, &field.wire);
         quote!(#name: #name.ok_or_else(|| wire::DecodeError::missing(#text, #key))?)
     });
-    let walk = walk_object(fields, arms);
+    let walk = walk_object(fields, arms, &quote!(skip));
     quote! {
         #(let mut #names = None;)*
         #walk
@@ -193,8 +199,8 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
     }
 }
 
-/// The same over the fields of `self`, whose memory is used again.
-pub(crate) fn read_object_in_place(fields: &[Field]) -> TokenStream {
+/// The same over the fields of `self`, whose memory is used again; `other` is what the reader does with other keys' values.
+pub(crate) fn read_object_in_place(fields: &[Field], other: &TokenStream) -> TokenStream {
     let arms = fields.iter().enumerate().map(|(at, field)| {
         let name = ident(&field.name);
         if !field.optional {
@@ -210,7 +216,7 @@ pub(crate) fn read_object_in_place(fields: &[Field]) -> TokenStream {
         let (text, key) = (&field.name, &field.wire);
         quote!(keys.required(#at, #text, #key)?;)
     });
-    let walk = walk_object(fields, arms);
+    let walk = walk_object(fields, arms, other);
     quote! {
         #walk
         #(#ends)*
@@ -228,14 +234,14 @@ pub(crate) fn in_place(fields: &[Field]) -> bool {
 const MAX_IN_PLACE: usize = 128;
 
 /// Goes through an object, and leaves the value of each known key to its arm.
-fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>) -> TokenStream {
+fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, other: &TokenStream) -> TokenStream {
     let keys = fields.iter().map(Field::key);
     quote! {
         let mut keys = reader.begin_fields(&[#(#keys),*])?;
         while let Some(key) = reader.next_field(&mut keys)? {
             match key {
                 #(#arms)*
-                _ => reader.skip()?,
+                _ => reader.#other()?,
             }
         }
     }

@@ -61,7 +61,7 @@ fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &
     } else {
         read_fields(fields)
     };
-    let read_in_place = read_object_in_place(fields);
+    let read_in_place = read_object_in_place(fields, &quote!(skip));
     let read = quote! {
         #read
 

@@ -8,9 +8,14 @@ use crate::error_code::ErrorCode;
 use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, trimmed};
 
 /// The keys that every reply has.
-pub(crate) const COMMAND: &str = "cmdName";
-pub(crate) const CODE: &str = "errorCode";
-pub(crate) const MESSAGE: &str = "errorMsg";
+const COMMAND: &str = "cmdName";
+const CODE: &str = "errorCode";
+const MESSAGE: &str = "errorMsg";
+
+/// The same with their quotes and colons.
+pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
+pub(crate) const QUOTED_CODE: &str = "\"errorCode\":";
+pub(crate) const QUOTED_MESSAGE: &str = "\"errorMsg\":";
 
 /// The part of a reply that says whose it is and whether the command was accepted.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -366,6 +366,7 @@ impl Nesting {
     }
 
     /// The place of the next byte that changes anything.
+    #[inline]
     fn next_mark(&self, bytes: &[u8]) -> Option<usize> {
         match (self.quote, self.form) {
             (Some(_), _) if self.escaped => (!bytes.is_empty()).then_some(0),
@@ -376,6 +377,7 @@ impl Nesting {
     }
 
     /// Visits one byte; true if the frame ends with it.
+    #[inline]
     fn ends_with(&mut self, byte: u8) -> bool {
         if let Some(quote) = self.quote {
             let ends = byte == quote && !self.escaped;

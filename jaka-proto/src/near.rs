@@ -12,18 +12,43 @@ const ONES: u64 = 0x0101_0101_0101_0101;
 pub(crate) fn first_of<const N: usize>(wanted: [u8; N], bytes: &[u8]) -> Option<usize> {
     let mut at = 0;
     while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()).filter(|_| at < NEAR) {
-        let eight = u64::from_le_bytes(*eight);
-        // The highest bit of each byte that is wanted, and perhaps of some behind the first such.
-        let found = wanted.iter().fold(0, |found, wanted| {
-            let differs = eight ^ (ONES * u64::from(*wanted));
-            found | (differs.wrapping_sub(ONES) & !differs)
-        });
-        if found & (ONES << 7) != 0 {
-            return Some(at + (found & (ONES << 7)).trailing_zeros() as usize / 8);
+        let found = marks(wanted, u64::from_le_bytes(*eight));
+        if found != 0 {
+            return Some(at + found.trailing_zeros() as usize / 8);
         }
         at += 8;
     }
     far(wanted, &bytes[at..]).map(|found| at + found)
+}
+
+/// The length of the text in front of a quote, if neither an escape nor a control character comes before.
+#[inline]
+pub(crate) fn plain_text(bytes: &[u8]) -> Option<usize> {
+    let mut at = 0;
+    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()) {
+        let eight = u64::from_le_bytes(*eight);
+        // A byte below 0x20 borrows, as does perhaps the one behind it.
+        let controls = eight.wrapping_sub(ONES << 5) & !eight & (ONES << 7);
+        let found = marks(*b"\"\\", eight) | controls;
+        if found != 0 {
+            at += found.trailing_zeros() as usize / 8;
+            return (bytes[at] == b'"').then_some(at);
+        }
+        at += 8;
+    }
+    let ends = |byte: &u8| *byte < 0x20 || matches!(byte, b'"' | b'\\');
+    let end = at + bytes[at..].iter().position(ends)?;
+    (bytes[end] == b'"').then_some(end)
+}
+
+/// The highest bit of each of eight bytes that is wanted, and perhaps of some behind the first such.
+#[inline]
+fn marks<const N: usize>(wanted: [u8; N], eight: u64) -> u64 {
+    let found = wanted.iter().fold(0, |found, wanted| {
+        let differs = eight ^ (ONES * u64::from(*wanted));
+        found | (differs.wrapping_sub(ONES) & !differs)
+    });
+    found & (ONES << 7)
 }
 
 fn far<const N: usize>(wanted: [u8; N], bytes: &[u8]) -> Option<usize> {
@@ -48,6 +73,13 @@ mod tests {
             prop_assert_eq!(first_of(*b"\"{}", &bytes), place(b"\"{}"));
             prop_assert_eq!(first_of(*b"\"'()", &bytes), place(b"\"'()"));
             prop_assert_eq!(first_of([0, 255], &bytes), place(&[0, 255]));
+        }
+
+        #[test]
+        fn plain_text_ends_at_a_quote(text in "[a-z\\x00-\\x2f\\\\\u{80}-\u{ff}]{0,30}") {
+            let is_end = |c: char| c < ' ' || c == '"' || c == '\\';
+            let expected = text.find(is_end).filter(|at| text[*at..].starts_with('"'));
+            prop_assert_eq!(plain_text(text.as_bytes()), expected);
         }
 
         #[test]

@@ -16,6 +16,7 @@ mod reply;
 mod robot;
 mod servo_session;
 mod status_stream;
+mod status_subset;
 mod stop;
 mod sync;
 
@@ -58,5 +59,5 @@ pub mod newer_firmware {}
 /// What macros of this crate name; no part of the interface.
 #[doc(hidden)]
 pub mod __private {
-    pub use jaka_proto_derive::pack;
+    pub use jaka_proto_derive::{pack, status_subset};
 }

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
-use jaka_proto::wire::{Decode, DecodeError, Reader};
+use jaka_proto::wire::{Decode, DecodeError};
 
 use self::observer::Observers;
 pub use self::reconnect::Reconnect;
@@ -155,14 +155,10 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let board = Arc::new(Board::new(Some(stream.try_clone().map_err(failed)?), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
-        let thread = builder.spawn(move || worker.run((stream, tap), decode::<S>)).map_err(failed)?;
+        let thread = builder.spawn(move || worker.run((stream, tap))).map_err(failed)?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, thread: Some(thread), timeout, stale_after })
     }
-}
-
-fn decode<S: Decode>(text: &str) -> Result<S, DecodeError> {
-    S::decode(&mut Reader::new(text))
 }
 
 impl<S> Monitor<S> {

@@ -244,7 +244,7 @@ fn digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
 /// The same by eight at once, as long as there are as many.
 #[inline]
 fn eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
-    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()).and_then(eight_digits) {
+    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()).copied().and_then(eight_digits) {
         value = value.wrapping_mul(100_000_000).wrapping_add(eight);
         at += 8;
     }
@@ -264,8 +264,8 @@ fn long_quotient(digits: u64, fraction: usize) -> Option<f64> {
 
 /// The number that eight digits make, all at once.
 #[inline]
-fn eight_digits(text: &[u8; 8]) -> Option<u64> {
-    let digits = u64::from_le_bytes(*text) ^ 0x3030_3030_3030_3030;
+fn eight_digits(text: [u8; 8]) -> Option<u64> {
+    let digits = u64::from_le_bytes(text) ^ 0x3030_3030_3030_3030;
     if (digits.wrapping_add(0x0606_0606_0606_0606) | digits) & 0xf0f0_f0f0_f0f0_f0f0 != 0 {
         return None;
     }

@@ -164,7 +164,7 @@ fn take_digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
 /// The same by eight at once, as long as there are as many.
 #[inline]
 fn take_eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
-    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()).and_then(eight_digits) {
+    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()).copied().and_then(eight_digits) {
         value = value.wrapping_mul(100_000_000).wrapping_add(eight);
         at += 8;
     }
@@ -173,9 +173,9 @@ fn take_eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
 
 /// The number that eight digits make, or `None` if they are none.
 #[inline]
-fn eight_digits(text: &[u8; 8]) -> Option<u64> {
+fn eight_digits(text: [u8; 8]) -> Option<u64> {
     // A byte for each digit; then a pair of bytes for two, four for four, eight for eight.
-    let ones = u64::from_le_bytes(*text) ^ 0x3030_3030_3030_3030;
+    let ones = u64::from_le_bytes(text) ^ 0x3030_3030_3030_3030;
     if (ones.wrapping_add(0x0606_0606_0606_0606) | ones) & 0xf0f0_f0f0_f0f0_f0f0 != 0 {
         return None;
     }

@@ -6,12 +6,12 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use shuttle::thread;
 
 use super::thread::Worker;
-use super::{Board, Monitor};
+use super::{Board, Monitor, Snapshot};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Reconnect};
 
@@ -38,7 +38,8 @@ fn monitor(config: &Config) -> (Arc<Monitor<u32>>, Worker<u32>) {
 fn two_packets(mut worker: Worker<u32>) {
     for packet in 1..=2 {
         worker.number += 1;
-        worker.post(Ok(packet));
+        let (received, number) = (Instant::now(), worker.number);
+        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number })));
     }
     assert!(worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
     worker.end();

@@ -70,9 +70,9 @@ proptest! {
     #[test]
     fn eight_bytes_are_eight_digits_or_not(bytes in any::<[u8; 8]>(), digits in 0..100_000_000_u64) {
         let number = std::str::from_utf8(&bytes).ok().filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()));
-        prop_assert_eq!(eight_digits(&bytes), number.map(|text| text.parse().expect("digits")));
+        prop_assert_eq!(eight_digits(bytes), number.map(|text| text.parse().expect("digits")));
         let text = format!("{digits:08}");
-        prop_assert_eq!(text.as_bytes().first_chunk().and_then(eight_digits), Some(digits));
+        prop_assert_eq!(text.as_bytes().first_chunk().copied().and_then(eight_digits), Some(digits));
     }
 }
 

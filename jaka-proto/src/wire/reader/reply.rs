@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{Decode, DecodeError, Reader, trimmed};
-use crate::envelope::{CODE, COMMAND, Envelope, MESSAGE};
+use crate::envelope::{Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE};
 use crate::error_code::ErrorCode;
 use crate::wire::Fields;
 
@@ -30,13 +30,13 @@ impl<'a> Reader<'a> {
     /// # Errors
     /// The value is not as usual.
     pub(super) fn take_reply_key(&mut self) -> Result<bool, DecodeError> {
-        let twice = if self.eat_key(CODE) {
+        let twice = if self.eat_key(QUOTED_CODE) {
             let code = ErrorCode::decode(self)?;
             self.reply.code.replace(code).is_some()
-        } else if self.eat_key(MESSAGE) {
+        } else if self.eat_key(QUOTED_MESSAGE) {
             let message = self.plain_text()?;
             self.reply.message.replace(message).is_some()
-        } else if self.eat_key(COMMAND) {
+        } else if self.eat_key(QUOTED_COMMAND) {
             let command = self.plain_text()?;
             self.reply.command.replace(command).is_some()
         } else {
@@ -45,14 +45,10 @@ impl<'a> Reader<'a> {
         if twice { Err(DecodeError::repeated()) } else { Ok(true) }
     }
 
-    /// Takes a key in its usual form, colon included.
     #[inline]
-    fn eat_key(&mut self, key: &str) -> bool {
-        let rest = self.rest();
-        let eaten = rest.first() == Some(&b'"')
-            && rest.get(1..=key.len()) == Some(key.as_bytes())
-            && matches!(rest.get(1 + key.len()..), Some([b'"', b':', ..]));
-        self.at += if eaten { key.len() + 3 } else { 0 };
+    fn eat_key(&mut self, quoted: &str) -> bool {
+        let eaten = self.rest().starts_with(quoted.as_bytes());
+        self.at += if eaten { quoted.len() } else { 0 };
         eaten
     }
 
