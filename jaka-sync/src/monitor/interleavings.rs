@@ -28,14 +28,14 @@ fn check(test: fn()) {
 }
 
 /// A monitor without a connection, and what its thread would be.
-fn monitor(config: &Config) -> (Arc<Monitor<u32>>, Worker<u32>) {
+fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
     let board = Arc::new(Board::new(None, Tap::default()));
     let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
     (Arc::new(Monitor { board, thread: None, timeout: LONG, stale_after: LONG }), worker)
 }
 
 /// Two packets, and then the end of the connection.
-fn two_packets(mut worker: Worker<u32>) {
+fn two_packets(mut worker: Worker<i64>) {
     for packet in 1..=2 {
         worker.number += 1;
         let (received, number) = (Instant::now(), worker.number);
