@@ -36,6 +36,7 @@ fn truth_values_in_all_forms() {
         let stopped = read::<ProtectiveStopStatusReply>(&reply).expect(json).protective_stop;
         assert_eq!(stopped, expected, "{json}");
     }
+    assert_eq!(decode::<[bool; 4]>(r#"[1, "False", true, "0"]"#), Ok([true, false, true, false]));
     for json in ["2", "\"yes\"", "\"\"", "[]", "{}", "-1", "0.5"] {
         let reply = format!("{{\"protective_stop\": {json}}}");
         let error = read::<ProtectiveStopStatusReply>(&reply).expect_err(json);

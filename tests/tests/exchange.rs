@@ -295,6 +295,27 @@ fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_it
 }
 
 #[test]
+fn whoever_reads_tells_the_others_that_their_replies_are_lost() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let patient = Config::new().reply_timeout(Duration::from_secs(60));
+    let mut client = patient.connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    let (mut server, _) = listener.accept().expect("the client waits");
+    let request = |info: &CommandInfo| format!("{{\"cmdName\":\"{}\"}}", info.name);
+    let stops = [client.stop_handle(), client.stop_handle()].map(|stop| thread::spawn(move || stop.stop()));
+    server.read_exact(&mut vec![0; 2 * request(StopProgram::INFO).len()]).expect("both stops are sent");
+    let query = request(GetJointPos::INFO);
+    let length = query.len();
+    let calling = thread::spawn(move || client.call_text(&query, Duration::from_secs(60)).map(str::to_owned));
+    server.read_exact(&mut vec![0; length]).expect("the query is sent");
+    server.write_all(reply_to(GetJointPos::INFO).as_bytes()).expect("the client reads");
+    calling.join().expect("the thread does not panic").expect("it is answered");
+    for stop in stops {
+        let error = stop.join().expect("the thread does not panic").expect_err("its reply was passed over");
+        assert!(matches!(error, Error::ReplyLost { .. }), "{error:?}");
+    }
+}
+
+#[test]
 fn a_listener_that_closes_at_once() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
