@@ -1,1 +1,21 @@
 //! What the benchmarks share.
+
+pub mod encode;
+pub mod framing;
+pub mod limit;
+pub mod measure;
+pub mod peers;
+pub mod reply;
+pub mod status;
+pub mod system;
+
+/// A status packet of 3.5 KB with the keys of the document's sample, in its order, and its lengths of arrays.
+pub const PACKET_OF_DOCUMENT: &str = include_str!("../data/status-document.json");
+
+/// A status packet of 9 KB with all keys of the spec and the style of firmware 1.5.14, a blank behind each comma and colon.
+pub const PACKET_OF_NEWER: &str = include_str!("../data/status-newer.json");
+
+/// All works.
+pub fn works() -> Vec<measure::Work<'static>> {
+    [encode::works(), reply::works(), status::works(), framing::works()].into_iter().flatten().collect()
+}

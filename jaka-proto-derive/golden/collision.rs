@@ -57,12 +57,10 @@ pub mod collision {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut protective_stop = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "protective_stop" => {
-                        reader.field("protective_stop", &mut protective_stop)?
-                    }
+            let mut keys = reader.begin_fields(&["\"protective_stop\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("protective_stop", &mut protective_stop)?,
                     _ => reader.skip()?,
                 }
             }
@@ -105,10 +103,10 @@ pub mod collision {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut level = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sensitivityVal" => reader.field("level", &mut level)?,
+            let mut keys = reader.begin_fields(&["\"sensitivityVal\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("level", &mut level)?,
                     _ => reader.skip()?,
                 }
             }
@@ -208,10 +206,10 @@ pub mod collision {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut level = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sensitivityLevel" => reader.field("level", &mut level)?,
+            let mut keys = reader.begin_fields(&["\"sensitivityLevel\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("level", &mut level)?,
                     _ => reader.skip()?,
                 }
             }

@@ -26,10 +26,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut enable_flag = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "enable_flag" => reader.field("enable_flag", &mut enable_flag)?,
+            let mut keys = reader.begin_fields(&["\"enable_flag\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("enable_flag", &mut enable_flag)?,
                     _ => reader.skip()?,
                 }
             }
@@ -112,10 +112,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut drag_status = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "drag_status" => reader.field("drag_status", &mut drag_status)?,
+            let mut keys = reader.begin_fields(&["\"drag_status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("drag_status", &mut drag_status)?,
                     _ => reader.skip()?,
                 }
             }
@@ -155,10 +155,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut brand = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sensor_brand" => reader.field("brand", &mut brand)?,
+            let mut keys = reader.begin_fields(&["\"sensor_brand\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("brand", &mut brand)?,
                     _ => reader.skip()?,
                 }
             }
@@ -246,10 +246,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut brand = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sensor_brand" => reader.field("brand", &mut brand)?,
+            let mut keys = reader.begin_fields(&["\"sensor_brand\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("brand", &mut brand)?,
                     _ => reader.skip()?,
                 }
             }
@@ -308,15 +308,15 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"axis\":");
             wire::Encode::encode(&self.axis, out);
-            out.key("\"opt\":");
+            out.raw(",\"opt\":");
             wire::Encode::encode(&self.enabled, out);
-            out.key("\"ftUser\":");
+            out.raw(",\"ftUser\":");
             wire::Encode::encode(&self.user_force, out);
-            out.key("\"ftConstant\":");
+            out.raw(",\"ftConstant\":");
             wire::Encode::encode(&self.constant_force, out);
-            out.key("\"ftNnormalTrack\":");
+            out.raw(",\"ftNnormalTrack\":");
             wire::Encode::encode(&self.normal_track, out);
-            out.key("\"ftReboundFK\":");
+            out.raw(",\"ftReboundFK\":");
             wire::Encode::encode(&self.rebound, out);
         }
         fn read_fields(
@@ -328,15 +328,25 @@ pub mod force {
             let mut constant_force = None;
             let mut normal_track = None;
             let mut rebound = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "axis" => reader.field("axis", &mut axis)?,
-                    "opt" => reader.field("enabled", &mut enabled)?,
-                    "ftUser" => reader.field("user_force", &mut user_force)?,
-                    "ftConstant" => reader.field("constant_force", &mut constant_force)?,
-                    "ftNnormalTrack" => reader.field("normal_track", &mut normal_track)?,
-                    "ftReboundFK" => reader.field("rebound", &mut rebound)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"axis\":",
+                        "\"opt\":",
+                        "\"ftUser\":",
+                        "\"ftConstant\":",
+                        "\"ftNnormalTrack\":",
+                        "\"ftReboundFK\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("axis", &mut axis)?,
+                    1 => reader.field("enabled", &mut enabled)?,
+                    2 => reader.field("user_force", &mut user_force)?,
+                    3 => reader.field("constant_force", &mut constant_force)?,
+                    4 => reader.field("normal_track", &mut normal_track)?,
+                    5 => reader.field("rebound", &mut rebound)?,
                     _ => reader.skip()?,
                 }
             }
@@ -452,10 +462,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut axes = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "admitConfig" => reader.field("axes", &mut axes)?,
+            let mut keys = reader.begin_fields(&["\"admitConfig\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("axes", &mut axes)?,
                     _ => reader.skip()?,
                 }
             }
@@ -493,10 +503,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut mode = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sensor_mode" => reader.field("mode", &mut mode)?,
+            let mut keys = reader.begin_fields(&["\"sensor_mode\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
                     _ => reader.skip()?,
                 }
             }
@@ -565,12 +575,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut joint_position = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
+            let mut keys = reader.begin_fields(&["\"jointPosition\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("joint_position", &mut joint_position)?,
                     _ => reader.skip()?,
                 }
             }
@@ -668,10 +676,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut status = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "identify_status" => reader.field("status", &mut status)?,
+            let mut keys = reader.begin_fields(&["\"identify_status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("status", &mut status)?,
                     _ => reader.skip()?,
                 }
             }
@@ -732,7 +740,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
-            out.key("\"mass\":");
+            out.raw(",\"mass\":");
             wire::Encode::encode(&self.mass, out);
         }
         fn read_fields(
@@ -740,11 +748,11 @@ pub mod force {
         ) -> Result<Self, wire::DecodeError> {
             let mut centroid = None;
             let mut mass = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "centroid" => reader.field("centroid", &mut centroid)?,
-                    "mass" => reader.field("mass", &mut mass)?,
+            let mut keys = reader.begin_fields(&["\"centroid\":", "\"mass\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("centroid", &mut centroid)?,
+                    1 => reader.field("mass", &mut mass)?,
                     _ => reader.skip()?,
                 }
             }
@@ -776,7 +784,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"mass\":");
             wire::Encode::encode(&self.mass, out);
-            out.key("\"centroid\":");
+            out.raw(",\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
         }
         fn read_fields(
@@ -784,11 +792,11 @@ pub mod force {
         ) -> Result<Self, wire::DecodeError> {
             let mut mass = None;
             let mut centroid = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "mass" => reader.field("mass", &mut mass)?,
-                    "centroid" => reader.field("centroid", &mut centroid)?,
+            let mut keys = reader.begin_fields(&["\"mass\":", "\"centroid\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mass", &mut mass)?,
+                    1 => reader.field("centroid", &mut centroid)?,
                     _ => reader.skip()?,
                 }
             }
@@ -877,7 +885,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
-            out.key("\"mass\":");
+            out.raw(",\"mass\":");
             wire::Encode::encode(&self.mass, out);
         }
         fn read_fields(
@@ -885,11 +893,11 @@ pub mod force {
         ) -> Result<Self, wire::DecodeError> {
             let mut centroid = None;
             let mut mass = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "centroid" => reader.field("centroid", &mut centroid)?,
-                    "mass" => reader.field("mass", &mut mass)?,
+            let mut keys = reader.begin_fields(&["\"centroid\":", "\"mass\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("centroid", &mut centroid)?,
+                    1 => reader.field("mass", &mut mass)?,
                     _ => reader.skip()?,
                 }
             }
@@ -931,10 +939,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut condition = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "compliant_condition" => reader.field("condition", &mut condition)?,
+            let mut keys = reader.begin_fields(&["\"compliant_condition\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("condition", &mut condition)?,
                     _ => reader.skip()?,
                 }
             }
@@ -987,10 +995,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut enable_flag = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "enable_flag" => reader.field("enable_flag", &mut enable_flag)?,
+            let mut keys = reader.begin_fields(&["\"enable_flag\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("enable_flag", &mut enable_flag)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1069,7 +1077,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"compliance_type\":");
             wire::Encode::encode(&self.compliance_type, out);
-            out.key("\"sensor_compensation\":");
+            out.raw(",\"sensor_compensation\":");
             out.choose(*&self.sensor_compensation, "0", "1");
         }
         fn read_fields(
@@ -1077,15 +1085,12 @@ pub mod force {
         ) -> Result<Self, wire::DecodeError> {
             let mut compliance_type = None;
             let mut sensor_compensation = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "compliance_type" => {
-                        reader.field("compliance_type", &mut compliance_type)?
-                    }
-                    "sensor_compensation" => {
-                        reader.field("sensor_compensation", &mut sensor_compensation)?
-                    }
+            let mut keys = reader
+                .begin_fields(&["\"compliance_type\":", "\"sensor_compensation\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("compliance_type", &mut compliance_type)?,
+                    1 => reader.field("sensor_compensation", &mut sensor_compensation)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1118,7 +1123,7 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"sensor_compensation\":");
             wire::Encode::encode(&self.sensor_compensation, out);
-            out.key("\"compliance_type\":");
+            out.raw(",\"compliance_type\":");
             wire::Encode::encode(&self.compliance_type, out);
         }
         fn read_fields(
@@ -1126,15 +1131,12 @@ pub mod force {
         ) -> Result<Self, wire::DecodeError> {
             let mut sensor_compensation = None;
             let mut compliance_type = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sensor_compensation" => {
-                        reader.field("sensor_compensation", &mut sensor_compensation)?
-                    }
-                    "compliance_type" => {
-                        reader.field("compliance_type", &mut compliance_type)?
-                    }
+            let mut keys = reader
+                .begin_fields(&["\"sensor_compensation\":", "\"compliance_type\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("sensor_compensation", &mut sensor_compensation)?,
+                    1 => reader.field("compliance_type", &mut compliance_type)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1207,9 +1209,9 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"type\":");
             wire::Encode::encode(&self.communication, out);
-            out.key("\"ip_addr\":");
+            out.raw(",\"ip_addr\":");
             wire::Encode::encode(&self.address, out);
-            out.key("\"port\":");
+            out.raw(",\"port\":");
             wire::Encode::encode(&self.port, out);
         }
         fn read_fields(
@@ -1218,12 +1220,13 @@ pub mod force {
             let mut communication = None;
             let mut address = None;
             let mut port = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "type" => reader.field("communication", &mut communication)?,
-                    "ip_addr" => reader.field("address", &mut address)?,
-                    "port" => reader.field("port", &mut port)?,
+            let mut keys = reader
+                .begin_fields(&["\"type\":", "\"ip_addr\":", "\"port\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("communication", &mut communication)?,
+                    1 => reader.field("address", &mut address)?,
+                    2 => reader.field("port", &mut port)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1325,9 +1328,9 @@ pub mod force {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"ip_addr\":");
             wire::Encode::encode(&self.address, out);
-            out.key("\"type\":");
+            out.raw(",\"type\":");
             wire::Encode::encode(&self.communication, out);
-            out.key("\"port\":");
+            out.raw(",\"port\":");
             wire::Encode::encode(&self.port, out);
         }
         fn read_fields(
@@ -1336,12 +1339,13 @@ pub mod force {
             let mut address = None;
             let mut communication = None;
             let mut port = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "ip_addr" => reader.field("address", &mut address)?,
-                    "type" => reader.field("communication", &mut communication)?,
-                    "port" => reader.field("port", &mut port)?,
+            let mut keys = reader
+                .begin_fields(&["\"ip_addr\":", "\"type\":", "\"port\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("address", &mut address)?,
+                    1 => reader.field("communication", &mut communication)?,
+                    2 => reader.field("port", &mut port)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1410,10 +1414,10 @@ pub mod force {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut compliance = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "compliant_ctrl" => reader.field("compliance", &mut compliance)?,
+            let mut keys = reader.begin_fields(&["\"compliant_ctrl\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("compliance", &mut compliance)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1586,15 +1590,14 @@ pub mod force {
     impl wire::Encode for AdmittanceAxis {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             out.choose(*&self.enabled, "0", "1");
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.user_force, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rebound, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.constant_force, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.normal_track, out);
             out.raw("]");
         }
@@ -1800,15 +1803,14 @@ pub mod force {
     impl wire::Encode for VelocityCompliance {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.level, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate1, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate2, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate3, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rate4, out);
             out.raw("]");
         }

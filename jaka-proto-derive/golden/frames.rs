@@ -33,9 +33,9 @@ pub mod frames {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tooloffset\":");
             wire::Encode::encode(&self.offset, out);
-            out.key("\"id\":");
+            out.raw(",\"id\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"name\":");
+            out.raw(",\"name\":");
             wire::Encode::encode(&self.name, out);
         }
         fn read_fields(
@@ -44,12 +44,13 @@ pub mod frames {
             let mut offset = None;
             let mut id = None;
             let mut name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tooloffset" => reader.field("offset", &mut offset)?,
-                    "id" => reader.field("id", &mut id)?,
-                    "name" => reader.field("name", &mut name)?,
+            let mut keys = reader
+                .begin_fields(&["\"tooloffset\":", "\"id\":", "\"name\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("offset", &mut offset)?,
+                    1 => reader.field("id", &mut id)?,
+                    2 => reader.field("name", &mut name)?,
                     _ => reader.skip()?,
                 }
             }
@@ -112,10 +113,10 @@ pub mod frames {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut tool_id = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tool_id" => reader.field("tool_id", &mut tool_id)?,
+            let mut keys = reader.begin_fields(&["\"tool_id\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("tool_id", &mut tool_id)?,
                     _ => reader.skip()?,
                 }
             }
@@ -210,10 +211,10 @@ pub mod frames {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut offsets = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tool_offsets" => reader.field("offsets", &mut offsets)?,
+            let mut keys = reader.begin_fields(&["\"tool_offsets\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("offsets", &mut offsets)?,
                     _ => reader.skip()?,
                 }
             }
@@ -252,9 +253,9 @@ pub mod frames {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"userffset\":");
             wire::Encode::encode(&self.offset, out);
-            out.key("\"id\":");
+            out.raw(",\"id\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"name\":");
+            out.raw(",\"name\":");
             wire::Encode::encode(&self.name, out);
         }
         fn read_fields(
@@ -263,12 +264,13 @@ pub mod frames {
             let mut offset = None;
             let mut id = None;
             let mut name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "userffset" => reader.field("offset", &mut offset)?,
-                    "id" => reader.field("id", &mut id)?,
-                    "name" => reader.field("name", &mut name)?,
+            let mut keys = reader
+                .begin_fields(&["\"userffset\":", "\"id\":", "\"name\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("offset", &mut offset)?,
+                    1 => reader.field("id", &mut id)?,
+                    2 => reader.field("name", &mut name)?,
                     _ => reader.skip()?,
                 }
             }
@@ -335,10 +337,10 @@ pub mod frames {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut user_frame_id = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "user_frame_id" => reader.field("user_frame_id", &mut user_frame_id)?,
+            let mut keys = reader.begin_fields(&["\"user_frame_id\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("user_frame_id", &mut user_frame_id)?,
                     _ => reader.skip()?,
                 }
             }
@@ -437,10 +439,10 @@ pub mod frames {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut offsets = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "user_offsets" => reader.field("offsets", &mut offsets)?,
+            let mut keys = reader.begin_fields(&["\"user_offsets\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("offsets", &mut offsets)?,
                     _ => reader.skip()?,
                 }
             }

@@ -28,9 +28,9 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"type\":");
             wire::Encode::encode(&self.kind, out);
-            out.key("\"index\":");
+            out.raw(",\"index\":");
             wire::Encode::encode(&self.index, out);
-            out.key("\"value\":");
+            out.raw(",\"value\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -39,12 +39,13 @@ pub mod io {
             let mut kind = None;
             let mut index = None;
             let mut value = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "type" => reader.field("kind", &mut kind)?,
-                    "index" => reader.field("index", &mut index)?,
-                    "value" => reader.field("value", &mut value)?,
+            let mut keys = reader
+                .begin_fields(&["\"type\":", "\"index\":", "\"value\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("kind", &mut kind)?,
+                    1 => reader.field("index", &mut index)?,
+                    2 => reader.field("value", &mut value)?,
                     _ => reader.skip()?,
                 }
             }
@@ -152,10 +153,10 @@ pub mod io {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut digital_inputs = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "din_status" => reader.field("digital_inputs", &mut digital_inputs)?,
+            let mut keys = reader.begin_fields(&["\"din_status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("digital_inputs", &mut digital_inputs)?,
                     _ => reader.skip()?,
                 }
             }
@@ -195,9 +196,9 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"type\":");
             wire::Encode::encode(&self.kind, out);
-            out.key("\"index\":");
+            out.raw(",\"index\":");
             wire::Encode::encode(&self.index, out);
-            out.key("\"value\":");
+            out.raw(",\"value\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -206,12 +207,13 @@ pub mod io {
             let mut kind = None;
             let mut index = None;
             let mut value = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "type" => reader.field("kind", &mut kind)?,
-                    "index" => reader.field("index", &mut index)?,
-                    "value" => reader.field("value", &mut value)?,
+            let mut keys = reader
+                .begin_fields(&["\"type\":", "\"index\":", "\"value\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("kind", &mut kind)?,
+                    1 => reader.field("index", &mut index)?,
+                    2 => reader.field("value", &mut value)?,
                     _ => reader.skip()?,
                 }
             }
@@ -314,12 +316,10 @@ pub mod io {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut extio_status = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "extio_status" => {
-                        reader.field_python("extio_status", &mut extio_status)?
-                    }
+            let mut keys = reader.begin_fields(&["\"extio_status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field_python("extio_status", &mut extio_status)?,
                     _ => reader.skip()?,
                 }
             }
@@ -407,12 +407,10 @@ pub mod io {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut function_inputs = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "funcdi_status" => {
-                        reader.field("function_inputs", &mut function_inputs)?
-                    }
+            let mut keys = reader.begin_fields(&["\"funcdi_status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("function_inputs", &mut function_inputs)?,
                     _ => reader.skip()?,
                 }
             }
@@ -459,7 +457,7 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tio_vout_ena\":");
             wire::Encode::encode(&self.output_enable, out);
-            out.key("\"tio_vout_vol\":");
+            out.raw(",\"tio_vout_vol\":");
             wire::Encode::encode(&self.output_voltage, out);
         }
         fn read_fields(
@@ -467,13 +465,12 @@ pub mod io {
         ) -> Result<Self, wire::DecodeError> {
             let mut output_enable = None;
             let mut output_voltage = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tio_vout_ena" => reader.field("output_enable", &mut output_enable)?,
-                    "tio_vout_vol" => {
-                        reader.field("output_voltage", &mut output_voltage)?
-                    }
+            let mut keys = reader
+                .begin_fields(&["\"tio_vout_ena\":", "\"tio_vout_vol\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("output_enable", &mut output_enable)?,
+                    1 => reader.field("output_voltage", &mut output_voltage)?,
                     _ => reader.skip()?,
                 }
             }
@@ -594,7 +591,7 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tio_vout_ena\":");
             wire::Encode::encode(&self.output_enable, out);
-            out.key("\"tio_vout_vol\":");
+            out.raw(",\"tio_vout_vol\":");
             wire::Encode::encode(&self.output_voltage, out);
         }
         fn read_fields(
@@ -602,13 +599,12 @@ pub mod io {
         ) -> Result<Self, wire::DecodeError> {
             let mut output_enable = None;
             let mut output_voltage = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tio_vout_ena" => reader.field("output_enable", &mut output_enable)?,
-                    "tio_vout_vol" => {
-                        reader.field("output_voltage", &mut output_voltage)?
-                    }
+            let mut keys = reader
+                .begin_fields(&["\"tio_vout_ena\":", "\"tio_vout_vol\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("output_enable", &mut output_enable)?,
+                    1 => reader.field("output_voltage", &mut output_voltage)?,
                     _ => reader.skip()?,
                 }
             }
@@ -756,11 +752,10 @@ pub mod io {
     impl wire::Encode for ExtioStatus {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.count, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.modules, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.state, out);
             out.raw("]");
         }
@@ -775,6 +770,16 @@ pub mod io {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("count", &mut self.count)?;
+            reader.element_into("modules", &mut self.modules)?;
+            reader.element_into("state", &mut self.state)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(ExtioStatus);
@@ -806,7 +811,7 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"setup\":");
             wire::Encode::encode(&self.setup, out);
-            out.key("\"pinmap\":");
+            out.raw(",\"pinmap\":");
             wire::Encode::encode(&self.pin_map, out);
         }
         fn read_fields(
@@ -814,11 +819,11 @@ pub mod io {
         ) -> Result<Self, wire::DecodeError> {
             let mut setup = None;
             let mut pin_map = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "setup" => reader.field("setup", &mut setup)?,
-                    "pinmap" => reader.field("pin_map", &mut pin_map)?,
+            let mut keys = reader.begin_fields(&["\"setup\":", "\"pinmap\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("setup", &mut setup)?,
+                    1 => reader.field("pin_map", &mut pin_map)?,
                     _ => reader.skip()?,
                 }
             }
@@ -828,6 +833,22 @@ pub mod io {
                 pin_map: pin_map
                     .ok_or_else(|| wire::DecodeError::missing("pin_map", "pinmap"))?,
             })
+        }
+        fn read_fields_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let mut keys = reader.begin_fields(&["\"setup\":", "\"pinmap\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.required_into("setup", &mut self.setup, &mut keys)?,
+                    1 => reader.required_into("pin_map", &mut self.pin_map, &mut keys)?,
+                    _ => reader.skip()?,
+                }
+            }
+            keys.required(0, "setup", "setup")?;
+            keys.required(1, "pin_map", "pinmap")?;
+            Ok(())
         }
     }
     proto::__object_impls!(ExtioModule);
@@ -874,29 +895,27 @@ pub mod io {
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Rtu { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(0);
-                    out.comma();
+                    out.raw("[0");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     match connection {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
                         }
                         wire::Typed::Raw(value) => wire::Encode::encode(value, out),
                     }
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
                 Self::Tcp { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(1);
-                    out.comma();
+                    out.raw("[1");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(connection, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
@@ -930,6 +949,32 @@ pub mod io {
                 _ => {
                     *reader = start;
                     wire::Decode::decode(reader).map(Self::Other)
+                }
+            }
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let start = reader.clone();
+            reader.begin_array()?;
+            match (reader.element::<i64>("kind")?, &mut *self) {
+                (0, Self::Rtu { name, connection, pins }) => {
+                    reader.element_into("name", name)?;
+                    reader.element_into("connection", connection)?;
+                    reader.element_into("pins", pins)?;
+                    reader.end_array()
+                }
+                (1, Self::Tcp { name, connection, pins }) => {
+                    reader.element_into("name", name)?;
+                    reader.element_into("connection", connection)?;
+                    reader.element_into("pins", pins)?;
+                    reader.end_array()
+                }
+                _ => {
+                    *reader = start;
+                    *self = wire::Decode::decode(reader)?;
+                    Ok(())
                 }
             }
         }
@@ -979,17 +1024,16 @@ pub mod io {
     impl wire::Encode for ExtioRtu {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.baud_rate, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.data_bit_length, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.slave_id, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.data_bits, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.parity, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.stop_bit_length, out);
             out.raw("]");
         }
@@ -1007,6 +1051,19 @@ pub mod io {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("baud_rate", &mut self.baud_rate)?;
+            reader.element_into("data_bit_length", &mut self.data_bit_length)?;
+            reader.element_into("slave_id", &mut self.slave_id)?;
+            reader.element_into("data_bits", &mut self.data_bits)?;
+            reader.element_into("parity", &mut self.parity)?;
+            reader.element_into("stop_bit_length", &mut self.stop_bit_length)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(ExtioRtu);
@@ -1039,12 +1096,11 @@ pub mod io {
     impl wire::Encode for ExtioTcp {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.address, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.port, out);
             if let Some(value) = &self.slave_id {
-                out.comma();
+                out.raw(",");
                 wire::Encode::encode(value, out);
             }
             out.raw("]");
@@ -1060,6 +1116,16 @@ pub mod io {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("address", &mut self.address)?;
+            reader.element_into("port", &mut self.port)?;
+            reader.optional_element_into("slave_id", &mut self.slave_id)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(ExtioTcp);
@@ -1104,11 +1170,11 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"ai\":");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.key("\"do\":");
+            out.raw(",\"do\":");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.key("\"ao\":");
+            out.raw(",\"ao\":");
             wire::Encode::encode(&self.analog_outputs, out);
-            out.key("\"di\":");
+            out.raw(",\"di\":");
             wire::Encode::encode(&self.digital_inputs, out);
         }
         fn read_fields(
@@ -1118,13 +1184,14 @@ pub mod io {
             let mut digital_outputs = None;
             let mut analog_outputs = None;
             let mut digital_inputs = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "ai" => reader.field("analog_inputs", &mut analog_inputs)?,
-                    "do" => reader.field("digital_outputs", &mut digital_outputs)?,
-                    "ao" => reader.field("analog_outputs", &mut analog_outputs)?,
-                    "di" => reader.field("digital_inputs", &mut digital_inputs)?,
+            let mut keys = reader
+                .begin_fields(&["\"ai\":", "\"do\":", "\"ao\":", "\"di\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("analog_inputs", &mut analog_inputs)?,
+                    1 => reader.field("digital_outputs", &mut digital_outputs)?,
+                    2 => reader.field("analog_outputs", &mut analog_outputs)?,
+                    3 => reader.field("digital_inputs", &mut digital_inputs)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1166,9 +1233,8 @@ pub mod io {
     impl wire::Encode for ExtioPinRange {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.start, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.count, out);
             out.raw("]");
         }
@@ -1225,11 +1291,11 @@ pub mod io {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"ai\":");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.key("\"do\":");
+            out.raw(",\"do\":");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.key("\"ao\":");
+            out.raw(",\"ao\":");
             wire::Encode::encode(&self.analog_outputs, out);
-            out.key("\"di\":");
+            out.raw(",\"di\":");
             wire::Encode::encode(&self.digital_inputs, out);
         }
         fn read_fields(
@@ -1239,13 +1305,14 @@ pub mod io {
             let mut digital_outputs = None;
             let mut analog_outputs = None;
             let mut digital_inputs = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "ai" => reader.field("analog_inputs", &mut analog_inputs)?,
-                    "do" => reader.field("digital_outputs", &mut digital_outputs)?,
-                    "ao" => reader.field("analog_outputs", &mut analog_outputs)?,
-                    "di" => reader.field("digital_inputs", &mut digital_inputs)?,
+            let mut keys = reader
+                .begin_fields(&["\"ai\":", "\"do\":", "\"ao\":", "\"di\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("analog_inputs", &mut analog_inputs)?,
+                    1 => reader.field("digital_outputs", &mut digital_outputs)?,
+                    2 => reader.field("analog_outputs", &mut analog_outputs)?,
+                    3 => reader.field("digital_inputs", &mut digital_inputs)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1310,7 +1377,7 @@ pub mod io {
             out.key("\"state\":");
             out.choose(*&self.running, "0", "1");
             if let Some(value) = &self.digital_inputs {
-                out.key("\"di\":");
+                out.raw(",\"di\":");
                 out.array(
                     value,
                     |out, item| {
@@ -1319,7 +1386,7 @@ pub mod io {
                 );
             }
             if let Some(value) = &self.digital_outputs {
-                out.key("\"do\":");
+                out.raw(",\"do\":");
                 out.array(
                     value,
                     |out, item| {
@@ -1328,11 +1395,11 @@ pub mod io {
                 );
             }
             if let Some(value) = &self.analog_inputs {
-                out.key("\"ai\":");
+                out.raw(",\"ai\":");
                 wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.analog_outputs {
-                out.key("\"ao\":");
+                out.raw(",\"ao\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -1344,14 +1411,17 @@ pub mod io {
             let mut digital_outputs = None;
             let mut analog_inputs = None;
             let mut analog_outputs = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "state" => reader.field("running", &mut running)?,
-                    "di" => reader.field("digital_inputs", &mut digital_inputs)?,
-                    "do" => reader.field("digital_outputs", &mut digital_outputs)?,
-                    "ai" => reader.field("analog_inputs", &mut analog_inputs)?,
-                    "ao" => reader.field("analog_outputs", &mut analog_outputs)?,
+            let mut keys = reader
+                .begin_fields(
+                    &["\"state\":", "\"di\":", "\"do\":", "\"ai\":", "\"ao\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("running", &mut running)?,
+                    1 => reader.field("digital_inputs", &mut digital_inputs)?,
+                    2 => reader.field("digital_outputs", &mut digital_outputs)?,
+                    3 => reader.field("analog_inputs", &mut analog_inputs)?,
+                    4 => reader.field("analog_outputs", &mut analog_outputs)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1363,6 +1433,59 @@ pub mod io {
                 analog_inputs,
                 analog_outputs,
             })
+        }
+        fn read_fields_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let mut keys = reader
+                .begin_fields(
+                    &["\"state\":", "\"di\":", "\"do\":", "\"ai\":", "\"ao\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.required_into("running", &mut self.running, &mut keys)?,
+                    1 => {
+                        reader
+                            .field_into(
+                                "digital_inputs",
+                                &mut self.digital_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    2 => {
+                        reader
+                            .field_into(
+                                "digital_outputs",
+                                &mut self.digital_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    3 => {
+                        reader
+                            .field_into(
+                                "analog_inputs",
+                                &mut self.analog_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    4 => {
+                        reader
+                            .field_into(
+                                "analog_outputs",
+                                &mut self.analog_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    _ => reader.skip()?,
+                }
+            }
+            keys.required(0, "running", "state")?;
+            keys.absent(1, &mut self.digital_inputs);
+            keys.absent(2, &mut self.digital_outputs);
+            keys.absent(3, &mut self.analog_inputs);
+            keys.absent(4, &mut self.analog_outputs);
+            Ok(())
         }
     }
     proto::__object_impls!(ExtioState);
@@ -1392,9 +1515,8 @@ pub mod io {
     impl wire::Encode for FunctionInput {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.kind, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.index, out);
             out.raw("]");
         }

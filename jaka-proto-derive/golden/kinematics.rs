@@ -28,12 +28,10 @@ pub mod kinematics {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut joint_position = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
+            let mut keys = reader.begin_fields(&["\"jointPosition\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("joint_position", &mut joint_position)?,
                     _ => reader.skip()?,
                 }
             }
@@ -85,10 +83,10 @@ pub mod kinematics {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut pose = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "cartPosition" => reader.field("pose", &mut pose)?,
+            let mut keys = reader.begin_fields(&["\"cartPosition\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pose", &mut pose)?,
                     _ => reader.skip()?,
                 }
             }
@@ -129,7 +127,7 @@ pub mod kinematics {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"jointPosition\":");
             wire::Encode::encode(&self.reference_joint_position, out);
-            out.key("\"cartPosition\":");
+            out.raw(",\"cartPosition\":");
             wire::Encode::encode(&self.pose, out);
         }
         fn read_fields(
@@ -137,17 +135,18 @@ pub mod kinematics {
         ) -> Result<Self, wire::DecodeError> {
             let mut reference_joint_position = None;
             let mut pose = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "jointPosition" => {
+            let mut keys = reader
+                .begin_fields(&["\"jointPosition\":", "\"cartPosition\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => {
                         reader
                             .field(
                                 "reference_joint_position",
                                 &mut reference_joint_position,
                             )?
                     }
-                    "cartPosition" => reader.field("pose", &mut pose)?,
+                    1 => reader.field("pose", &mut pose)?,
                     _ => reader.skip()?,
                 }
             }
@@ -207,12 +206,10 @@ pub mod kinematics {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut joint_position = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
+            let mut keys = reader.begin_fields(&["\"jointPosition\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("joint_position", &mut joint_position)?,
                     _ => reader.skip()?,
                 }
             }
@@ -277,10 +274,10 @@ pub mod kinematics {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut joint_position = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "joint_pos" => reader.field("joint_position", &mut joint_position)?,
+            let mut keys = reader.begin_fields(&["\"joint_pos\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("joint_position", &mut joint_position)?,
                     _ => reader.skip()?,
                 }
             }
@@ -352,10 +349,10 @@ pub mod kinematics {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut pose = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tcp_pos" => reader.field("pose", &mut pose)?,
+            let mut keys = reader.begin_fields(&["\"tcp_pos\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pose", &mut pose)?,
                     _ => reader.skip()?,
                 }
             }
@@ -420,11 +417,11 @@ pub mod kinematics {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"alpha\":");
             wire::Encode::encode(&self.alpha, out);
-            out.key("\"a\":");
+            out.raw(",\"a\":");
             wire::Encode::encode(&self.a, out);
-            out.key("\"d\":");
+            out.raw(",\"d\":");
             wire::Encode::encode(&self.d, out);
-            out.key("\"joint_homeoff\":");
+            out.raw(",\"joint_homeoff\":");
             wire::Encode::encode(&self.joint_home_offset, out);
         }
         fn read_fields(
@@ -434,15 +431,16 @@ pub mod kinematics {
             let mut a = None;
             let mut d = None;
             let mut joint_home_offset = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "alpha" => reader.field("alpha", &mut alpha)?,
-                    "a" => reader.field("a", &mut a)?,
-                    "d" => reader.field("d", &mut d)?,
-                    "joint_homeoff" => {
-                        reader.field("joint_home_offset", &mut joint_home_offset)?
-                    }
+            let mut keys = reader
+                .begin_fields(
+                    &["\"alpha\":", "\"a\":", "\"d\":", "\"joint_homeoff\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("alpha", &mut alpha)?,
+                    1 => reader.field("a", &mut a)?,
+                    2 => reader.field("d", &mut d)?,
+                    3 => reader.field("joint_home_offset", &mut joint_home_offset)?,
                     _ => reader.skip()?,
                 }
             }

@@ -108,45 +108,41 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             match self {
                 Self::Stop { frame, axis } => {
-                    out.key("\"jog_mode\":");
-                    out.int(0);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":0");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
                 }
                 Self::Continuous { frame, axis, velocity } => {
-                    out.key("\"jog_mode\":");
-                    out.int(1);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":1");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
-                    out.key("\"jogvel\":");
+                    out.raw(",\"jogvel\":");
                     wire::Encode::encode(velocity, out);
                 }
                 Self::Increment { frame, axis, velocity, distance } => {
-                    out.key("\"jog_mode\":");
-                    out.int(2);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":2");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
-                    out.key("\"jogvel\":");
+                    out.raw(",\"jogvel\":");
                     wire::Encode::encode(velocity, out);
-                    out.key("\"poscmd\":");
+                    out.raw(",\"poscmd\":");
                     wire::Encode::encode(distance, out);
                 }
                 Self::Absolute { frame, axis, velocity, position } => {
-                    out.key("\"jog_mode\":");
-                    out.int(3);
-                    out.key("\"coord_map\":");
+                    out.key("\"jog_mode\":3");
+                    out.raw(",\"coord_map\":");
                     wire::Encode::encode(frame, out);
-                    out.key("\"jnum\":");
+                    out.raw(",\"jnum\":");
                     wire::Encode::encode(axis, out);
-                    out.key("\"jogvel\":");
+                    out.raw(",\"jogvel\":");
                     wire::Encode::encode(velocity, out);
-                    out.key("\"poscmd\":");
+                    out.raw(",\"poscmd\":");
                     wire::Encode::encode(position, out);
                 }
             }
@@ -158,11 +154,12 @@ pub mod motion {
                 0 => {
                     let mut frame = None;
                     let mut axis = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
+                    let mut keys = reader
+                        .begin_fields(&["\"coord_map\":", "\"jnum\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -180,12 +177,13 @@ pub mod motion {
                     let mut frame = None;
                     let mut axis = None;
                     let mut velocity = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
-                            "jogvel" => reader.field("velocity", &mut velocity)?,
+                    let mut keys = reader
+                        .begin_fields(&["\"coord_map\":", "\"jnum\":", "\"jogvel\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
+                            2 => reader.field("velocity", &mut velocity)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -209,13 +207,21 @@ pub mod motion {
                     let mut axis = None;
                     let mut velocity = None;
                     let mut distance = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
-                            "jogvel" => reader.field("velocity", &mut velocity)?,
-                            "poscmd" => reader.field("distance", &mut distance)?,
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"coord_map\":",
+                                "\"jnum\":",
+                                "\"jogvel\":",
+                                "\"poscmd\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
+                            2 => reader.field("velocity", &mut velocity)?,
+                            3 => reader.field("distance", &mut distance)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -244,13 +250,21 @@ pub mod motion {
                     let mut axis = None;
                     let mut velocity = None;
                     let mut position = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "coord_map" => reader.field("frame", &mut frame)?,
-                            "jnum" => reader.field("axis", &mut axis)?,
-                            "jogvel" => reader.field("velocity", &mut velocity)?,
-                            "poscmd" => reader.field("position", &mut position)?,
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"coord_map\":",
+                                "\"jnum\":",
+                                "\"jogvel\":",
+                                "\"poscmd\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("frame", &mut frame)?,
+                            1 => reader.field("axis", &mut axis)?,
+                            2 => reader.field("velocity", &mut velocity)?,
+                            3 => reader.field("position", &mut position)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -441,12 +455,12 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"jointPosition\":");
+            out.raw(",\"jointPosition\":");
             wire::Encode::encode(&self.joint_position, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -457,15 +471,16 @@ pub mod motion {
             let mut joint_position = None;
             let mut speed = None;
             let mut acceleration = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
+            let mut keys = reader
+                .begin_fields(
+                    &["\"relFlag\":", "\"jointPosition\":", "\"speed\":", "\"accel\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("joint_position", &mut joint_position)?,
+                    2 => reader.field("speed", &mut speed)?,
+                    3 => reader.field("acceleration", &mut acceleration)?,
                     _ => reader.skip()?,
                 }
             }
@@ -561,10 +576,10 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"endPosition\":");
             wire::Encode::encode(&self.pose, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -574,12 +589,13 @@ pub mod motion {
             let mut pose = None;
             let mut speed = None;
             let mut acceleration = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "endPosition" => reader.field("pose", &mut pose)?,
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
+            let mut keys = reader
+                .begin_fields(&["\"endPosition\":", "\"speed\":", "\"accel\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pose", &mut pose)?,
+                    1 => reader.field("speed", &mut speed)?,
+                    2 => reader.field("acceleration", &mut acceleration)?,
                     _ => reader.skip()?,
                 }
             }
@@ -684,16 +700,16 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"cartPosition\":");
+            out.raw(",\"cartPosition\":");
             wire::Encode::encode(&self.pose, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.tolerance {
-                out.key("\"tol\":");
+                out.raw(",\"tol\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -705,14 +721,23 @@ pub mod motion {
             let mut speed = None;
             let mut acceleration = None;
             let mut tolerance = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "cartPosition" => reader.field("pose", &mut pose)?,
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
-                    "tol" => reader.field("tolerance", &mut tolerance)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"relFlag\":",
+                        "\"cartPosition\":",
+                        "\"speed\":",
+                        "\"accel\":",
+                        "\"tol\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("pose", &mut pose)?,
+                    2 => reader.field("speed", &mut speed)?,
+                    3 => reader.field("acceleration", &mut acceleration)?,
+                    4 => reader.field("tolerance", &mut tolerance)?,
                     _ => reader.skip()?,
                 }
             }
@@ -837,15 +862,15 @@ pub mod motion {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"pos_mid\":");
+            out.raw(",\"pos_mid\":");
             wire::Encode::encode(&self.mid_pose, out);
-            out.key("\"pos_end\":");
+            out.raw(",\"pos_end\":");
             wire::Encode::encode(&self.end_pose, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
-            out.key("\"accel\":");
+            out.raw(",\"accel\":");
             wire::Encode::encode(&self.acceleration, out);
-            out.key("\"tol\":");
+            out.raw(",\"tol\":");
             wire::Encode::encode(&self.tolerance, out);
         }
         fn read_fields(
@@ -857,15 +882,25 @@ pub mod motion {
             let mut speed = None;
             let mut acceleration = None;
             let mut tolerance = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "pos_mid" => reader.field("mid_pose", &mut mid_pose)?,
-                    "pos_end" => reader.field("end_pose", &mut end_pose)?,
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
-                    "tol" => reader.field("tolerance", &mut tolerance)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"relFlag\":",
+                        "\"pos_mid\":",
+                        "\"pos_end\":",
+                        "\"speed\":",
+                        "\"accel\":",
+                        "\"tol\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("mid_pose", &mut mid_pose)?,
+                    2 => reader.field("end_pose", &mut end_pose)?,
+                    3 => reader.field("speed", &mut speed)?,
+                    4 => reader.field("acceleration", &mut acceleration)?,
+                    5 => reader.field("tolerance", &mut tolerance)?,
                     _ => reader.skip()?,
                 }
             }

@@ -31,7 +31,7 @@ pub mod network {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"timeLimit\":");
             wire::Encode::encode(&self.delay, out);
-            out.key("\"motType\":");
+            out.raw(",\"motType\":");
             wire::Encode::encode(&self.action, out);
         }
         fn read_fields(
@@ -39,11 +39,11 @@ pub mod network {
         ) -> Result<Self, wire::DecodeError> {
             let mut delay = None;
             let mut action = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "timeLimit" => reader.field("delay", &mut delay)?,
-                    "motType" => reader.field("action", &mut action)?,
+            let mut keys = reader.begin_fields(&["\"timeLimit\":", "\"motType\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("delay", &mut delay)?,
+                    1 => reader.field("action", &mut action)?,
                     _ => reader.skip()?,
                 }
             }

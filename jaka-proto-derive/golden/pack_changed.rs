@@ -40,16 +40,16 @@ pub mod changed {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"jointPosition\":");
+            out.raw(",\"jointPosition\":");
             wire::Encode::encode(&self.joint_position, out);
-            out.key("\"speed\":");
+            out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.acceleration {
-                out.key("\"accel\":");
+                out.raw(",\"accel\":");
                 wire::Encode::encode(value, out);
             }
             if let Some(value) = &self.zone {
-                out.key("\"zone\":");
+                out.raw(",\"zone\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -61,16 +61,23 @@ pub mod changed {
             let mut speed = None;
             let mut acceleration = None;
             let mut zone = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
-                    "speed" => reader.field("speed", &mut speed)?,
-                    "accel" => reader.field("acceleration", &mut acceleration)?,
-                    "zone" => reader.field("zone", &mut zone)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"relFlag\":",
+                        "\"jointPosition\":",
+                        "\"speed\":",
+                        "\"accel\":",
+                        "\"zone\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("joint_position", &mut joint_position)?,
+                    2 => reader.field("speed", &mut speed)?,
+                    3 => reader.field("acceleration", &mut acceleration)?,
+                    4 => reader.field("zone", &mut zone)?,
                     _ => reader.skip()?,
                 }
             }
@@ -172,10 +179,10 @@ pub mod changed {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut rate = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "rate_value" => reader.field("rate", &mut rate)?,
+            let mut keys = reader.begin_fields(&["\"rate_value\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("rate", &mut rate)?,
                     _ => reader.skip()?,
                 }
             }
@@ -245,7 +252,7 @@ pub mod changed {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"tio_vout_ena\":");
             wire::Encode::encode(&self.output_enable, out);
-            out.key("\"tio_vout_vol\":");
+            out.raw(",\"tio_vout_vol\":");
             wire::Encode::encode(&self.output_voltage, out);
         }
         fn read_fields(
@@ -253,13 +260,12 @@ pub mod changed {
         ) -> Result<Self, wire::DecodeError> {
             let mut output_enable = None;
             let mut output_voltage = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "tio_vout_ena" => reader.field("output_enable", &mut output_enable)?,
-                    "tio_vout_vol" => {
-                        reader.field("output_voltage", &mut output_voltage)?
-                    }
+            let mut keys = reader
+                .begin_fields(&["\"tio_vout_ena\":", "\"tio_vout_vol\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("output_enable", &mut output_enable)?,
+                    1 => reader.field("output_voltage", &mut output_voltage)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1053,299 +1059,492 @@ pub mod changed {
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            let mut length = None;
-            let mut drag_status = None;
-            let mut extio = None;
-            let mut error_code = None;
-            let mut error_message = None;
-            let mut monitor_data = None;
-            let mut torque_sensor = None;
-            let mut joint_actual_position = None;
-            let mut actual_position = None;
-            let mut digital_inputs = None;
-            let mut digital_outputs = None;
-            let mut analog_inputs = None;
-            let mut analog_outputs = None;
-            let mut tool_digital_inputs = None;
-            let mut tool_digital_outputs = None;
-            let mut tool_analog_inputs = None;
-            let mut task_state = None;
-            let mut homed = None;
-            let mut task_mode = None;
-            let mut interpreter_state = None;
-            let mut enabled = None;
-            let mut paused = None;
-            let mut rapid_rate = None;
-            let mut current_tool_id = None;
-            let mut current_user_frame_id = None;
-            let mut on_soft_limit = None;
-            let mut emergency_stop = None;
-            let mut drag_near_limit = None;
-            let mut function_inputs = None;
-            let mut powered_on = None;
-            let mut in_position = None;
-            let mut motion_mode = None;
-            let mut tcp_speed = None;
-            let mut protective_stop = None;
-            let mut point_key = None;
-            let mut network_state = None;
-            let mut joint_commanded_position = None;
-            let mut commanded_position = None;
-            let mut tool_keys = None;
-            let mut instantaneous_velocities = None;
-            let mut relay_outputs = None;
-            let mut modbus_slave_digital_inputs = None;
-            let mut modbus_slave_digital_outputs = None;
-            let mut modbus_slave_analog_inputs = None;
-            let mut modbus_slave_analog_outputs = None;
-            let mut profinet_device_digital_inputs = None;
-            let mut profinet_device_digital_outputs = None;
-            let mut profinet_device_analog_inputs = None;
-            let mut profinet_device_analog_outputs = None;
-            let mut ethernet_ip_adapter_digital_inputs = None;
-            let mut ethernet_ip_adapter_digital_outputs = None;
-            let mut ethernet_ip_adapter_analog_inputs = None;
-            let mut ethernet_ip_adapter_analog_outputs = None;
-            let mut tool_rs_signals = None;
-            let mut motion_line = None;
-            let mut error_add_line = None;
-            let mut brake_state = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "len" => reader.field("length", &mut length)?,
-                    "drag_status" => reader.field("drag_status", &mut drag_status)?,
-                    "extio" => reader.field("extio", &mut extio)?,
-                    "errcode" => reader.field("error_code", &mut error_code)?,
-                    "errmsg" => reader.field("error_message", &mut error_message)?,
-                    "monitor_data" => reader.field("monitor_data", &mut monitor_data)?,
-                    "torqsensor" => reader.field("torque_sensor", &mut torque_sensor)?,
-                    "joint_actual_position" => {
+            let mut this = Self::default();
+            this.read_fields_into(reader)?;
+            Ok(this)
+        }
+        fn read_fields_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"len\":",
+                        "\"drag_status\":",
+                        "\"extio\":",
+                        "\"errcode\":",
+                        "\"errmsg\":",
+                        "\"monitor_data\":",
+                        "\"torqsensor\":",
+                        "\"joint_actual_position\":",
+                        "\"actual_position\":",
+                        "\"din\":",
+                        "\"dout\":",
+                        "\"ain\":",
+                        "\"aout\":",
+                        "\"tio_din\":",
+                        "\"tio_dout\":",
+                        "\"tio_ain\":",
+                        "\"task_state\":",
+                        "\"homed\":",
+                        "\"task_mode\":",
+                        "\"interp_state\":",
+                        "\"enabled\":",
+                        "\"paused\":",
+                        "\"rapidrate\":",
+                        "\"current_tool_id\":",
+                        "\"current_user_id\":",
+                        "\"on_soft_limit\":",
+                        "\"emergency_stop\":",
+                        "\"drag_near_limit\":",
+                        "\"funcdi\":",
+                        "\"powered_on\":",
+                        "\"inpos\":",
+                        "\"motion_mode\":",
+                        "\"curr_tcp_trans_vel\":",
+                        "\"protective_stop\":",
+                        "\"point_key\":",
+                        "\"netState\":",
+                        "\"joint_position\":",
+                        "\"position\":",
+                        "\"tio_key\":",
+                        "\"instVel\":",
+                        "\"relay_io\":",
+                        "\"mb_slave_din\":",
+                        "\"mb_slave_dout\":",
+                        "\"mb_slave_ain\":",
+                        "\"mb_slave_aout\":",
+                        "\"pn_dev_din\":",
+                        "\"pn_dev_dout\":",
+                        "\"pn_dev_ain\":",
+                        "\"pn_dev_aout\":",
+                        "\"eip_adpt_din\":",
+                        "\"eip_adpt_dout\":",
+                        "\"eip_adpt_ain\":",
+                        "\"eip_adpt_aout\":",
+                        "\"tio_rs_signals\":",
+                        "\"motion_line\":",
+                        "\"err_add_line\":",
+                        "\"brake_state\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field_into("length", &mut self.length, &mut keys)?,
+                    1 => {
                         reader
-                            .field("joint_actual_position", &mut joint_actual_position)?
+                            .field_into("drag_status", &mut self.drag_status, &mut keys)?
                     }
-                    "actual_position" => {
-                        reader.field("actual_position", &mut actual_position)?
+                    2 => reader.field_into("extio", &mut self.extio, &mut keys)?,
+                    3 => {
+                        reader.field_into("error_code", &mut self.error_code, &mut keys)?
                     }
-                    "din" => reader.field("digital_inputs", &mut digital_inputs)?,
-                    "dout" => reader.field("digital_outputs", &mut digital_outputs)?,
-                    "ain" => reader.field("analog_inputs", &mut analog_inputs)?,
-                    "aout" => reader.field("analog_outputs", &mut analog_outputs)?,
-                    "tio_din" => {
-                        reader.field("tool_digital_inputs", &mut tool_digital_inputs)?
-                    }
-                    "tio_dout" => {
-                        reader.field("tool_digital_outputs", &mut tool_digital_outputs)?
-                    }
-                    "tio_ain" => {
-                        reader.field("tool_analog_inputs", &mut tool_analog_inputs)?
-                    }
-                    "task_state" => reader.field("task_state", &mut task_state)?,
-                    "homed" => reader.field("homed", &mut homed)?,
-                    "task_mode" => reader.field("task_mode", &mut task_mode)?,
-                    "interp_state" => {
-                        reader.field("interpreter_state", &mut interpreter_state)?
-                    }
-                    "enabled" => reader.field("enabled", &mut enabled)?,
-                    "paused" => reader.field("paused", &mut paused)?,
-                    "rapidrate" => reader.field("rapid_rate", &mut rapid_rate)?,
-                    "current_tool_id" => {
-                        reader.field("current_tool_id", &mut current_tool_id)?
-                    }
-                    "current_user_id" => {
+                    4 => {
                         reader
-                            .field("current_user_frame_id", &mut current_user_frame_id)?
+                            .field_into(
+                                "error_message",
+                                &mut self.error_message,
+                                &mut keys,
+                            )?
                     }
-                    "on_soft_limit" => reader.field("on_soft_limit", &mut on_soft_limit)?,
-                    "emergency_stop" => {
-                        reader.field("emergency_stop", &mut emergency_stop)?
-                    }
-                    "drag_near_limit" => {
-                        reader.field("drag_near_limit", &mut drag_near_limit)?
-                    }
-                    "funcdi" => reader.field("function_inputs", &mut function_inputs)?,
-                    "powered_on" => reader.field("powered_on", &mut powered_on)?,
-                    "inpos" => reader.field("in_position", &mut in_position)?,
-                    "motion_mode" => reader.field("motion_mode", &mut motion_mode)?,
-                    "curr_tcp_trans_vel" => reader.field("tcp_speed", &mut tcp_speed)?,
-                    "protective_stop" => {
-                        reader.field("protective_stop", &mut protective_stop)?
-                    }
-                    "point_key" => reader.field("point_key", &mut point_key)?,
-                    "netState" => reader.field("network_state", &mut network_state)?,
-                    "joint_position" => {
+                    5 => {
                         reader
-                            .field(
+                            .field_into(
+                                "monitor_data",
+                                &mut self.monitor_data,
+                                &mut keys,
+                            )?
+                    }
+                    6 => {
+                        reader
+                            .field_into(
+                                "torque_sensor",
+                                &mut self.torque_sensor,
+                                &mut keys,
+                            )?
+                    }
+                    7 => {
+                        reader
+                            .field_into(
+                                "joint_actual_position",
+                                &mut self.joint_actual_position,
+                                &mut keys,
+                            )?
+                    }
+                    8 => {
+                        reader
+                            .field_into(
+                                "actual_position",
+                                &mut self.actual_position,
+                                &mut keys,
+                            )?
+                    }
+                    9 => {
+                        reader
+                            .field_into(
+                                "digital_inputs",
+                                &mut self.digital_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    10 => {
+                        reader
+                            .field_into(
+                                "digital_outputs",
+                                &mut self.digital_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    11 => {
+                        reader
+                            .field_into(
+                                "analog_inputs",
+                                &mut self.analog_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    12 => {
+                        reader
+                            .field_into(
+                                "analog_outputs",
+                                &mut self.analog_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    13 => {
+                        reader
+                            .field_into(
+                                "tool_digital_inputs",
+                                &mut self.tool_digital_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    14 => {
+                        reader
+                            .field_into(
+                                "tool_digital_outputs",
+                                &mut self.tool_digital_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    15 => {
+                        reader
+                            .field_into(
+                                "tool_analog_inputs",
+                                &mut self.tool_analog_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    16 => {
+                        reader.field_into("task_state", &mut self.task_state, &mut keys)?
+                    }
+                    17 => reader.field_into("homed", &mut self.homed, &mut keys)?,
+                    18 => reader.field_into("task_mode", &mut self.task_mode, &mut keys)?,
+                    19 => {
+                        reader
+                            .field_into(
+                                "interpreter_state",
+                                &mut self.interpreter_state,
+                                &mut keys,
+                            )?
+                    }
+                    20 => reader.field_into("enabled", &mut self.enabled, &mut keys)?,
+                    21 => reader.field_into("paused", &mut self.paused, &mut keys)?,
+                    22 => {
+                        reader.field_into("rapid_rate", &mut self.rapid_rate, &mut keys)?
+                    }
+                    23 => {
+                        reader
+                            .field_into(
+                                "current_tool_id",
+                                &mut self.current_tool_id,
+                                &mut keys,
+                            )?
+                    }
+                    24 => {
+                        reader
+                            .field_into(
+                                "current_user_frame_id",
+                                &mut self.current_user_frame_id,
+                                &mut keys,
+                            )?
+                    }
+                    25 => {
+                        reader
+                            .field_into(
+                                "on_soft_limit",
+                                &mut self.on_soft_limit,
+                                &mut keys,
+                            )?
+                    }
+                    26 => {
+                        reader
+                            .field_into(
+                                "emergency_stop",
+                                &mut self.emergency_stop,
+                                &mut keys,
+                            )?
+                    }
+                    27 => {
+                        reader
+                            .field_into(
+                                "drag_near_limit",
+                                &mut self.drag_near_limit,
+                                &mut keys,
+                            )?
+                    }
+                    28 => {
+                        reader
+                            .field_into(
+                                "function_inputs",
+                                &mut self.function_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    29 => {
+                        reader.field_into("powered_on", &mut self.powered_on, &mut keys)?
+                    }
+                    30 => {
+                        reader
+                            .field_into("in_position", &mut self.in_position, &mut keys)?
+                    }
+                    31 => {
+                        reader
+                            .field_into("motion_mode", &mut self.motion_mode, &mut keys)?
+                    }
+                    32 => reader.field_into("tcp_speed", &mut self.tcp_speed, &mut keys)?,
+                    33 => {
+                        reader
+                            .field_into(
+                                "protective_stop",
+                                &mut self.protective_stop,
+                                &mut keys,
+                            )?
+                    }
+                    34 => reader.field_into("point_key", &mut self.point_key, &mut keys)?,
+                    35 => {
+                        reader
+                            .field_into(
+                                "network_state",
+                                &mut self.network_state,
+                                &mut keys,
+                            )?
+                    }
+                    36 => {
+                        reader
+                            .field_into(
                                 "joint_commanded_position",
-                                &mut joint_commanded_position,
+                                &mut self.joint_commanded_position,
+                                &mut keys,
                             )?
                     }
-                    "position" => {
-                        reader.field("commanded_position", &mut commanded_position)?
-                    }
-                    "tio_key" => reader.field("tool_keys", &mut tool_keys)?,
-                    "instVel" => {
+                    37 => {
                         reader
-                            .field(
+                            .field_into(
+                                "commanded_position",
+                                &mut self.commanded_position,
+                                &mut keys,
+                            )?
+                    }
+                    38 => reader.field_into("tool_keys", &mut self.tool_keys, &mut keys)?,
+                    39 => {
+                        reader
+                            .field_into(
                                 "instantaneous_velocities",
-                                &mut instantaneous_velocities,
+                                &mut self.instantaneous_velocities,
+                                &mut keys,
                             )?
                     }
-                    "relay_io" => reader.field("relay_outputs", &mut relay_outputs)?,
-                    "mb_slave_din" => {
+                    40 => {
                         reader
-                            .field(
+                            .field_into(
+                                "relay_outputs",
+                                &mut self.relay_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    41 => {
+                        reader
+                            .field_into(
                                 "modbus_slave_digital_inputs",
-                                &mut modbus_slave_digital_inputs,
+                                &mut self.modbus_slave_digital_inputs,
+                                &mut keys,
                             )?
                     }
-                    "mb_slave_dout" => {
+                    42 => {
                         reader
-                            .field(
+                            .field_into(
                                 "modbus_slave_digital_outputs",
-                                &mut modbus_slave_digital_outputs,
+                                &mut self.modbus_slave_digital_outputs,
+                                &mut keys,
                             )?
                     }
-                    "mb_slave_ain" => {
+                    43 => {
                         reader
-                            .field(
+                            .field_into(
                                 "modbus_slave_analog_inputs",
-                                &mut modbus_slave_analog_inputs,
+                                &mut self.modbus_slave_analog_inputs,
+                                &mut keys,
                             )?
                     }
-                    "mb_slave_aout" => {
+                    44 => {
                         reader
-                            .field(
+                            .field_into(
                                 "modbus_slave_analog_outputs",
-                                &mut modbus_slave_analog_outputs,
+                                &mut self.modbus_slave_analog_outputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_din" => {
+                    45 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_digital_inputs",
-                                &mut profinet_device_digital_inputs,
+                                &mut self.profinet_device_digital_inputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_dout" => {
+                    46 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_digital_outputs",
-                                &mut profinet_device_digital_outputs,
+                                &mut self.profinet_device_digital_outputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_ain" => {
+                    47 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_analog_inputs",
-                                &mut profinet_device_analog_inputs,
+                                &mut self.profinet_device_analog_inputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_aout" => {
+                    48 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_analog_outputs",
-                                &mut profinet_device_analog_outputs,
+                                &mut self.profinet_device_analog_outputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_din" => {
+                    49 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_digital_inputs",
-                                &mut ethernet_ip_adapter_digital_inputs,
+                                &mut self.ethernet_ip_adapter_digital_inputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_dout" => {
+                    50 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_digital_outputs",
-                                &mut ethernet_ip_adapter_digital_outputs,
+                                &mut self.ethernet_ip_adapter_digital_outputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_ain" => {
+                    51 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_analog_inputs",
-                                &mut ethernet_ip_adapter_analog_inputs,
+                                &mut self.ethernet_ip_adapter_analog_inputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_aout" => {
+                    52 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_analog_outputs",
-                                &mut ethernet_ip_adapter_analog_outputs,
+                                &mut self.ethernet_ip_adapter_analog_outputs,
+                                &mut keys,
                             )?
                     }
-                    "tio_rs_signals" => {
-                        reader.field("tool_rs_signals", &mut tool_rs_signals)?
+                    53 => {
+                        reader
+                            .field_into(
+                                "tool_rs_signals",
+                                &mut self.tool_rs_signals,
+                                &mut keys,
+                            )?
                     }
-                    "motion_line" => reader.field("motion_line", &mut motion_line)?,
-                    "err_add_line" => {
-                        reader.field("error_add_line", &mut error_add_line)?
+                    54 => {
+                        reader
+                            .field_into("motion_line", &mut self.motion_line, &mut keys)?
                     }
-                    "brake_state" => reader.field("brake_state", &mut brake_state)?,
+                    55 => {
+                        reader
+                            .field_into(
+                                "error_add_line",
+                                &mut self.error_add_line,
+                                &mut keys,
+                            )?
+                    }
+                    56 => {
+                        reader
+                            .field_into("brake_state", &mut self.brake_state, &mut keys)?
+                    }
                     _ => reader.skip()?,
                 }
             }
-            Ok(Self {
-                length,
-                drag_status,
-                extio,
-                error_code,
-                error_message,
-                monitor_data,
-                torque_sensor,
-                joint_actual_position,
-                actual_position,
-                digital_inputs,
-                digital_outputs,
-                analog_inputs,
-                analog_outputs,
-                tool_digital_inputs,
-                tool_digital_outputs,
-                tool_analog_inputs,
-                task_state,
-                homed,
-                task_mode,
-                interpreter_state,
-                enabled,
-                paused,
-                rapid_rate,
-                current_tool_id,
-                current_user_frame_id,
-                on_soft_limit,
-                emergency_stop,
-                drag_near_limit,
-                function_inputs,
-                powered_on,
-                in_position,
-                motion_mode,
-                tcp_speed,
-                protective_stop,
-                point_key,
-                network_state,
-                joint_commanded_position,
-                commanded_position,
-                tool_keys,
-                instantaneous_velocities,
-                relay_outputs,
-                modbus_slave_digital_inputs,
-                modbus_slave_digital_outputs,
-                modbus_slave_analog_inputs,
-                modbus_slave_analog_outputs,
-                profinet_device_digital_inputs,
-                profinet_device_digital_outputs,
-                profinet_device_analog_inputs,
-                profinet_device_analog_outputs,
-                ethernet_ip_adapter_digital_inputs,
-                ethernet_ip_adapter_digital_outputs,
-                ethernet_ip_adapter_analog_inputs,
-                ethernet_ip_adapter_analog_outputs,
-                tool_rs_signals,
-                motion_line,
-                error_add_line,
-                brake_state,
-            })
+            keys.absent(0, &mut self.length);
+            keys.absent(1, &mut self.drag_status);
+            keys.absent(2, &mut self.extio);
+            keys.absent(3, &mut self.error_code);
+            keys.absent(4, &mut self.error_message);
+            keys.absent(5, &mut self.monitor_data);
+            keys.absent(6, &mut self.torque_sensor);
+            keys.absent(7, &mut self.joint_actual_position);
+            keys.absent(8, &mut self.actual_position);
+            keys.absent(9, &mut self.digital_inputs);
+            keys.absent(10, &mut self.digital_outputs);
+            keys.absent(11, &mut self.analog_inputs);
+            keys.absent(12, &mut self.analog_outputs);
+            keys.absent(13, &mut self.tool_digital_inputs);
+            keys.absent(14, &mut self.tool_digital_outputs);
+            keys.absent(15, &mut self.tool_analog_inputs);
+            keys.absent(16, &mut self.task_state);
+            keys.absent(17, &mut self.homed);
+            keys.absent(18, &mut self.task_mode);
+            keys.absent(19, &mut self.interpreter_state);
+            keys.absent(20, &mut self.enabled);
+            keys.absent(21, &mut self.paused);
+            keys.absent(22, &mut self.rapid_rate);
+            keys.absent(23, &mut self.current_tool_id);
+            keys.absent(24, &mut self.current_user_frame_id);
+            keys.absent(25, &mut self.on_soft_limit);
+            keys.absent(26, &mut self.emergency_stop);
+            keys.absent(27, &mut self.drag_near_limit);
+            keys.absent(28, &mut self.function_inputs);
+            keys.absent(29, &mut self.powered_on);
+            keys.absent(30, &mut self.in_position);
+            keys.absent(31, &mut self.motion_mode);
+            keys.absent(32, &mut self.tcp_speed);
+            keys.absent(33, &mut self.protective_stop);
+            keys.absent(34, &mut self.point_key);
+            keys.absent(35, &mut self.network_state);
+            keys.absent(36, &mut self.joint_commanded_position);
+            keys.absent(37, &mut self.commanded_position);
+            keys.absent(38, &mut self.tool_keys);
+            keys.absent(39, &mut self.instantaneous_velocities);
+            keys.absent(40, &mut self.relay_outputs);
+            keys.absent(41, &mut self.modbus_slave_digital_inputs);
+            keys.absent(42, &mut self.modbus_slave_digital_outputs);
+            keys.absent(43, &mut self.modbus_slave_analog_inputs);
+            keys.absent(44, &mut self.modbus_slave_analog_outputs);
+            keys.absent(45, &mut self.profinet_device_digital_inputs);
+            keys.absent(46, &mut self.profinet_device_digital_outputs);
+            keys.absent(47, &mut self.profinet_device_analog_inputs);
+            keys.absent(48, &mut self.profinet_device_analog_outputs);
+            keys.absent(49, &mut self.ethernet_ip_adapter_digital_inputs);
+            keys.absent(50, &mut self.ethernet_ip_adapter_digital_outputs);
+            keys.absent(51, &mut self.ethernet_ip_adapter_analog_inputs);
+            keys.absent(52, &mut self.ethernet_ip_adapter_analog_outputs);
+            keys.absent(53, &mut self.tool_rs_signals);
+            keys.absent(54, &mut self.motion_line);
+            keys.absent(55, &mut self.error_add_line);
+            keys.absent(56, &mut self.brake_state);
+            Ok(())
         }
     }
     proto::__object_impls!(RobotStatus);

@@ -57,11 +57,11 @@ pub mod newer {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"inpos\":");
             wire::Encode::encode(&self.in_position, out);
-            out.key("\"paused\":");
+            out.raw(",\"paused\":");
             wire::Encode::encode(&self.paused, out);
-            out.key("\"queue\":");
+            out.raw(",\"queue\":");
             wire::Encode::encode(&self.queue, out);
-            out.key("\"active_queue\":");
+            out.raw(",\"active_queue\":");
             wire::Encode::encode(&self.active_queue, out);
         }
         fn read_fields(
@@ -71,13 +71,16 @@ pub mod newer {
             let mut paused = None;
             let mut queue = None;
             let mut active_queue = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "inpos" => reader.field("in_position", &mut in_position)?,
-                    "paused" => reader.field("paused", &mut paused)?,
-                    "queue" => reader.field("queue", &mut queue)?,
-                    "active_queue" => reader.field("active_queue", &mut active_queue)?,
+            let mut keys = reader
+                .begin_fields(
+                    &["\"inpos\":", "\"paused\":", "\"queue\":", "\"active_queue\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("in_position", &mut in_position)?,
+                    1 => reader.field("paused", &mut paused)?,
+                    2 => reader.field("queue", &mut queue)?,
+                    3 => reader.field("active_queue", &mut active_queue)?,
                     _ => reader.skip()?,
                 }
             }
@@ -145,12 +148,10 @@ pub mod newer {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut emergency_stop = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "emergency_stop" => {
-                        reader.field("emergency_stop", &mut emergency_stop)?
-                    }
+            let mut keys = reader.begin_fields(&["\"emergency_stop\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("emergency_stop", &mut emergency_stop)?,
                     _ => reader.skip()?,
                 }
             }
@@ -185,10 +186,10 @@ pub mod newer {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut period = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "port10000_delay_ms" => reader.field("period", &mut period)?,
+            let mut keys = reader.begin_fields(&["\"port10000_delay_ms\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("period", &mut period)?,
                     _ => reader.skip()?,
                 }
             }

@@ -24,7 +24,7 @@ pub mod payload {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"mass\":");
             wire::Encode::encode(&self.mass, out);
-            out.key("\"centroid\":");
+            out.raw(",\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
         }
         fn read_fields(
@@ -32,11 +32,11 @@ pub mod payload {
         ) -> Result<Self, wire::DecodeError> {
             let mut mass = None;
             let mut centroid = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "mass" => reader.field("mass", &mut mass)?,
-                    "centroid" => reader.field("centroid", &mut centroid)?,
+            let mut keys = reader.begin_fields(&["\"mass\":", "\"centroid\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mass", &mut mass)?,
+                    1 => reader.field("centroid", &mut centroid)?,
                     _ => reader.skip()?,
                 }
             }
@@ -123,7 +123,7 @@ pub mod payload {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"centroid\":");
             wire::Encode::encode(&self.centroid, out);
-            out.key("\"mass\":");
+            out.raw(",\"mass\":");
             wire::Encode::encode(&self.mass, out);
         }
         fn read_fields(
@@ -131,11 +131,11 @@ pub mod payload {
         ) -> Result<Self, wire::DecodeError> {
             let mut centroid = None;
             let mut mass = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "centroid" => reader.field("centroid", &mut centroid)?,
-                    "mass" => reader.field("mass", &mut mass)?,
+            let mut keys = reader.begin_fields(&["\"centroid\":", "\"mass\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("centroid", &mut centroid)?,
+                    1 => reader.field("mass", &mut mass)?,
                     _ => reader.skip()?,
                 }
             }
@@ -162,11 +162,10 @@ pub mod payload {
     impl wire::Encode for Centroid {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.x, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.y, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.z, out);
             out.raw("]");
         }

@@ -68,10 +68,10 @@ pub mod power {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut powered_on = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "power status" => reader.field("powered_on", &mut powered_on)?,
+            let mut keys = reader.begin_fields(&["\"power status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("powered_on", &mut powered_on)?,
                     _ => reader.skip()?,
                 }
             }
@@ -175,10 +175,10 @@ pub mod power {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut enabled = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "enabled status" => reader.field("enabled", &mut enabled)?,
+            let mut keys = reader.begin_fields(&["\"enabled status\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("enabled", &mut enabled)?,
                     _ => reader.skip()?,
                 }
             }
@@ -325,10 +325,10 @@ pub mod power {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"enable\":");
             out.choose(*&self.enabled, "\"robot_disabled\"", "\"robot_enabled\"");
-            out.key("\"power\":");
+            out.raw(",\"power\":");
             out.choose(*&self.powered_on, "\"powered_off\"", "\"powered_on\"");
             if let Some(value) = &self.error_code {
-                out.key("\"errcode\":");
+                out.raw(",\"errcode\":");
                 match value {
                     wire::Typed::Known(value) => {
                         wire::Encode::encode(value, out);
@@ -337,7 +337,7 @@ pub mod power {
                 }
             }
             if let Some(value) = &self.error_message {
-                out.key("\"msg\":");
+                out.raw(",\"msg\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -348,10 +348,13 @@ pub mod power {
             let mut powered_on = None;
             let mut error_code = None;
             let mut error_message = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "enable" => {
+            let mut keys = reader
+                .begin_fields(
+                    &["\"enable\":", "\"power\":", "\"errcode\":", "\"msg\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => {
                         reader
                             .field_word(
                                 "enabled",
@@ -360,7 +363,7 @@ pub mod power {
                                 "robot_enabled",
                             )?
                     }
-                    "power" => {
+                    1 => {
                         reader
                             .field_word(
                                 "powered_on",
@@ -369,8 +372,8 @@ pub mod power {
                                 "powered_on",
                             )?
                     }
-                    "errcode" => reader.field("error_code", &mut error_code)?,
-                    "msg" => reader.field("error_message", &mut error_message)?,
+                    2 => reader.field("error_code", &mut error_code)?,
+                    3 => reader.field("error_message", &mut error_message)?,
                     _ => reader.skip()?,
                 }
             }
@@ -433,10 +436,10 @@ pub mod power {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut version = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "version" => reader.field("version", &mut version)?,
+            let mut keys = reader.begin_fields(&["\"version\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("version", &mut version)?,
                     _ => reader.skip()?,
                 }
             }

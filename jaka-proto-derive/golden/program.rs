@@ -29,10 +29,10 @@ pub mod program {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut rate = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "rate_value" => reader.field("rate", &mut rate)?,
+            let mut keys = reader.begin_fields(&["\"rate_value\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("rate", &mut rate)?,
                     _ => reader.skip()?,
                 }
             }
@@ -101,10 +101,10 @@ pub mod program {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut program_name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "programName" => reader.field("program_name", &mut program_name)?,
+            let mut keys = reader.begin_fields(&["\"programName\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("program_name", &mut program_name)?,
                     _ => reader.skip()?,
                 }
             }
@@ -198,10 +198,10 @@ pub mod program {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut program_name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "programName" => reader.field("program_name", &mut program_name)?,
+            let mut keys = reader.begin_fields(&["\"programName\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("program_name", &mut program_name)?,
                     _ => reader.skip()?,
                 }
             }
@@ -414,10 +414,10 @@ pub mod program {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut program_state = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "programState" => reader.field("program_state", &mut program_state)?,
+            let mut keys = reader.begin_fields(&["\"programState\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("program_state", &mut program_state)?,
                     _ => reader.skip()?,
                 }
             }

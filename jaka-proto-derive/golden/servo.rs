@@ -63,10 +63,10 @@ pub mod servo {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut in_servo_mode = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "in_servomove" => reader.field("in_servo_mode", &mut in_servo_mode)?,
+            let mut keys = reader.begin_fields(&["\"in_servomove\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("in_servo_mode", &mut in_servo_mode)?,
                     _ => reader.skip()?,
                 }
             }
@@ -107,10 +107,10 @@ pub mod servo {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut servo_mode = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("servo_mode", &mut servo_mode)?,
+            let mut keys = reader.begin_fields(&["\"relFlag\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("servo_mode", &mut servo_mode)?,
                     _ => reader.skip()?,
                 }
             }
@@ -181,10 +181,10 @@ pub mod servo {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"jointPosition\":");
+            out.raw(",\"jointPosition\":");
             wire::Encode::encode(&self.joint_position, out);
             if let Some(value) = &self.step_count {
-                out.key("\"stepNum\":");
+                out.raw(",\"stepNum\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -194,14 +194,13 @@ pub mod servo {
             let mut mode = None;
             let mut joint_position = None;
             let mut step_count = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "jointPosition" => {
-                        reader.field("joint_position", &mut joint_position)?
-                    }
-                    "stepNum" => reader.field("step_count", &mut step_count)?,
+            let mut keys = reader
+                .begin_fields(&["\"relFlag\":", "\"jointPosition\":", "\"stepNum\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("joint_position", &mut joint_position)?,
+                    2 => reader.field("step_count", &mut step_count)?,
                     _ => reader.skip()?,
                 }
             }
@@ -293,10 +292,10 @@ pub mod servo {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"catPosition\":");
             wire::Encode::encode(&self.pose, out);
-            out.key("\"relFlag\":");
+            out.raw(",\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
             if let Some(value) = &self.step_count {
-                out.key("\"stepNum\":");
+                out.raw(",\"stepNum\":");
                 wire::Encode::encode(value, out);
             }
         }
@@ -306,12 +305,13 @@ pub mod servo {
             let mut pose = None;
             let mut mode = None;
             let mut step_count = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "catPosition" => reader.field("pose", &mut pose)?,
-                    "relFlag" => reader.field("mode", &mut mode)?,
-                    "stepNum" => reader.field("step_count", &mut step_count)?,
+            let mut keys = reader
+                .begin_fields(&["\"catPosition\":", "\"relFlag\":", "\"stepNum\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pose", &mut pose)?,
+                    1 => reader.field("mode", &mut mode)?,
+                    2 => reader.field("step_count", &mut step_count)?,
                     _ => reader.skip()?,
                 }
             }
@@ -482,13 +482,11 @@ pub mod servo {
         fn write_fields(&self, out: &mut wire::Writer) {
             match self {
                 Self::Disabled {} => {
-                    out.key("\"filter_type\":");
-                    out.int(0);
+                    out.key("\"filter_type\":0");
                 }
                 Self::JointLowPass { cutoff_frequency } => {
-                    out.key("\"filter_type\":");
-                    out.int(1);
-                    out.key("\"lpf_cf\":");
+                    out.key("\"filter_type\":1");
+                    out.raw(",\"lpf_cf\":");
                     wire::Encode::encode(cutoff_frequency, out);
                 }
                 Self::JointNonlinear {
@@ -496,13 +494,12 @@ pub mod servo {
                     max_rotation_acceleration,
                     max_rotation_jerk,
                 } => {
-                    out.key("\"filter_type\":");
-                    out.int(2);
-                    out.key("\"nlf_max_vr\":");
+                    out.key("\"filter_type\":2");
+                    out.raw(",\"nlf_max_vr\":");
                     wire::Encode::encode(max_rotation_speed, out);
-                    out.key("\"nlf_max_ar\":");
+                    out.raw(",\"nlf_max_ar\":");
                     wire::Encode::encode(max_rotation_acceleration, out);
-                    out.key("\"nlf_max_jr\":");
+                    out.raw(",\"nlf_max_jr\":");
                     wire::Encode::encode(max_rotation_jerk, out);
                 }
                 Self::JointMean {
@@ -511,15 +508,14 @@ pub mod servo {
                     speed_coefficient,
                     acceleration_coefficient,
                 } => {
-                    out.key("\"filter_type\":");
-                    out.int(3);
-                    out.key("\"mmf_max_buf\":");
+                    out.key("\"filter_type\":3");
+                    out.raw(",\"mmf_max_buf\":");
                     wire::Encode::encode(window_width, out);
-                    out.key("\"mmf_kp\":");
+                    out.raw(",\"mmf_kp\":");
                     wire::Encode::encode(position_coefficient, out);
-                    out.key("\"mmf_kv\":");
+                    out.raw(",\"mmf_kv\":");
                     wire::Encode::encode(speed_coefficient, out);
-                    out.key("\"mmf_ka\":");
+                    out.raw(",\"mmf_ka\":");
                     wire::Encode::encode(acceleration_coefficient, out);
                 }
                 Self::CartesianNonlinear {
@@ -530,27 +526,25 @@ pub mod servo {
                     max_translation_acceleration,
                     max_translation_jerk,
                 } => {
-                    out.key("\"filter_type\":");
-                    out.int(4);
-                    out.key("\"nlf_max_vr\":");
+                    out.key("\"filter_type\":4");
+                    out.raw(",\"nlf_max_vr\":");
                     wire::Encode::encode(max_rotation_speed, out);
-                    out.key("\"nlf_max_ar\":");
+                    out.raw(",\"nlf_max_ar\":");
                     wire::Encode::encode(max_rotation_acceleration, out);
-                    out.key("\"nlf_max_jr\":");
+                    out.raw(",\"nlf_max_jr\":");
                     wire::Encode::encode(max_rotation_jerk, out);
-                    out.key("\"nlf_max_vp\":");
+                    out.raw(",\"nlf_max_vp\":");
                     wire::Encode::encode(max_translation_speed, out);
-                    out.key("\"nlf_max_ap\":");
+                    out.raw(",\"nlf_max_ap\":");
                     wire::Encode::encode(max_translation_acceleration, out);
-                    out.key("\"nlf_max_jp\":");
+                    out.raw(",\"nlf_max_jp\":");
                     wire::Encode::encode(max_translation_jerk, out);
                 }
                 Self::SpeedLookahead { buffer_size, coefficient } => {
-                    out.key("\"filter_type\":");
-                    out.int(5);
-                    out.key("\"mmf_max_buf\":");
+                    out.key("\"filter_type\":5");
+                    out.raw(",\"mmf_max_buf\":");
                     wire::Encode::encode(buffer_size, out);
-                    out.key("\"mmf_kp\":");
+                    out.raw(",\"mmf_kp\":");
                     wire::Encode::encode(coefficient, out);
                 }
             }
@@ -560,9 +554,9 @@ pub mod servo {
         ) -> Result<Self, wire::DecodeError> {
             match reader.tag("filter_type", "filter_type")? {
                 0 => {
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
+                    let mut keys = reader.begin_fields(&[])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
                             _ => reader.skip()?,
                         }
                     }
@@ -570,12 +564,10 @@ pub mod servo {
                 }
                 1 => {
                     let mut cutoff_frequency = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "lpf_cf" => {
-                                reader.field("cutoff_frequency", &mut cutoff_frequency)?
-                            }
+                    let mut keys = reader.begin_fields(&["\"lpf_cf\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("cutoff_frequency", &mut cutoff_frequency)?,
                             _ => reader.skip()?,
                         }
                     }
@@ -591,20 +583,23 @@ pub mod servo {
                     let mut max_rotation_speed = None;
                     let mut max_rotation_acceleration = None;
                     let mut max_rotation_jerk = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "nlf_max_vr" => {
+                    let mut keys = reader
+                        .begin_fields(
+                            &["\"nlf_max_vr\":", "\"nlf_max_ar\":", "\"nlf_max_jr\":"],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => {
                                 reader.field("max_rotation_speed", &mut max_rotation_speed)?
                             }
-                            "nlf_max_ar" => {
+                            1 => {
                                 reader
                                     .field(
                                         "max_rotation_acceleration",
                                         &mut max_rotation_acceleration,
                                     )?
                             }
-                            "nlf_max_jr" => {
+                            2 => {
                                 reader.field("max_rotation_jerk", &mut max_rotation_jerk)?
                             }
                             _ => reader.skip()?,
@@ -633,20 +628,26 @@ pub mod servo {
                     let mut position_coefficient = None;
                     let mut speed_coefficient = None;
                     let mut acceleration_coefficient = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "mmf_max_buf" => {
-                                reader.field("window_width", &mut window_width)?
-                            }
-                            "mmf_kp" => {
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"mmf_max_buf\":",
+                                "\"mmf_kp\":",
+                                "\"mmf_kv\":",
+                                "\"mmf_ka\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("window_width", &mut window_width)?,
+                            1 => {
                                 reader
                                     .field("position_coefficient", &mut position_coefficient)?
                             }
-                            "mmf_kv" => {
+                            2 => {
                                 reader.field("speed_coefficient", &mut speed_coefficient)?
                             }
-                            "mmf_ka" => {
+                            3 => {
                                 reader
                                     .field(
                                         "acceleration_coefficient",
@@ -686,34 +687,44 @@ pub mod servo {
                     let mut max_translation_speed = None;
                     let mut max_translation_acceleration = None;
                     let mut max_translation_jerk = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "nlf_max_vr" => {
+                    let mut keys = reader
+                        .begin_fields(
+                            &[
+                                "\"nlf_max_vr\":",
+                                "\"nlf_max_ar\":",
+                                "\"nlf_max_jr\":",
+                                "\"nlf_max_vp\":",
+                                "\"nlf_max_ap\":",
+                                "\"nlf_max_jp\":",
+                            ],
+                        )?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => {
                                 reader.field("max_rotation_speed", &mut max_rotation_speed)?
                             }
-                            "nlf_max_ar" => {
+                            1 => {
                                 reader
                                     .field(
                                         "max_rotation_acceleration",
                                         &mut max_rotation_acceleration,
                                     )?
                             }
-                            "nlf_max_jr" => {
+                            2 => {
                                 reader.field("max_rotation_jerk", &mut max_rotation_jerk)?
                             }
-                            "nlf_max_vp" => {
+                            3 => {
                                 reader
                                     .field("max_translation_speed", &mut max_translation_speed)?
                             }
-                            "nlf_max_ap" => {
+                            4 => {
                                 reader
                                     .field(
                                         "max_translation_acceleration",
                                         &mut max_translation_acceleration,
                                     )?
                             }
-                            "nlf_max_jp" => {
+                            5 => {
                                 reader
                                     .field("max_translation_jerk", &mut max_translation_jerk)?
                             }
@@ -756,13 +767,12 @@ pub mod servo {
                 5 => {
                     let mut buffer_size = None;
                     let mut coefficient = None;
-                    reader.begin_object()?;
-                    while let Some(key) = reader.next_key()? {
-                        match &*key {
-                            "mmf_max_buf" => {
-                                reader.field("buffer_size", &mut buffer_size)?
-                            }
-                            "mmf_kp" => reader.field("coefficient", &mut coefficient)?,
+                    let mut keys = reader
+                        .begin_fields(&["\"mmf_max_buf\":", "\"mmf_kp\":"])?;
+                    while let Some(key) = reader.next_field(&mut keys)? {
+                        match key {
+                            0 => reader.field("buffer_size", &mut buffer_size)?,
+                            1 => reader.field("coefficient", &mut coefficient)?,
                             _ => reader.skip()?,
                         }
                     }

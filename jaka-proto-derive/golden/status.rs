@@ -704,296 +704,486 @@ pub mod status {
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            let mut length = None;
-            let mut drag_status = None;
-            let mut extio = None;
-            let mut error_code = None;
-            let mut error_message = None;
-            let mut monitor_data = None;
-            let mut torque_sensor = None;
-            let mut joint_actual_position = None;
-            let mut actual_position = None;
-            let mut digital_inputs = None;
-            let mut digital_outputs = None;
-            let mut analog_inputs = None;
-            let mut analog_outputs = None;
-            let mut tool_digital_inputs = None;
-            let mut tool_digital_outputs = None;
-            let mut tool_analog_inputs = None;
-            let mut task_state = None;
-            let mut homed = None;
-            let mut task_mode = None;
-            let mut interpreter_state = None;
-            let mut enabled = None;
-            let mut paused = None;
-            let mut rapid_rate = None;
-            let mut current_tool_id = None;
-            let mut current_user_frame_id = None;
-            let mut on_soft_limit = None;
-            let mut emergency_stop = None;
-            let mut drag_near_limit = None;
-            let mut function_inputs = None;
-            let mut powered_on = None;
-            let mut in_position = None;
-            let mut motion_mode = None;
-            let mut tcp_speed = None;
-            let mut protective_stop = None;
-            let mut point_key = None;
-            let mut network_state = None;
-            let mut joint_commanded_position = None;
-            let mut commanded_position = None;
-            let mut tool_keys = None;
-            let mut instantaneous_velocities = None;
-            let mut relay_outputs = None;
-            let mut modbus_slave_digital_inputs = None;
-            let mut modbus_slave_digital_outputs = None;
-            let mut modbus_slave_analog_inputs = None;
-            let mut modbus_slave_analog_outputs = None;
-            let mut profinet_device_digital_inputs = None;
-            let mut profinet_device_digital_outputs = None;
-            let mut profinet_device_analog_inputs = None;
-            let mut profinet_device_analog_outputs = None;
-            let mut ethernet_ip_adapter_digital_inputs = None;
-            let mut ethernet_ip_adapter_digital_outputs = None;
-            let mut ethernet_ip_adapter_analog_inputs = None;
-            let mut ethernet_ip_adapter_analog_outputs = None;
-            let mut tool_rs_signals = None;
-            let mut motion_line = None;
-            let mut error_add_line = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "len" => reader.field("length", &mut length)?,
-                    "drag_status" => reader.field("drag_status", &mut drag_status)?,
-                    "extio" => reader.field("extio", &mut extio)?,
-                    "errcode" => reader.field("error_code", &mut error_code)?,
-                    "errmsg" => reader.field("error_message", &mut error_message)?,
-                    "monitor_data" => reader.field("monitor_data", &mut monitor_data)?,
-                    "torqsensor" => reader.field("torque_sensor", &mut torque_sensor)?,
-                    "joint_actual_position" => {
+            let mut this = Self::default();
+            this.read_fields_into(reader)?;
+            Ok(this)
+        }
+        fn read_fields_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"len\":",
+                        "\"drag_status\":",
+                        "\"extio\":",
+                        "\"errcode\":",
+                        "\"errmsg\":",
+                        "\"monitor_data\":",
+                        "\"torqsensor\":",
+                        "\"joint_actual_position\":",
+                        "\"actual_position\":",
+                        "\"din\":",
+                        "\"dout\":",
+                        "\"ain\":",
+                        "\"aout\":",
+                        "\"tio_din\":",
+                        "\"tio_dout\":",
+                        "\"tio_ain\":",
+                        "\"task_state\":",
+                        "\"homed\":",
+                        "\"task_mode\":",
+                        "\"interp_state\":",
+                        "\"enabled\":",
+                        "\"paused\":",
+                        "\"rapidrate\":",
+                        "\"current_tool_id\":",
+                        "\"current_user_id\":",
+                        "\"on_soft_limit\":",
+                        "\"emergency_stop\":",
+                        "\"drag_near_limit\":",
+                        "\"funcdi\":",
+                        "\"powered_on\":",
+                        "\"inpos\":",
+                        "\"motion_mode\":",
+                        "\"curr_tcp_trans_vel\":",
+                        "\"protective_stop\":",
+                        "\"point_key\":",
+                        "\"netState\":",
+                        "\"joint_position\":",
+                        "\"position\":",
+                        "\"tio_key\":",
+                        "\"instVel\":",
+                        "\"relay_io\":",
+                        "\"mb_slave_din\":",
+                        "\"mb_slave_dout\":",
+                        "\"mb_slave_ain\":",
+                        "\"mb_slave_aout\":",
+                        "\"pn_dev_din\":",
+                        "\"pn_dev_dout\":",
+                        "\"pn_dev_ain\":",
+                        "\"pn_dev_aout\":",
+                        "\"eip_adpt_din\":",
+                        "\"eip_adpt_dout\":",
+                        "\"eip_adpt_ain\":",
+                        "\"eip_adpt_aout\":",
+                        "\"tio_rs_signals\":",
+                        "\"motion_line\":",
+                        "\"err_add_line\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field_into("length", &mut self.length, &mut keys)?,
+                    1 => {
                         reader
-                            .field("joint_actual_position", &mut joint_actual_position)?
+                            .field_into("drag_status", &mut self.drag_status, &mut keys)?
                     }
-                    "actual_position" => {
-                        reader.field("actual_position", &mut actual_position)?
+                    2 => reader.field_into("extio", &mut self.extio, &mut keys)?,
+                    3 => {
+                        reader.field_into("error_code", &mut self.error_code, &mut keys)?
                     }
-                    "din" => reader.field("digital_inputs", &mut digital_inputs)?,
-                    "dout" => reader.field("digital_outputs", &mut digital_outputs)?,
-                    "ain" => reader.field("analog_inputs", &mut analog_inputs)?,
-                    "aout" => reader.field("analog_outputs", &mut analog_outputs)?,
-                    "tio_din" => {
-                        reader.field("tool_digital_inputs", &mut tool_digital_inputs)?
-                    }
-                    "tio_dout" => {
-                        reader.field("tool_digital_outputs", &mut tool_digital_outputs)?
-                    }
-                    "tio_ain" => {
-                        reader.field("tool_analog_inputs", &mut tool_analog_inputs)?
-                    }
-                    "task_state" => reader.field("task_state", &mut task_state)?,
-                    "homed" => reader.field("homed", &mut homed)?,
-                    "task_mode" => reader.field("task_mode", &mut task_mode)?,
-                    "interp_state" => {
-                        reader.field("interpreter_state", &mut interpreter_state)?
-                    }
-                    "enabled" => reader.field("enabled", &mut enabled)?,
-                    "paused" => reader.field("paused", &mut paused)?,
-                    "rapidrate" => reader.field("rapid_rate", &mut rapid_rate)?,
-                    "current_tool_id" => {
-                        reader.field("current_tool_id", &mut current_tool_id)?
-                    }
-                    "current_user_id" => {
+                    4 => {
                         reader
-                            .field("current_user_frame_id", &mut current_user_frame_id)?
+                            .field_into(
+                                "error_message",
+                                &mut self.error_message,
+                                &mut keys,
+                            )?
                     }
-                    "on_soft_limit" => reader.field("on_soft_limit", &mut on_soft_limit)?,
-                    "emergency_stop" => {
-                        reader.field("emergency_stop", &mut emergency_stop)?
-                    }
-                    "drag_near_limit" => {
-                        reader.field("drag_near_limit", &mut drag_near_limit)?
-                    }
-                    "funcdi" => reader.field("function_inputs", &mut function_inputs)?,
-                    "powered_on" => reader.field("powered_on", &mut powered_on)?,
-                    "inpos" => reader.field("in_position", &mut in_position)?,
-                    "motion_mode" => reader.field("motion_mode", &mut motion_mode)?,
-                    "curr_tcp_trans_vel" => reader.field("tcp_speed", &mut tcp_speed)?,
-                    "protective_stop" => {
-                        reader.field("protective_stop", &mut protective_stop)?
-                    }
-                    "point_key" => reader.field("point_key", &mut point_key)?,
-                    "netState" => reader.field("network_state", &mut network_state)?,
-                    "joint_position" => {
+                    5 => {
                         reader
-                            .field(
+                            .field_into(
+                                "monitor_data",
+                                &mut self.monitor_data,
+                                &mut keys,
+                            )?
+                    }
+                    6 => {
+                        reader
+                            .field_into(
+                                "torque_sensor",
+                                &mut self.torque_sensor,
+                                &mut keys,
+                            )?
+                    }
+                    7 => {
+                        reader
+                            .field_into(
+                                "joint_actual_position",
+                                &mut self.joint_actual_position,
+                                &mut keys,
+                            )?
+                    }
+                    8 => {
+                        reader
+                            .field_into(
+                                "actual_position",
+                                &mut self.actual_position,
+                                &mut keys,
+                            )?
+                    }
+                    9 => {
+                        reader
+                            .field_into(
+                                "digital_inputs",
+                                &mut self.digital_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    10 => {
+                        reader
+                            .field_into(
+                                "digital_outputs",
+                                &mut self.digital_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    11 => {
+                        reader
+                            .field_into(
+                                "analog_inputs",
+                                &mut self.analog_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    12 => {
+                        reader
+                            .field_into(
+                                "analog_outputs",
+                                &mut self.analog_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    13 => {
+                        reader
+                            .field_into(
+                                "tool_digital_inputs",
+                                &mut self.tool_digital_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    14 => {
+                        reader
+                            .field_into(
+                                "tool_digital_outputs",
+                                &mut self.tool_digital_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    15 => {
+                        reader
+                            .field_into(
+                                "tool_analog_inputs",
+                                &mut self.tool_analog_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    16 => {
+                        reader.field_into("task_state", &mut self.task_state, &mut keys)?
+                    }
+                    17 => reader.field_into("homed", &mut self.homed, &mut keys)?,
+                    18 => reader.field_into("task_mode", &mut self.task_mode, &mut keys)?,
+                    19 => {
+                        reader
+                            .field_into(
+                                "interpreter_state",
+                                &mut self.interpreter_state,
+                                &mut keys,
+                            )?
+                    }
+                    20 => reader.field_into("enabled", &mut self.enabled, &mut keys)?,
+                    21 => reader.field_into("paused", &mut self.paused, &mut keys)?,
+                    22 => {
+                        reader.field_into("rapid_rate", &mut self.rapid_rate, &mut keys)?
+                    }
+                    23 => {
+                        reader
+                            .field_into(
+                                "current_tool_id",
+                                &mut self.current_tool_id,
+                                &mut keys,
+                            )?
+                    }
+                    24 => {
+                        reader
+                            .field_into(
+                                "current_user_frame_id",
+                                &mut self.current_user_frame_id,
+                                &mut keys,
+                            )?
+                    }
+                    25 => {
+                        reader
+                            .field_into(
+                                "on_soft_limit",
+                                &mut self.on_soft_limit,
+                                &mut keys,
+                            )?
+                    }
+                    26 => {
+                        reader
+                            .field_into(
+                                "emergency_stop",
+                                &mut self.emergency_stop,
+                                &mut keys,
+                            )?
+                    }
+                    27 => {
+                        reader
+                            .field_into(
+                                "drag_near_limit",
+                                &mut self.drag_near_limit,
+                                &mut keys,
+                            )?
+                    }
+                    28 => {
+                        reader
+                            .field_into(
+                                "function_inputs",
+                                &mut self.function_inputs,
+                                &mut keys,
+                            )?
+                    }
+                    29 => {
+                        reader.field_into("powered_on", &mut self.powered_on, &mut keys)?
+                    }
+                    30 => {
+                        reader
+                            .field_into("in_position", &mut self.in_position, &mut keys)?
+                    }
+                    31 => {
+                        reader
+                            .field_into("motion_mode", &mut self.motion_mode, &mut keys)?
+                    }
+                    32 => reader.field_into("tcp_speed", &mut self.tcp_speed, &mut keys)?,
+                    33 => {
+                        reader
+                            .field_into(
+                                "protective_stop",
+                                &mut self.protective_stop,
+                                &mut keys,
+                            )?
+                    }
+                    34 => reader.field_into("point_key", &mut self.point_key, &mut keys)?,
+                    35 => {
+                        reader
+                            .field_into(
+                                "network_state",
+                                &mut self.network_state,
+                                &mut keys,
+                            )?
+                    }
+                    36 => {
+                        reader
+                            .field_into(
                                 "joint_commanded_position",
-                                &mut joint_commanded_position,
+                                &mut self.joint_commanded_position,
+                                &mut keys,
                             )?
                     }
-                    "position" => {
-                        reader.field("commanded_position", &mut commanded_position)?
-                    }
-                    "tio_key" => reader.field("tool_keys", &mut tool_keys)?,
-                    "instVel" => {
+                    37 => {
                         reader
-                            .field(
+                            .field_into(
+                                "commanded_position",
+                                &mut self.commanded_position,
+                                &mut keys,
+                            )?
+                    }
+                    38 => reader.field_into("tool_keys", &mut self.tool_keys, &mut keys)?,
+                    39 => {
+                        reader
+                            .field_into(
                                 "instantaneous_velocities",
-                                &mut instantaneous_velocities,
+                                &mut self.instantaneous_velocities,
+                                &mut keys,
                             )?
                     }
-                    "relay_io" => reader.field("relay_outputs", &mut relay_outputs)?,
-                    "mb_slave_din" => {
+                    40 => {
                         reader
-                            .field(
+                            .field_into(
+                                "relay_outputs",
+                                &mut self.relay_outputs,
+                                &mut keys,
+                            )?
+                    }
+                    41 => {
+                        reader
+                            .field_into(
                                 "modbus_slave_digital_inputs",
-                                &mut modbus_slave_digital_inputs,
+                                &mut self.modbus_slave_digital_inputs,
+                                &mut keys,
                             )?
                     }
-                    "mb_slave_dout" => {
+                    42 => {
                         reader
-                            .field(
+                            .field_into(
                                 "modbus_slave_digital_outputs",
-                                &mut modbus_slave_digital_outputs,
+                                &mut self.modbus_slave_digital_outputs,
+                                &mut keys,
                             )?
                     }
-                    "mb_slave_ain" => {
+                    43 => {
                         reader
-                            .field(
+                            .field_into(
                                 "modbus_slave_analog_inputs",
-                                &mut modbus_slave_analog_inputs,
+                                &mut self.modbus_slave_analog_inputs,
+                                &mut keys,
                             )?
                     }
-                    "mb_slave_aout" => {
+                    44 => {
                         reader
-                            .field(
+                            .field_into(
                                 "modbus_slave_analog_outputs",
-                                &mut modbus_slave_analog_outputs,
+                                &mut self.modbus_slave_analog_outputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_din" => {
+                    45 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_digital_inputs",
-                                &mut profinet_device_digital_inputs,
+                                &mut self.profinet_device_digital_inputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_dout" => {
+                    46 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_digital_outputs",
-                                &mut profinet_device_digital_outputs,
+                                &mut self.profinet_device_digital_outputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_ain" => {
+                    47 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_analog_inputs",
-                                &mut profinet_device_analog_inputs,
+                                &mut self.profinet_device_analog_inputs,
+                                &mut keys,
                             )?
                     }
-                    "pn_dev_aout" => {
+                    48 => {
                         reader
-                            .field(
+                            .field_into(
                                 "profinet_device_analog_outputs",
-                                &mut profinet_device_analog_outputs,
+                                &mut self.profinet_device_analog_outputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_din" => {
+                    49 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_digital_inputs",
-                                &mut ethernet_ip_adapter_digital_inputs,
+                                &mut self.ethernet_ip_adapter_digital_inputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_dout" => {
+                    50 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_digital_outputs",
-                                &mut ethernet_ip_adapter_digital_outputs,
+                                &mut self.ethernet_ip_adapter_digital_outputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_ain" => {
+                    51 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_analog_inputs",
-                                &mut ethernet_ip_adapter_analog_inputs,
+                                &mut self.ethernet_ip_adapter_analog_inputs,
+                                &mut keys,
                             )?
                     }
-                    "eip_adpt_aout" => {
+                    52 => {
                         reader
-                            .field(
+                            .field_into(
                                 "ethernet_ip_adapter_analog_outputs",
-                                &mut ethernet_ip_adapter_analog_outputs,
+                                &mut self.ethernet_ip_adapter_analog_outputs,
+                                &mut keys,
                             )?
                     }
-                    "tio_rs_signals" => {
-                        reader.field("tool_rs_signals", &mut tool_rs_signals)?
+                    53 => {
+                        reader
+                            .field_into(
+                                "tool_rs_signals",
+                                &mut self.tool_rs_signals,
+                                &mut keys,
+                            )?
                     }
-                    "motion_line" => reader.field("motion_line", &mut motion_line)?,
-                    "err_add_line" => {
-                        reader.field("error_add_line", &mut error_add_line)?
+                    54 => {
+                        reader
+                            .field_into("motion_line", &mut self.motion_line, &mut keys)?
+                    }
+                    55 => {
+                        reader
+                            .field_into(
+                                "error_add_line",
+                                &mut self.error_add_line,
+                                &mut keys,
+                            )?
                     }
                     _ => reader.skip()?,
                 }
             }
-            Ok(Self {
-                length,
-                drag_status,
-                extio,
-                error_code,
-                error_message,
-                monitor_data,
-                torque_sensor,
-                joint_actual_position,
-                actual_position,
-                digital_inputs,
-                digital_outputs,
-                analog_inputs,
-                analog_outputs,
-                tool_digital_inputs,
-                tool_digital_outputs,
-                tool_analog_inputs,
-                task_state,
-                homed,
-                task_mode,
-                interpreter_state,
-                enabled,
-                paused,
-                rapid_rate,
-                current_tool_id,
-                current_user_frame_id,
-                on_soft_limit,
-                emergency_stop,
-                drag_near_limit,
-                function_inputs,
-                powered_on,
-                in_position,
-                motion_mode,
-                tcp_speed,
-                protective_stop,
-                point_key,
-                network_state,
-                joint_commanded_position,
-                commanded_position,
-                tool_keys,
-                instantaneous_velocities,
-                relay_outputs,
-                modbus_slave_digital_inputs,
-                modbus_slave_digital_outputs,
-                modbus_slave_analog_inputs,
-                modbus_slave_analog_outputs,
-                profinet_device_digital_inputs,
-                profinet_device_digital_outputs,
-                profinet_device_analog_inputs,
-                profinet_device_analog_outputs,
-                ethernet_ip_adapter_digital_inputs,
-                ethernet_ip_adapter_digital_outputs,
-                ethernet_ip_adapter_analog_inputs,
-                ethernet_ip_adapter_analog_outputs,
-                tool_rs_signals,
-                motion_line,
-                error_add_line,
-            })
+            keys.absent(0, &mut self.length);
+            keys.absent(1, &mut self.drag_status);
+            keys.absent(2, &mut self.extio);
+            keys.absent(3, &mut self.error_code);
+            keys.absent(4, &mut self.error_message);
+            keys.absent(5, &mut self.monitor_data);
+            keys.absent(6, &mut self.torque_sensor);
+            keys.absent(7, &mut self.joint_actual_position);
+            keys.absent(8, &mut self.actual_position);
+            keys.absent(9, &mut self.digital_inputs);
+            keys.absent(10, &mut self.digital_outputs);
+            keys.absent(11, &mut self.analog_inputs);
+            keys.absent(12, &mut self.analog_outputs);
+            keys.absent(13, &mut self.tool_digital_inputs);
+            keys.absent(14, &mut self.tool_digital_outputs);
+            keys.absent(15, &mut self.tool_analog_inputs);
+            keys.absent(16, &mut self.task_state);
+            keys.absent(17, &mut self.homed);
+            keys.absent(18, &mut self.task_mode);
+            keys.absent(19, &mut self.interpreter_state);
+            keys.absent(20, &mut self.enabled);
+            keys.absent(21, &mut self.paused);
+            keys.absent(22, &mut self.rapid_rate);
+            keys.absent(23, &mut self.current_tool_id);
+            keys.absent(24, &mut self.current_user_frame_id);
+            keys.absent(25, &mut self.on_soft_limit);
+            keys.absent(26, &mut self.emergency_stop);
+            keys.absent(27, &mut self.drag_near_limit);
+            keys.absent(28, &mut self.function_inputs);
+            keys.absent(29, &mut self.powered_on);
+            keys.absent(30, &mut self.in_position);
+            keys.absent(31, &mut self.motion_mode);
+            keys.absent(32, &mut self.tcp_speed);
+            keys.absent(33, &mut self.protective_stop);
+            keys.absent(34, &mut self.point_key);
+            keys.absent(35, &mut self.network_state);
+            keys.absent(36, &mut self.joint_commanded_position);
+            keys.absent(37, &mut self.commanded_position);
+            keys.absent(38, &mut self.tool_keys);
+            keys.absent(39, &mut self.instantaneous_velocities);
+            keys.absent(40, &mut self.relay_outputs);
+            keys.absent(41, &mut self.modbus_slave_digital_inputs);
+            keys.absent(42, &mut self.modbus_slave_digital_outputs);
+            keys.absent(43, &mut self.modbus_slave_analog_inputs);
+            keys.absent(44, &mut self.modbus_slave_analog_outputs);
+            keys.absent(45, &mut self.profinet_device_digital_inputs);
+            keys.absent(46, &mut self.profinet_device_digital_outputs);
+            keys.absent(47, &mut self.profinet_device_analog_inputs);
+            keys.absent(48, &mut self.profinet_device_analog_outputs);
+            keys.absent(49, &mut self.ethernet_ip_adapter_digital_inputs);
+            keys.absent(50, &mut self.ethernet_ip_adapter_digital_outputs);
+            keys.absent(51, &mut self.ethernet_ip_adapter_analog_inputs);
+            keys.absent(52, &mut self.ethernet_ip_adapter_analog_outputs);
+            keys.absent(53, &mut self.tool_rs_signals);
+            keys.absent(54, &mut self.motion_line);
+            keys.absent(55, &mut self.error_add_line);
+            Ok(())
         }
     }
     proto::__object_impls!(RobotStatus);
@@ -1398,13 +1588,13 @@ pub mod status {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"status\":");
             wire::Encode::encode(&self.pin_states, out);
-            out.key("\"setup\":");
+            out.raw(",\"setup\":");
             wire::Encode::encode(&self.setup, out);
-            out.key("\"num\":");
+            out.raw(",\"num\":");
             wire::Encode::encode(&self.count, out);
-            out.key("\"pinmap\":");
+            out.raw(",\"pinmap\":");
             wire::Encode::encode(&self.pin_maps, out);
-            out.key("\"mode\":");
+            out.raw(",\"mode\":");
             wire::Encode::encode(&self.mode, out);
         }
         fn read_fields(
@@ -1415,14 +1605,23 @@ pub mod status {
             let mut count = None;
             let mut pin_maps = None;
             let mut mode = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "status" => reader.field("pin_states", &mut pin_states)?,
-                    "setup" => reader.field("setup", &mut setup)?,
-                    "num" => reader.field("count", &mut count)?,
-                    "pinmap" => reader.field("pin_maps", &mut pin_maps)?,
-                    "mode" => reader.field("mode", &mut mode)?,
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"status\":",
+                        "\"setup\":",
+                        "\"num\":",
+                        "\"pinmap\":",
+                        "\"mode\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("pin_states", &mut pin_states)?,
+                    1 => reader.field("setup", &mut setup)?,
+                    2 => reader.field("count", &mut count)?,
+                    3 => reader.field("pin_maps", &mut pin_maps)?,
+                    4 => reader.field("mode", &mut mode)?,
                     _ => reader.skip()?,
                 }
             }
@@ -1436,6 +1635,44 @@ pub mod status {
                     .ok_or_else(|| wire::DecodeError::missing("pin_maps", "pinmap"))?,
                 mode: mode.ok_or_else(|| wire::DecodeError::missing("mode", "mode"))?,
             })
+        }
+        fn read_fields_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let mut keys = reader
+                .begin_fields(
+                    &[
+                        "\"status\":",
+                        "\"setup\":",
+                        "\"num\":",
+                        "\"pinmap\":",
+                        "\"mode\":",
+                    ],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => {
+                        reader
+                            .required_into(
+                                "pin_states",
+                                &mut self.pin_states,
+                                &mut keys,
+                            )?
+                    }
+                    1 => reader.required_into("setup", &mut self.setup, &mut keys)?,
+                    2 => reader.required_into("count", &mut self.count, &mut keys)?,
+                    3 => reader.required_into("pin_maps", &mut self.pin_maps, &mut keys)?,
+                    4 => reader.required_into("mode", &mut self.mode, &mut keys)?,
+                    _ => reader.skip()?,
+                }
+            }
+            keys.required(0, "pin_states", "status")?;
+            keys.required(1, "setup", "setup")?;
+            keys.required(2, "count", "num")?;
+            keys.required(3, "pin_maps", "pinmap")?;
+            keys.required(4, "mode", "mode")?;
+            Ok(())
         }
     }
     proto::__object_impls!(ExtioReport);
@@ -1469,23 +1706,22 @@ pub mod status {
     impl wire::Encode for ExtioPinStates {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             out.array(
                 &self.digital_inputs,
                 |out, item| {
                     out.choose(*item, "0", "1");
                 },
             );
-            out.comma();
+            out.raw(",");
             out.array(
                 &self.digital_outputs,
                 |out, item| {
                     out.choose(*item, "0", "1");
                 },
             );
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_outputs, out);
             out.raw("]");
         }
@@ -1501,6 +1737,17 @@ pub mod status {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("digital_inputs", &mut self.digital_inputs)?;
+            reader.element_into("digital_outputs", &mut self.digital_outputs)?;
+            reader.element_into("analog_inputs", &mut self.analog_inputs)?;
+            reader.element_into("analog_outputs", &mut self.analog_outputs)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(ExtioPinStates);
@@ -1549,29 +1796,27 @@ pub mod status {
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Rtu { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(0);
-                    out.comma();
+                    out.raw("[0");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     match connection {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
                         }
                         wire::Typed::Raw(value) => wire::Encode::encode(value, out),
                     }
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
                 Self::Tcp { name, connection, pins } => {
-                    out.raw("[");
-                    out.int(1);
-                    out.comma();
+                    out.raw("[1");
+                    out.raw(",");
                     wire::Encode::encode(name, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(connection, out);
-                    out.comma();
+                    out.raw(",");
                     wire::Encode::encode(pins, out);
                     out.raw("]");
                 }
@@ -1605,6 +1850,32 @@ pub mod status {
                 _ => {
                     *reader = start;
                     wire::Decode::decode(reader).map(Self::Other)
+                }
+            }
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let start = reader.clone();
+            reader.begin_array()?;
+            match (reader.element::<i64>("kind")?, &mut *self) {
+                (0, Self::Rtu { name, connection, pins }) => {
+                    reader.element_into("name", name)?;
+                    reader.element_into("connection", connection)?;
+                    reader.element_into("pins", pins)?;
+                    reader.end_array()
+                }
+                (1, Self::Tcp { name, connection, pins }) => {
+                    reader.element_into("name", name)?;
+                    reader.element_into("connection", connection)?;
+                    reader.element_into("pins", pins)?;
+                    reader.end_array()
+                }
+                _ => {
+                    *reader = start;
+                    *self = wire::Decode::decode(reader)?;
+                    Ok(())
                 }
             }
         }
@@ -1650,13 +1921,12 @@ pub mod status {
     impl wire::Encode for ExtioReportPins {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.digital_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_outputs, out);
             out.raw("]");
         }
@@ -1707,13 +1977,12 @@ pub mod status {
     impl wire::Encode for ExtioReportPinMap {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.digital_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.digital_outputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_inputs, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.analog_outputs, out);
             out.raw("]");
         }
@@ -1811,17 +2080,16 @@ pub mod status {
     impl wire::Encode for MonitorData {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.scb_major_version, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.scb_minor_version, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.cabinet_temperature, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.bus_average_power, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.bus_average_current, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.joints, out);
             out.raw("]");
         }
@@ -1839,6 +2107,19 @@ pub mod status {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("scb_major_version", &mut self.scb_major_version)?;
+            reader.element_into("scb_minor_version", &mut self.scb_minor_version)?;
+            reader.element_into("cabinet_temperature", &mut self.cabinet_temperature)?;
+            reader.element_into("bus_average_power", &mut self.bus_average_power)?;
+            reader.element_into("bus_average_current", &mut self.bus_average_current)?;
+            reader.element_into("joints", &mut self.joints)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(MonitorData);
@@ -1917,28 +2198,27 @@ pub mod status {
     impl wire::Encode for JointMonitor {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.current, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.voltage, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.temperature, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.average_power, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.current_fluctuation, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.total_revolutions, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.total_running_time, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.cycles_since_start, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.running_time_since_start, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.torque, out);
             if let Some(value) = &self.eleventh {
-                out.comma();
+                out.raw(",");
                 wire::Encode::encode(value, out);
             }
             out.raw("]");
@@ -2022,9 +2302,8 @@ pub mod status {
     impl wire::Encode for TorqueSensorReport {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.settings, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.state, out);
             out.raw("]");
         }
@@ -2038,6 +2317,15 @@ pub mod status {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("settings", &mut self.settings)?;
+            reader.element_into("state", &mut self.state)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(TorqueSensorReport);
@@ -2088,11 +2376,10 @@ pub mod status {
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Tcp { connection, payload } => {
-                    out.raw("[");
-                    out.int(0);
-                    out.comma();
+                    out.raw("[0");
+                    out.raw(",");
                     wire::Encode::encode(connection, out);
-                    out.comma();
+                    out.raw(",");
                     match payload {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
@@ -2102,16 +2389,15 @@ pub mod status {
                     out.raw("]");
                 }
                 Self::Serial { connection, payload } => {
-                    out.raw("[");
-                    out.int(1);
-                    out.comma();
+                    out.raw("[1");
+                    out.raw(",");
                     match connection {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
                         }
                         wire::Typed::Raw(value) => wire::Encode::encode(value, out),
                     }
-                    out.comma();
+                    out.raw(",");
                     match payload {
                         wire::Typed::Known(value) => {
                             wire::Encode::encode(value, out);
@@ -2151,6 +2437,30 @@ pub mod status {
                 }
             }
         }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let start = reader.clone();
+            reader.begin_array()?;
+            match (reader.element::<i64>("kind")?, &mut *self) {
+                (0, Self::Tcp { connection, payload }) => {
+                    reader.element_into("connection", connection)?;
+                    reader.element_into("payload", payload)?;
+                    reader.end_array()
+                }
+                (1, Self::Serial { connection, payload }) => {
+                    reader.element_into("connection", connection)?;
+                    reader.element_into("payload", payload)?;
+                    reader.end_array()
+                }
+                _ => {
+                    *reader = start;
+                    *self = wire::Decode::decode(reader)?;
+                    Ok(())
+                }
+            }
+        }
     }
     proto::__serde_impls!(TorqueSensorSettings);
     impl check::Validate for TorqueSensorSettings {
@@ -2185,9 +2495,8 @@ pub mod status {
     impl wire::Encode for TorqueSensorTcp {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.address, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.port, out);
             out.raw("]");
         }
@@ -2201,6 +2510,15 @@ pub mod status {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("address", &mut self.address)?;
+            reader.element_into("port", &mut self.port)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(TorqueSensorTcp);
@@ -2231,13 +2549,12 @@ pub mod status {
     impl wire::Encode for TorqueSensorSerial {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.baud_rate, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.data_bits, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.stop_bits, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.parity, out);
             out.raw("]");
         }
@@ -2253,6 +2570,17 @@ pub mod status {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("baud_rate", &mut self.baud_rate)?;
+            reader.element_into("data_bits", &mut self.data_bits)?;
+            reader.element_into("stop_bits", &mut self.stop_bits)?;
+            reader.element_into("parity", &mut self.parity)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(TorqueSensorSerial);
@@ -2281,9 +2609,8 @@ pub mod status {
     impl wire::Encode for TorqueSensorPayload {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.mass, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.centroid, out);
             out.raw("]");
         }
@@ -2339,18 +2666,17 @@ pub mod status {
     impl wire::Encode for TorqueSensorState {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             out.choose(*&self.working, "0", "1");
-            out.comma();
+            out.raw(",");
             match &self.error_code {
                 wire::Typed::Known(value) => {
                     wire::Encode::encode(value, out);
                 }
                 wire::Typed::Raw(value) => wire::Encode::encode(value, out),
             }
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.contact_force, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.raw_reading, out);
             out.raw("]");
         }
@@ -2366,6 +2692,17 @@ pub mod status {
             };
             reader.end_array()?;
             Ok(this)
+        }
+        fn decode_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            reader.begin_array()?;
+            reader.element_into("working", &mut self.working)?;
+            reader.element_into("error_code", &mut self.error_code)?;
+            reader.element_into("contact_force", &mut self.contact_force)?;
+            reader.element_into("raw_reading", &mut self.raw_reading)?;
+            reader.end_array()
         }
     }
     proto::__serde_impls!(TorqueSensorState);

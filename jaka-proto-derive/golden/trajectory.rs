@@ -37,11 +37,11 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"acc\":");
             wire::Encode::encode(&self.acceleration, out);
-            out.key("\"vel\":");
+            out.raw(",\"vel\":");
             wire::Encode::encode(&self.speed, out);
-            out.key("\"xyz_interval\":");
+            out.raw(",\"xyz_interval\":");
             wire::Encode::encode(&self.position_interval, out);
-            out.key("\"rpy_interval\":");
+            out.raw(",\"rpy_interval\":");
             wire::Encode::encode(&self.orientation_interval, out);
         }
         fn read_fields(
@@ -51,17 +51,16 @@ pub mod trajectory {
             let mut speed = None;
             let mut position_interval = None;
             let mut orientation_interval = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "acc" => reader.field("acceleration", &mut acceleration)?,
-                    "vel" => reader.field("speed", &mut speed)?,
-                    "xyz_interval" => {
-                        reader.field("position_interval", &mut position_interval)?
-                    }
-                    "rpy_interval" => {
-                        reader.field("orientation_interval", &mut orientation_interval)?
-                    }
+            let mut keys = reader
+                .begin_fields(
+                    &["\"acc\":", "\"vel\":", "\"xyz_interval\":", "\"rpy_interval\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("acceleration", &mut acceleration)?,
+                    1 => reader.field("speed", &mut speed)?,
+                    2 => reader.field("position_interval", &mut position_interval)?,
+                    3 => reader.field("orientation_interval", &mut orientation_interval)?,
                     _ => reader.skip()?,
                 }
             }
@@ -201,11 +200,11 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"acc\":");
             wire::Encode::encode(&self.acceleration, out);
-            out.key("\"xyz_interval\":");
+            out.raw(",\"xyz_interval\":");
             wire::Encode::encode(&self.position_interval, out);
-            out.key("\"rpy_interval\":");
+            out.raw(",\"rpy_interval\":");
             wire::Encode::encode(&self.orientation_interval, out);
-            out.key("\"vel\":");
+            out.raw(",\"vel\":");
             wire::Encode::encode(&self.speed, out);
         }
         fn read_fields(
@@ -215,17 +214,16 @@ pub mod trajectory {
             let mut position_interval = None;
             let mut orientation_interval = None;
             let mut speed = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "acc" => reader.field("acceleration", &mut acceleration)?,
-                    "xyz_interval" => {
-                        reader.field("position_interval", &mut position_interval)?
-                    }
-                    "rpy_interval" => {
-                        reader.field("orientation_interval", &mut orientation_interval)?
-                    }
-                    "vel" => reader.field("speed", &mut speed)?,
+            let mut keys = reader
+                .begin_fields(
+                    &["\"acc\":", "\"xyz_interval\":", "\"rpy_interval\":", "\"vel\":"],
+                )?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("acceleration", &mut acceleration)?,
+                    1 => reader.field("position_interval", &mut position_interval)?,
+                    2 => reader.field("orientation_interval", &mut orientation_interval)?,
+                    3 => reader.field("speed", &mut speed)?,
                     _ => reader.skip()?,
                 }
             }
@@ -268,7 +266,7 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"mode\":");
             wire::Encode::encode(&self.mode, out);
-            out.key("\"filename\":");
+            out.raw(",\"filename\":");
             wire::Encode::encode(&self.file_name, out);
         }
         fn read_fields(
@@ -276,11 +274,11 @@ pub mod trajectory {
         ) -> Result<Self, wire::DecodeError> {
             let mut mode = None;
             let mut file_name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "mode" => reader.field("mode", &mut mode)?,
-                    "filename" => reader.field("file_name", &mut file_name)?,
+            let mut keys = reader.begin_fields(&["\"mode\":", "\"filename\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("mode", &mut mode)?,
+                    1 => reader.field("file_name", &mut file_name)?,
                     _ => reader.skip()?,
                 }
             }
@@ -364,10 +362,10 @@ pub mod trajectory {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut sampling = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "sampleStatus" => reader.field("sampling", &mut sampling)?,
+            let mut keys = reader.begin_fields(&["\"sampleStatus\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("sampling", &mut sampling)?,
                     _ => reader.skip()?,
                 }
             }
@@ -432,10 +430,10 @@ pub mod trajectory {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut file_names = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "trajTrackFileName" => reader.field("file_names", &mut file_names)?,
+            let mut keys = reader.begin_fields(&["\"trajTrackFileName\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("file_names", &mut file_names)?,
                     _ => reader.skip()?,
                 }
             }
@@ -469,7 +467,7 @@ pub mod trajectory {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"src\":");
             wire::Encode::encode(&self.source, out);
-            out.key("\"dest\":");
+            out.raw(",\"dest\":");
             wire::Encode::encode(&self.destination, out);
         }
         fn read_fields(
@@ -477,11 +475,11 @@ pub mod trajectory {
         ) -> Result<Self, wire::DecodeError> {
             let mut source = None;
             let mut destination = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "src" => reader.field("source", &mut source)?,
-                    "dest" => reader.field("destination", &mut destination)?,
+            let mut keys = reader.begin_fields(&["\"src\":", "\"dest\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("source", &mut source)?,
+                    1 => reader.field("destination", &mut destination)?,
                     _ => reader.skip()?,
                 }
             }
@@ -539,10 +537,10 @@ pub mod trajectory {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut file_name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "fileName" => reader.field("file_name", &mut file_name)?,
+            let mut keys = reader.begin_fields(&["\"fileName\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("file_name", &mut file_name)?,
                     _ => reader.skip()?,
                 }
             }
@@ -599,10 +597,10 @@ pub mod trajectory {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut file_name = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "fileName" => reader.field("file_name", &mut file_name)?,
+            let mut keys = reader.begin_fields(&["\"fileName\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("file_name", &mut file_name)?,
                     _ => reader.skip()?,
                 }
             }

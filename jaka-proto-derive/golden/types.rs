@@ -66,17 +66,16 @@ pub mod types {
     impl wire::Encode for Pose {
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
-            out.comma();
             wire::Encode::encode(&self.x, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.y, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.z, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rx, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.ry, out);
-            out.comma();
+            out.raw(",");
             wire::Encode::encode(&self.rz, out);
             out.raw("]");
         }

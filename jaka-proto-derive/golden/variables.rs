@@ -59,10 +59,10 @@ pub mod variables {
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
             let mut variables = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "var_list" => reader.field("variables", &mut variables)?,
+            let mut keys = reader.begin_fields(&["\"var_list\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("variables", &mut variables)?,
                     _ => reader.skip()?,
                 }
             }
@@ -104,9 +104,9 @@ pub mod variables {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"id_new\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"alias_new\":");
+            out.raw(",\"alias_new\":");
             wire::Encode::encode(&self.alias, out);
-            out.key("\"value_new\":");
+            out.raw(",\"value_new\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -115,12 +115,13 @@ pub mod variables {
             let mut id = None;
             let mut alias = None;
             let mut value = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "id_new" => reader.field("id", &mut id)?,
-                    "alias_new" => reader.field("alias", &mut alias)?,
-                    "value_new" => reader.field("value", &mut value)?,
+            let mut keys = reader
+                .begin_fields(&["\"id_new\":", "\"alias_new\":", "\"value_new\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("id", &mut id)?,
+                    1 => reader.field("alias", &mut alias)?,
+                    2 => reader.field("value", &mut value)?,
                     _ => reader.skip()?,
                 }
             }
@@ -170,9 +171,9 @@ pub mod variables {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"alias\":");
             wire::Encode::encode(&self.alias, out);
-            out.key("\"id\":");
+            out.raw(",\"id\":");
             wire::Encode::encode(&self.id, out);
-            out.key("\"value\":");
+            out.raw(",\"value\":");
             wire::Encode::encode(&self.value, out);
         }
         fn read_fields(
@@ -181,12 +182,13 @@ pub mod variables {
             let mut alias = None;
             let mut id = None;
             let mut value = None;
-            reader.begin_object()?;
-            while let Some(key) = reader.next_key()? {
-                match &*key {
-                    "alias" => reader.field("alias", &mut alias)?,
-                    "id" => reader.field("id", &mut id)?,
-                    "value" => reader.field("value", &mut value)?,
+            let mut keys = reader
+                .begin_fields(&["\"alias\":", "\"id\":", "\"value\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.field("alias", &mut alias)?,
+                    1 => reader.field("id", &mut id)?,
+                    2 => reader.field("value", &mut value)?,
                     _ => reader.skip()?,
                 }
             }
@@ -196,6 +198,25 @@ pub mod variables {
                 id: id.ok_or_else(|| wire::DecodeError::missing("id", "id"))?,
                 value: value.ok_or_else(|| wire::DecodeError::missing("value", "value"))?,
             })
+        }
+        fn read_fields_into(
+            &mut self,
+            reader: &mut wire::Reader<'_>,
+        ) -> Result<(), wire::DecodeError> {
+            let mut keys = reader
+                .begin_fields(&["\"alias\":", "\"id\":", "\"value\":"])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    0 => reader.required_into("alias", &mut self.alias, &mut keys)?,
+                    1 => reader.required_into("id", &mut self.id, &mut keys)?,
+                    2 => reader.required_into("value", &mut self.value, &mut keys)?,
+                    _ => reader.skip()?,
+                }
+            }
+            keys.required(0, "alias", "alias")?;
+            keys.required(1, "id", "id")?;
+            keys.required(2, "value", "value")?;
+            Ok(())
         }
     }
     proto::__object_impls!(UserVariable);

@@ -10,7 +10,7 @@ use crate::{docs, typedef};
 /// An `impl Client` with a method for each command.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
     let messages = quote!(::jaka_proto::messages);
-    let scope = Scope { spec, topic: None, elsewhere: &messages };
+    let scope = Scope { spec, topic: None, elsewhere: &messages, wire: &quote!(wire) };
     let methods = spec.topics.iter().flat_map(|topic| {
         let module = scope.module(topic);
         topic.commands.iter().map(move |command| {

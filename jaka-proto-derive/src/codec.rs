@@ -14,6 +14,8 @@ pub(crate) struct Scope<'s> {
     pub(crate) topic: Option<&'s Topic>,
     /// The path of the module that has the other topics' modules.
     pub(crate) elsewhere: &'s TokenStream,
+    /// The path of the module `wire`.
+    pub(crate) wire: &'s TokenStream,
 }
 
 impl Scope<'_> {
@@ -24,7 +26,10 @@ impl Scope<'_> {
             Type::Int => quote!(i64),
             Type::Float => quote!(f64),
             Type::Text => quote!(String),
-            Type::Json => quote!(wire::Value),
+            Type::Json => {
+                let wire = self.wire;
+                quote!(#wire::Value)
+            }
             Type::Python(inner) => self.rust_type(inner),
             Type::List(element) => {
                 let element = self.rust_type(element);
@@ -57,7 +62,8 @@ impl Scope<'_> {
     pub(crate) fn field_type(self, field: &Field) -> TokenStream {
         let mut ty = self.rust_type(&field.ty);
         if field.or_raw {
-            ty = quote!(wire::Typed<#ty>);
+            let wire = self.wire;
+            ty = quote!(#wire::Typed<#ty>);
         }
         if field.optional { quote!(Option<#ty>) } else { ty }
     }
@@ -85,16 +91,41 @@ pub(crate) fn names(fields: &[Field]) -> Vec<Ident> {
 
 /// Statements that write the fields of an object; `value` turns a field's name into a reference to its value.
 pub(crate) fn write_object(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    let fields = fields.iter().map(|field| {
+    // Behind a field that is always there, a comma is always due, and is one text with the key.
+    let behind = fields.iter().position(|field| !field.optional).map_or(fields.len(), |first| first + 1);
+    let (first, rest) = fields.split_at(behind);
+    let first = first.iter().map(|field| {
         let key = field.key();
         write_field(field, &quote!(out.key(#key);), &value(&ident(&field.name)))
+    });
+    let rest = write_further_fields(rest, &value);
+    quote!(#(#first)* #rest)
+}
+
+/// Statements that write fields of an object behind another one.
+pub(crate) fn write_further_fields(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let fields = fields.iter().map(|field| {
+        let key = format!(",{}", field.key());
+        write_field(field, &quote!(out.raw(#key);), &value(&ident(&field.name)))
     });
     quote!(#(#fields)*)
 }
 
 /// Statements that write the elements of an array, without its brackets.
 pub(crate) fn write_array(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    let fields = fields.iter().map(|field| write_field(field, &quote!(out.comma();), &value(&ident(&field.name))));
+    let [first, rest @ ..] = fields else { return TokenStream::new() };
+    let write = write_field(first, &TokenStream::new(), &value(&ident(&first.name)));
+    if !first.optional {
+        let rest = write_further_elements(rest, value);
+        return quote!(#write #rest);
+    }
+    let rest = rest.iter().map(|field| write_field(field, &quote!(out.comma();), &value(&ident(&field.name))));
+    quote!(#write #(#rest)*)
+}
+
+/// Statements that write elements of an array behind another one.
+pub(crate) fn write_further_elements(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let fields = fields.iter().map(|field| write_field(field, &quote!(out.raw(",");), &value(&ident(&field.name))));
     quote!(#(#fields)*)
 }
 
@@ -148,7 +179,10 @@ fn is_truth(ty: &Type) -> bool {
 /// Statements and an expression that read an object and construct `constructor` from its fields.
 pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenStream {
     let names = names(fields);
-    let arms = fields.iter().map(read_arm);
+    let arms = fields.iter().enumerate().map(|(at, field)| {
+        let (name, method) = (ident(&field.name), read_method(field));
+        arm(at, field, &method, &quote!(&mut #name))
+    });
     let values = fields.iter().map(|field| {
         let name = ident(&field.name);
         if field.optional {
@@ -157,28 +191,78 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
         let (text, key) = (&field.name, &field.wire);
         quote!(#name: #name.ok_or_else(|| wire::DecodeError::missing(#text, #key))?)
     });
+    let walk = walk_object(fields, arms, &quote!(skip));
     quote! {
         #(let mut #names = None;)*
-        reader.begin_object()?;
-        while let Some(key) = reader.next_key()? {
-            match &*key {
-                #(#arms)*
-                _ => reader.skip()?,
-            }
-        }
+        #walk
         Ok(#constructor { #(#values),* })
     }
 }
 
-fn read_arm(field: &Field) -> TokenStream {
-    let (key, text, name) = (&field.wire, &field.name, ident(&field.name));
+/// The same over the fields of `self`, whose memory is used again; `other` is what the reader does with other keys' values.
+pub(crate) fn read_object_in_place(fields: &[Field], other: &TokenStream) -> TokenStream {
+    let arms = fields.iter().enumerate().map(|(at, field)| {
+        let name = ident(&field.name);
+        if !field.optional {
+            return arm(at, field, &quote!(required_into), &quote!(&mut self.#name, &mut keys));
+        }
+        arm(at, field, &quote!(field_into), &quote!(&mut self.#name, &mut keys))
+    });
+    let ends = fields.iter().enumerate().map(|(at, field)| {
+        let (name, at) = (ident(&field.name), Literal::usize_unsuffixed(at));
+        if field.optional {
+            return quote!(keys.absent(#at, &mut self.#name););
+        }
+        let (text, key) = (&field.name, &field.wire);
+        quote!(keys.required(#at, #text, #key)?;)
+    });
+    let walk = walk_object(fields, arms, other);
+    quote! {
+        #walk
+        #(#ends)*
+        Ok(())
+    }
+}
+
+/// True for fields that can be read in place: their number and their types.
+pub(crate) fn in_place(fields: &[Field]) -> bool {
+    let is_plain = |field: &Field| !field.ty.has_words() && !matches!(field.ty, Type::Python(_));
+    fields.len() <= MAX_IN_PLACE && fields.iter().all(is_plain)
+}
+
+/// As many keys as `wire::Keys` can note.
+const MAX_IN_PLACE: usize = 128;
+
+/// Goes through an object, and leaves the value of each known key to its arm.
+fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, other: &TokenStream) -> TokenStream {
+    let keys = fields.iter().map(Field::key);
+    quote! {
+        let mut keys = reader.begin_fields(&[#(#keys),*])?;
+        while let Some(key) = reader.next_field(&mut keys)? {
+            match key {
+                #(#arms)*
+                _ => reader.#other()?,
+            }
+        }
+    }
+}
+
+fn arm(at: usize, field: &Field, method: &TokenStream, slot: &TokenStream) -> TokenStream {
+    let (at, text) = (Literal::usize_unsuffixed(at), &field.name);
     match &field.ty {
         Type::Bool { off, on } if field.ty.has_words() => {
             let (off, on) = (off.trim_matches('"'), on.trim_matches('"'));
-            quote!(#key => reader.field_word(#text, &mut #name, #off, #on)?,)
+            quote!(#at => reader.#method(#text, #slot, #off, #on)?,)
         }
-        Type::Python(_) => quote!(#key => reader.field_python(#text, &mut #name)?,),
-        _ => quote!(#key => reader.field(#text, &mut #name)?,),
+        _ => quote!(#at => reader.#method(#text, #slot)?,),
+    }
+}
+
+fn read_method(field: &Field) -> TokenStream {
+    match &field.ty {
+        Type::Bool { .. } if field.ty.has_words() => quote!(field_word),
+        Type::Python(_) => quote!(field_python),
+        _ => quote!(field),
     }
 }
 
@@ -189,12 +273,30 @@ pub(crate) fn read_array(fields: &[Field], exact: bool, constructor: &TokenStrea
         let method = if field.optional { quote!(optional_element) } else { quote!(element) };
         quote!(#name: reader.#method(#text)?)
     });
-    let end = if exact { quote!(end_exact_array) } else { quote!(end_array) };
+    let end = end_array(exact);
     quote! {
         let this = #constructor { #(#values),* };
-        reader.#end()?;
+        #end?;
         Ok(this)
     }
+}
+
+/// The same over the fields that `slot` names, whose memory is used again.
+pub(crate) fn read_array_in_place(fields: &[Field], exact: bool, slot: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let values = fields.iter().map(|field| {
+        let (text, slot) = (&field.name, slot(&ident(&field.name)));
+        let method = if field.optional { quote!(optional_element_into) } else { quote!(element_into) };
+        quote!(reader.#method(#text, #slot)?;)
+    });
+    let end = end_array(exact);
+    quote! {
+        #(#values)*
+        #end
+    }
+}
+
+fn end_array(exact: bool) -> TokenStream {
+    if exact { quote!(reader.end_exact_array()) } else { quote!(reader.end_array()) }
 }
 
 /// The variants of a choice as they stand in an enum.

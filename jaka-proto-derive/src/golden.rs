@@ -170,10 +170,13 @@ fn commands_in_the_spec_and_in_a_pack_are_the_same() {
     let sources = [jaka_spec::BUILTIN, &[Source { path: "spec/newer.toml", ..NEWER }]].concat();
     let spec = jaka_spec::load(&sources).expect("the spec is correct");
     let topic = spec.topics.last().expect("the spec has topics");
-    let items = topic::items(Scope { spec: &spec, topic: Some(topic), elsewhere: &quote!(super) }, topic);
+    let items =
+        topic::items(Scope { spec: &spec, topic: Some(topic), elsewhere: &quote!(super), wire: &quote!(wire) }, topic);
     let own = module(NEWER);
-    let in_pack =
-        topic::items(Scope { spec: &own.spec, topic: Some(&own.topic), elsewhere: &quote!(super) }, &own.topic);
+    let in_pack = topic::items(
+        Scope { spec: &own.spec, topic: Some(&own.topic), elsewhere: &quote!(super), wire: &quote!(wire) },
+        &own.topic,
+    );
     assert_eq!(pretty(items), pretty(in_pack));
     let methods = pretty(client::methods(&spec)).replace("::jaka_proto::messages::newer::", "").replace("pub fn", "fn");
     let in_pack = pretty(pack::module(&own, &quote!(::jaka_sync))).replace("::jaka_sync::Error", "Error");

@@ -11,6 +11,7 @@ mod docs;
 mod error_codes;
 mod pack;
 mod request;
+mod status_subset;
 mod topic;
 mod typedef;
 mod validate;
@@ -43,6 +44,13 @@ pub fn pack(input: TokenStream) -> TokenStream {
         Ok(input) => pack::expand(&input).into(),
         Err(error) => error.into_compile_error().into(),
     }
+}
+
+/// A struct with some fields of the status packet, for `jaka_sync::status_subset!`.
+#[proc_macro]
+pub fn status_subset(input: TokenStream) -> TokenStream {
+    let expanded = syn::parse::<status_subset::Input>(input).and_then(|input| status_subset::expand(&input));
+    expanded.unwrap_or_else(syn::Error::into_compile_error).into()
 }
 
 fn expand(input: TokenStream, render: fn(&jaka_spec::Spec) -> proc_macro2::TokenStream) -> TokenStream {

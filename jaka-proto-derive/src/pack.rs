@@ -88,7 +88,7 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
     let topic = &module.topic;
     let name = ident(&topic.name);
     let docs = docs::topic(topic);
-    let scope = Scope { spec: &module.spec, topic: Some(topic), elsewhere: sync };
+    let scope = Scope { spec: &module.spec, topic: Some(topic), elsewhere: sync, wire: &quote!(wire) };
     let items = topic::items(scope, topic);
     let repeated = repeated(module, scope);
     let methods = methods(module, scope, sync);

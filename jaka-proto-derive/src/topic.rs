@@ -22,7 +22,7 @@ pub(crate) fn module(spec: &Spec, topic: &Topic) -> Option<TokenStream> {
     }
     let name = ident(&topic.name);
     let docs = docs::topic(topic);
-    let items = items(Scope { spec, topic: Some(topic), elsewhere: &quote!(super) }, topic);
+    let items = items(Scope { spec, topic: Some(topic), elsewhere: &quote!(super), wire: &quote!(wire) }, topic);
     Some(quote! {
         #docs
         pub mod #name {

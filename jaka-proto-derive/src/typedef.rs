@@ -6,7 +6,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::codec::{
-    Scope, declare_variants, ident, names, read_array, read_object, variant_path, write_array, write_object, write_type,
+    Scope, declare_variants, ident, in_place, names, read_array, read_array_in_place, read_object,
+    read_object_in_place, variant_path, write_array, write_further_elements, write_further_fields, write_object,
+    write_type,
 };
 use crate::docs;
 use crate::validate;
@@ -16,6 +18,7 @@ pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let docs = docs::attributes(&def.doc);
     let item = match &def.kind {
+        TypeKind::Object(fields) if is_used_again(scope, fields) => object_in_place(scope, &name, &docs, fields),
         TypeKind::Object(fields) => object(scope, &name, &docs, fields),
         TypeKind::Array { fields, exact } => array(scope, &name, &docs, fields, *exact),
         TypeKind::IntEnum(values) => int_enum(&name, &docs, values),
@@ -34,14 +37,56 @@ pub(crate) fn derives(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
     quote!(#[derive(Debug, Clone, #copy PartialEq, #default)])
 }
 
+/// True for fields whose memory is worth using again: some own memory, and all can be read in place.
+fn is_used_again(scope: Scope<'_>, fields: &[Field]) -> bool {
+    !scope.spec.all_copy(fields) && in_place(fields)
+}
+
 /// A struct whose fields stand in a JSON object, and its codec.
 pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
+    object_with(scope, name, docs, fields, &read_fields(fields))
+}
+
+/// The same, read in place as well.
+fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
+    let is_empty_at_first = fields.iter().all(|field| field.optional);
+    let read = if is_empty_at_first {
+        quote! {
+            fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                let mut this = Self::default();
+                this.read_fields_into(reader)?;
+                Ok(this)
+            }
+        }
+    } else {
+        read_fields(fields)
+    };
+    let read_in_place = read_object_in_place(fields, &quote!(skip));
+    let read = quote! {
+        #read
+
+        fn read_fields_into(&mut self, reader: &mut wire::Reader<'_>) -> Result<(), wire::DecodeError> { #read_in_place }
+    };
+    object_with(scope, name, docs, fields, &read)
+}
+
+fn read_fields(fields: &[Field]) -> TokenStream {
+    let read = read_object(fields, &quote!(Self));
+    quote!(fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> { #read })
+}
+
+fn object_with(
+    scope: Scope<'_>,
+    name: &Ident,
+    docs: &TokenStream,
+    fields: &[Field],
+    read: &TokenStream,
+) -> TokenStream {
     let derives = derives(scope, fields);
     let declared = scope.declare(fields, &quote!(pub));
     // All fields may be absent: such a struct can be made with `Default`, and grow without breaking anyone.
     let grows = fields.iter().all(|field| field.optional).then(|| quote!(#[non_exhaustive]));
     let write = write_object(fields, |name| quote!(&self.#name));
-    let read = read_object(fields, &quote!(Self));
     quote! {
         #docs
         #derives
@@ -51,7 +96,7 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields:
         impl wire::Fields for #name {
             fn write_fields(&self, out: &mut wire::Writer) { #write }
 
-            fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> { #read }
+            #read
         }
 
         proto::__object_impls!(#name);
@@ -63,6 +108,10 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
     let declared = scope.declare(fields, &quote!(pub));
     let write = write_array(fields, |name| quote!(&self.#name));
     let read = read_array(fields, exact, &quote!(Self));
+    let in_place = (!scope.spec.all_copy(fields)).then(|| {
+        let read = read_array_in_place(fields, exact, |name| quote!(&mut self.#name));
+        decode_into(&quote!(reader.begin_array()?; #read))
+    });
     let conversions = is_floats(fields).then(|| float_conversions(name, fields));
     quote! {
         #docs
@@ -82,10 +131,18 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
                 reader.begin_array()?;
                 #read
             }
+
+            #in_place
         }
 
         proto::__serde_impls!(#name);
         #conversions
+    }
+}
+
+fn decode_into(statements: &TokenStream) -> TokenStream {
+    quote! {
+        fn decode_into(&mut self, reader: &mut wire::Reader<'_>) -> Result<(), wire::DecodeError> { #statements }
     }
 }
 
@@ -123,6 +180,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
     let inner = scope.rust_type(ty);
     let copy = scope.spec.is_copy(ty).then(|| quote!(Copy,));
     let write = write_type(ty, &quote!(&self.0));
+    let in_place = copy.is_none().then(|| decode_into(&quote!(self.0.decode_into(reader))));
     quote! {
         #docs
         #[derive(Debug, Clone, #copy PartialEq)]
@@ -148,6 +206,8 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 wire::Decode::decode(reader).map(Self)
             }
+
+            #in_place
         }
 
         proto::__serde_impls!(#name);
@@ -241,15 +301,33 @@ fn text_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<String>]) -> 
 fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Choice) -> TokenStream {
     let variants = declare_variants(scope, choice);
     let write = choice.variants.iter().map(|variant| {
-        let (path, names, tag) = (variant_path(variant), names(&variant.fields), tag(variant));
-        let write = write_array(&variant.fields, |name| quote!(#name));
-        quote!(#path { #(#names),* } => { out.raw("["); out.int(#tag); #write out.raw("]"); })
+        let (path, names, begin) = (variant_path(variant), names(&variant.fields), format!("[{}", variant.wire));
+        let write = write_further_elements(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { out.raw(#begin); #write out.raw("]"); })
     });
     let read = choice.variants.iter().map(|variant| {
         let tag = tag(variant);
         let read = read_array(&variant.fields, false, &variant_path(variant));
         quote!(#tag => { #read })
     });
+    let read_in_place = choice.variants.iter().filter(|variant| !scope.spec.all_copy(&variant.fields)).map(|variant| {
+        let (path, names, tag) = (variant_path(variant), names(&variant.fields), tag(variant));
+        let read = read_array_in_place(&variant.fields, false, |name| quote!(#name));
+        quote!((#tag, #path { #(#names),* }) => { #read })
+    });
+    let in_place = decode_into(&quote! {
+        let start = reader.clone();
+        reader.begin_array()?;
+        match (reader.element::<i64>("kind")?, &mut *self) {
+            #(#read_in_place)*
+            _ => {
+                *reader = start;
+                *self = wire::Decode::decode(reader)?;
+                Ok(())
+            }
+        }
+    });
+    let in_place = choice.variants.iter().any(|variant| !scope.spec.all_copy(&variant.fields)).then_some(in_place);
     quote! {
         #docs
         #[derive(Debug, Clone, PartialEq)]
@@ -281,6 +359,8 @@ fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Cho
                     }
                 }
             }
+
+            #in_place
         }
 
         proto::__serde_impls!(#name);
@@ -295,9 +375,9 @@ pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, 
     let tag_key = &choice.tag;
     let key = choice.key();
     let write = choice.variants.iter().map(|variant| {
-        let (path, names, value) = (variant_path(variant), names(&variant.fields), tag(variant));
-        let write = write_object(&variant.fields, |name| quote!(#name));
-        quote!(#path { #(#names),* } => { out.key(#key); out.int(#value); #write })
+        let (path, names, tag) = (variant_path(variant), names(&variant.fields), format!("{key}{}", variant.wire));
+        let write = write_further_fields(&variant.fields, |name| quote!(#name));
+        quote!(#path { #(#names),* } => { out.key(#tag); #write })
     });
     let read = choice.variants.iter().map(|variant| {
         let (value, read) = (tag(variant), read_object(&variant.fields, &variant_path(variant)));

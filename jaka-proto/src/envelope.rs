@@ -7,6 +7,16 @@ use crate::command::CommandInfo;
 use crate::error_code::ErrorCode;
 use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, trimmed};
 
+/// The keys that every reply has.
+const COMMAND: &str = "cmdName";
+const CODE: &str = "errorCode";
+const MESSAGE: &str = "errorMsg";
+
+/// The same with their quotes and colons.
+pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
+pub(crate) const QUOTED_CODE: &str = "\"errorCode\":";
+pub(crate) const QUOTED_MESSAGE: &str = "\"errorMsg\":";
+
 /// The part of a reply that says whose it is and whether the command was accepted.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Envelope<'a> {
@@ -31,14 +41,14 @@ impl<'a> Envelope<'a> {
         reader.begin_object()?;
         while let Some(key) = reader.next_key()? {
             match &*key {
-                "cmdName" => command = text(&mut reader)?.map(trimmed),
-                "errorCode" => code = Some(scalar(&mut reader)?),
-                "errorMsg" => message = text(&mut reader)?,
+                COMMAND => command = text(&mut reader)?.map(trimmed),
+                CODE => code = Some(scalar(&mut reader)?),
+                MESSAGE => message = text(&mut reader)?,
                 _ => reader.skip()?,
             }
         }
         reader.end()?;
-        let code = code.unwrap_or_else(|| Err(DecodeError::missing("error_code", "errorCode")));
+        let code = code.unwrap_or_else(|| Err(DecodeError::missing("error_code", CODE)));
         Ok(Self { command, code, message: message.unwrap_or_default() })
     }
 
@@ -113,6 +123,53 @@ fn write_envelope(command: Option<&str>, code: ErrorCode, message: &str, out: &m
         out.raw(",\"cmdName\":");
         out.text(command);
     }
+}
+
+/// A reply: whose it is, whether the command was accepted, and its payload.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Reply<'a, R> {
+    /// What the reply says beside its payload; `None` for a bare Python tuple, which says nothing else.
+    pub envelope: Option<Envelope<'a>>,
+    /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it was,
+    /// so that a refusal is never hidden behind a missing field.
+    pub payload: Option<Result<R, DecodeError>>,
+}
+
+/// Reads a reply as that to `command`, whosever it is: what [`Envelope::read`] and [`read_payload`] read, in one pass.
+///
+/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's.
+///
+/// ```
+/// use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
+/// use jaka_proto::{Command, read_reply};
+///
+/// let text = r#"{"errorCode": "0", "cmdName": "get_joint_pos", "joint_pos": [0, 90, 90, 90, -90, 0]}"#;
+/// let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, text)?;
+/// assert_eq!(reply.envelope.and_then(|envelope| envelope.command).as_deref(), Some("get_joint_pos"));
+/// assert!(reply.payload.is_some_and(|payload| payload.is_ok()));
+/// # Ok::<(), jaka_proto::wire::DecodeError>(())
+/// ```
+///
+/// # Errors
+/// The text is no JSON object, and no Python tuple.
+pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
+    if let Some((envelope, payload)) = crate::wire::read_accepted(reply) {
+        return Ok(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) });
+    }
+    read_closely(command, reply)
+}
+
+/// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
+#[cold]
+fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
+    if reply.starts_with('(') {
+        return Ok(Reply { envelope: None, payload: Some(read_payload(command, reply)) });
+    }
+    let envelope = Envelope::read(reply)?;
+    let accepted = envelope.code.as_ref().is_ok_and(|code| code.is_success());
+    let payload = accepted.then(|| read_payload(command, reply));
+    Ok(Reply { envelope: Some(envelope), payload })
 }
 
 /// Reads the payload of an accepted reply.

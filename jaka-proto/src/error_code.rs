@@ -36,19 +36,22 @@ impl Encode for ErrorCode {
 /// Any number, or a string that holds one, also in hexadecimal.
 impl Decode for ErrorCode {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let mut ahead = reader.clone();
-        if let Some(code) = ahead.text().ok().and_then(|text| hexadecimal(&text)) {
-            *reader = ahead;
+        if reader.eat("\"0\"") {
+            return Ok(Self(0));
+        }
+        if let Some(code) = reader.text_with(hexadecimal_or_decimal) {
             return Ok(Self(code));
         }
         i64::decode(reader).map(Self)
     }
 }
 
-fn hexadecimal(text: &str) -> Option<i64> {
+fn hexadecimal_or_decimal(text: &str) -> Option<i64> {
     let text = text.trim();
-    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
-    i64::from_str_radix(digits, 16).ok()
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) => i64::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
 }
 
 crate::__serde_impls!(ErrorCode);

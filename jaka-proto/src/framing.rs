@@ -8,7 +8,9 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Range;
 
-use memchr::{memchr, memchr2, memchr3};
+use memchr::memchr;
+
+use crate::near::first_of;
 
 /// The longest frame, in bytes, that [`Framer::default`] lets pass: 1 MiB, some seventy times the longest seen.
 pub const DEFAULT_MAX_FRAME: usize = 1 << 20;
@@ -72,7 +74,10 @@ impl Framer {
     /// Takes a copy of `bytes`, for callers that have received them elsewhere.
     #[inline]
     pub fn push(&mut self, bytes: &[u8]) {
-        self.make_room(bytes.len());
+        let fits = self.end != self.start && self.buffer.len() - self.end >= bytes.len();
+        if !fits {
+            self.make_room(bytes.len());
+        }
         self.buffer[self.end..][..bytes.len()].copy_from_slice(bytes);
         self.end += bytes.len();
     }
@@ -83,12 +88,18 @@ impl Framer {
     /// trusted any more. Frames that were complete before the error are delivered first.
     #[inline]
     pub fn next_frame(&mut self) -> Result<Option<&[u8]>, FrameError> {
+        if self.is_inside_behind_one_byte() {
+            return Ok(None);
+        }
         if self.error.is_none() {
             if let Some(frame) = self.find_frame() {
                 return Ok(Some(&self.buffer[frame]));
             }
         }
-        self.error.clone().map_or(Ok(None), Err)
+        match &self.error {
+            None => Ok(None),
+            Some(error) => Err(error.clone()),
+        }
     }
 
     /// Leaves the error state for the next `{` behind the error, and returns how many bytes it dropped at once.
@@ -121,6 +132,18 @@ impl Framer {
     /// The number of bytes the scanner has visited so far; never more than were received.
     pub fn visited(&self) -> u64 {
         self.visited
+    }
+
+    /// Visits the one byte that has come, if it is one and changes nothing: so it is for most where bytes come one by one.
+    #[inline]
+    fn is_inside_behind_one_byte(&mut self) -> bool {
+        let State::Frame(nesting) = &self.state else { return false };
+        let is_one = self.end - self.scan == 1 && self.end - self.start <= self.max_frame;
+        if !is_one || nesting.is_mark(self.buffer[self.scan]) {
+            return false;
+        }
+        self.visit(1);
+        true
     }
 
     /// Visits what was received, up to the end of the next frame or to an error, which it notes.
@@ -192,7 +215,6 @@ impl Framer {
     /// Sees to it that `room` bytes are free at the end.
     ///
     /// The rest is moved only over as many consumed bytes or more, so that moving costs linear time in all.
-    #[inline]
     fn make_room(&mut self, room: usize) {
         let rest = self.end - self.start;
         let too_small = self.buffer.len() - self.end < room;
@@ -328,47 +350,50 @@ impl Nesting {
     /// Visits the bytes that follow, up to the end of the frame: the count up to there, or `None` if all are inside.
     fn find_end(&mut self, bytes: &[u8]) -> Option<usize> {
         let mut at = 0;
-        while at < bytes.len() {
-            let rest = &bytes[at..];
-            at += match self.quote {
-                None => self.skip_structure(rest),
-                Some(quote) => self.skip_string(quote, rest),
-            };
-            if self.depth == 0 {
+        while let Some(found) = self.next_mark(&bytes[at..]) {
+            at += found + 1;
+            if self.ends_with(bytes[at - 1]) {
                 return Some(at);
             }
         }
         None
     }
 
-    /// Visits the bytes up to the next quote or bracket, and that one.
-    fn skip_structure(&mut self, bytes: &[u8]) -> usize {
-        let found = match self.form {
-            Form::Json => memchr3(b'"', b'{', b'}', bytes),
-            Form::Python => bytes.iter().position(|byte| matches!(byte, b'"' | b'\'' | b'(' | b')')),
-        };
-        let Some(at) = found else { return bytes.len() };
-        match bytes[at] {
-            b'{' | b'(' => self.depth += 1,
-            b'}' | b')' => self.depth -= 1,
-            quote => self.quote = Some(quote),
-        }
-        at + 1
+    /// Whether a byte may change anything.
+    #[inline]
+    fn is_mark(&self, byte: u8) -> bool {
+        self.escaped || matches!(byte, b'"' | b'\'' | b'\\' | b'{' | b'}' | b'(' | b')')
     }
 
-    /// Visits the bytes of a string up to its end, or up to an escape and that one.
-    fn skip_string(&mut self, quote: u8, bytes: &[u8]) -> usize {
-        if self.escaped {
-            self.escaped = false;
-            return 1;
+    /// The place of the next byte that changes anything.
+    #[inline]
+    fn next_mark(&self, bytes: &[u8]) -> Option<usize> {
+        match (self.quote, self.form) {
+            (Some(_), _) if self.escaped => (!bytes.is_empty()).then_some(0),
+            (Some(quote), _) => first_of([quote, b'\\'], bytes),
+            (None, Form::Json) => first_of(*b"\"{}", bytes),
+            (None, Form::Python) => first_of(*b"\"'()", bytes),
         }
-        let Some(at) = memchr2(quote, b'\\', bytes) else { return bytes.len() };
-        if bytes[at] == quote {
-            self.quote = None;
-        } else {
-            self.escaped = true;
+    }
+
+    /// Visits one byte; true if the frame ends with it.
+    #[inline]
+    fn ends_with(&mut self, byte: u8) -> bool {
+        if let Some(quote) = self.quote {
+            let ends = byte == quote && !self.escaped;
+            self.escaped = byte == b'\\' && !self.escaped;
+            if ends {
+                self.quote = None;
+            }
+            return false;
         }
-        at + 1
+        match (byte, self.form) {
+            (b'{', Form::Json) | (b'(', Form::Python) => self.depth += 1,
+            (b'}', Form::Json) | (b')', Form::Python) => self.depth -= 1,
+            (b'"', _) | (b'\'', Form::Python) => self.quote = Some(byte),
+            _ => {}
+        }
+        self.depth == 0
     }
 }
 

@@ -11,6 +11,7 @@ mod firmware;
 pub mod framing;
 pub mod geometry;
 mod ledger;
+mod near;
 pub mod python;
 pub mod recording;
 mod request;
@@ -22,7 +23,7 @@ pub mod messages {
 }
 
 pub use command::{Command, CommandInfo, Effect, Requirement, Visit};
-pub use envelope::{Envelope, Refusal, read_payload, write_refusal, write_reply};
+pub use envelope::{Envelope, Refusal, Reply, read_payload, read_reply, write_refusal, write_reply};
 pub use error_code::ErrorCode;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
 pub use ledger::{Arrival, Ledger, Mistrust, Ticket};

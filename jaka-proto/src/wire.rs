@@ -7,6 +7,7 @@
 mod decode;
 mod encode;
 mod error;
+mod number;
 mod reader;
 mod serde_impls;
 mod typed;
@@ -15,8 +16,8 @@ mod writer;
 pub use decode::Decode;
 pub use encode::Encode;
 pub use error::DecodeError;
-pub use reader::Reader;
-pub(crate) use reader::{read_message, trimmed};
+pub use reader::{Keys, Reader};
+pub(crate) use reader::{read_accepted, read_message, trimmed};
 #[doc(hidden)]
 pub use serde_impls::{deserialize, serialize};
 pub use typed::Typed;
@@ -35,6 +36,15 @@ pub trait Fields: Sized {
     /// # Errors
     /// A field is missing or does not fit its type, or the text is no JSON object.
     fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+
+    /// Reads the whole object over another one, whose memory is used again. After an error, what is there means nothing.
+    ///
+    /// # Errors
+    /// As [`read_fields`](Self::read_fields).
+    fn read_fields_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        *self = Self::read_fields(reader)?;
+        Ok(())
+    }
 }
 
 /// No fields: the reply of a command that answers nothing but its success.
@@ -42,6 +52,10 @@ impl Fields for () {
     fn write_fields(&self, _out: &mut Writer) {}
 
     fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        reader.skip()
+        let mut keys = reader.begin_fields(&[])?;
+        while reader.next_field(&mut keys)?.is_some() {
+            reader.skip()?;
+        }
+        Ok(())
     }
 }

@@ -11,11 +11,12 @@ use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{DecodeError, Writer};
-use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Ticket, read_payload};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::link::{Link, Sent};
-use crate::{Config, Disconnect, Error, StopHandle, recorder, reply};
+use crate::link::{Gate, Link};
+use crate::reply::{Payload, TextAlone, Typed};
+use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
 ///
@@ -66,8 +67,7 @@ impl Client {
     /// - [`UnexpectedReply`](Error::UnexpectedReply): accepted, but the reply does not fit the spec.
     /// - [`Disconnected`](Error::Disconnected): the connection is broken for good.
     pub fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
-        let own = C::INFO.deadline.unwrap_or_default();
-        self.call_within(command, own.max(self.config.reply_timeout))
+        self.call_within(command, self.timeout_of(C::INFO))
     }
 
     /// Sends a command and waits for its reply at most `timeout`, whatever the spec and the configuration say.
@@ -75,16 +75,26 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call).
     pub fn call_within<C: Command>(&mut self, command: &C, timeout: Duration) -> Result<C::Reply, Error> {
-        command.check(self.rules())?;
-        let reply = exchange(&self.link, C::INFO, &mut |out| command.write_request(out), timeout, &mut self.reply)?;
-        let payload = read_payload(C::INFO, reply);
-        payload.map_err(|source| self.link.attach(reply::unexpected(C::INFO.name, source)))
+        self.call_through(None, command, timeout)
     }
 
-    /// Sends a command without waiting for its reply, which [`drain`](Self::drain) takes off.
-    pub(crate) fn post<C: Command>(&self, command: &C) -> Result<Ticket, Error> {
+    /// The same, unless the gate is shut.
+    pub(crate) fn call_through<C: Command>(
+        &mut self,
+        gate: Gate<'_>,
+        command: &C,
+        timeout: Duration,
+    ) -> Result<C::Reply, Error> {
         command.check(self.rules())?;
-        send(&self.link, C::INFO, &mut |out| command.write_request(out), Duration::ZERO).map(|sent| sent.ticket)
+        let mut payload = Typed::<C>::NONE;
+        let request = Request { info: C::INFO, gate, write: &mut |out| command.write_request(out), timeout };
+        let reply = exchange(&self.link, request, &mut self.reply, &mut payload)?;
+        payload.take(reply).map_err(|source| self.link.attach(reply::unexpected(C::INFO.name, source)))
+    }
+
+    /// How long the reply to a command may take.
+    pub(crate) fn timeout_of(&self, info: &CommandInfo) -> Duration {
+        info.deadline.unwrap_or_default().max(self.config.reply_timeout)
     }
 
     /// What commands are checked against, beside the spec.
@@ -92,19 +102,20 @@ impl Client {
         Rules { ranges: self.config.advisory_ranges, firmware: self.firmware }
     }
 
-    /// Takes off the replies to commands that were posted, as far as they have come.
-    pub(crate) fn drain(
-        &self,
-        command: &str,
-        mine: impl Fn(Ticket) -> bool,
-        each: impl FnMut(Ticket, Result<(), Error>),
-    ) -> Result<(), Error> {
-        self.link.drain(mine, each, command)
+    /// Sends commands in one write without waiting for their replies, which are counted, and says how many are outstanding.
+    pub(crate) fn post<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<usize, Error> {
+        commands.iter().try_for_each(|command| command.check(self.rules()))?;
+        self.link.post(C::INFO.name, gate, commands.len(), &mut |index, out| commands[index].write_request(out))
     }
 
-    /// Gives up the reply to a command that was posted.
-    pub(crate) fn forget(&self, ticket: Ticket) {
-        self.link.forget(ticket);
+    /// The connection, for those who post.
+    pub(crate) fn link(&self) -> &Link {
+        &self.link
+    }
+
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, and at least one.
+    pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
+        Pipeline::new(self, window)
     }
 
     /// Reads the controller's version once (`get_version`, 4.51), and from then on refuses, before it is sent, what the spec
@@ -160,8 +171,8 @@ impl Client {
         let request = raw_request(command, parameters)?;
         let timeout = self.config.reply_timeout;
         let owed = Cow::Owned(command.trim().to_owned());
-        let sent = self.link.send(command, owed, timeout, |out| out.raw(&request))?;
-        self.link.wait(&sent, &mut self.reply)?;
+        let sent = self.link.send(command, owed, timeout, None, &mut |out| out.raw(&request))?;
+        self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
         serde_json::from_str(&self.reply).map_err(|error| {
             let source = DecodeError::unfit(format!("JSON ({error})"), &self.reply);
             self.link.attach(reply::unexpected(command, source))
@@ -184,8 +195,9 @@ impl Client {
                 InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
             );
         };
-        let sent = self.link.send(command, Cow::Owned(command.to_owned()), timeout, |out| out.raw(request))?;
-        self.link.wait(&sent, &mut self.reply)?;
+        let owed = Cow::Owned(command.to_owned());
+        let sent = self.link.send(command, owed, timeout, None, &mut |out| out.raw(request))?;
+        self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
         Ok(&self.reply)
     }
 
@@ -219,18 +231,26 @@ impl Client {
     }
 }
 
+/// A request on its way out.
+struct Request<'r> {
+    info: &'static CommandInfo,
+    gate: Gate<'r>,
+    write: &'r mut dyn FnMut(&mut Writer),
+    timeout: Duration,
+}
+
 /// Sends a request and waits for its reply, whose text it gives back.
 ///
-/// Not generic, and neither is [`send`]: 82 copies of them would be most of what this crate takes to compile.
-fn exchange<'r>(
+/// Not generic: 82 copies of it would be most of what this crate takes to compile.
+fn exchange<'t>(
     link: &Link,
-    info: &'static CommandInfo,
-    write: &mut dyn FnMut(&mut Writer),
-    timeout: Duration,
-    reply: &'r mut String,
-) -> Result<&'r str, Error> {
-    let sent = send(link, info, write, timeout)?;
-    match link.wait(&sent, reply) {
+    request: Request<'_>,
+    text: &'t mut String,
+    payload: &mut dyn Payload,
+) -> Result<&'t str, Error> {
+    let Request { info, gate, write, timeout } = request;
+    let sent = link.send(info.name, Cow::Borrowed(info.name), timeout, gate, write)?;
+    match link.wait(&sent, text, payload) {
         Ok(()) => {}
         // Such a command has a reply without fields.
         Err(error) if !info.reply_certain && closed(&error) => return Ok("{}"),
@@ -239,16 +259,7 @@ fn exchange<'r>(
     if info.ends_session {
         link.end(info);
     }
-    Ok(reply)
-}
-
-fn send(
-    link: &Link,
-    info: &'static CommandInfo,
-    write: &mut dyn FnMut(&mut Writer),
-    timeout: Duration,
-) -> Result<Sent<'static>, Error> {
-    link.send(info.name, Cow::Borrowed(info.name), timeout, write)
+    Ok(text)
 }
 
 /// True if the controller closed the connection, as it does when it goes down.

@@ -9,13 +9,16 @@ mod link;
 mod methods;
 mod monitor;
 mod pack;
+mod pipeline;
 mod receive;
 mod recorder;
 mod reply;
 mod robot;
 mod servo_session;
 mod status_stream;
+mod status_subset;
 mod stop;
+mod sync;
 
 pub use call::Call;
 pub use client::Client;
@@ -36,6 +39,7 @@ pub use jaka_proto::{
     wire::{DecodeError, Typed},
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
+pub use pipeline::Pipeline;
 pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
@@ -55,5 +59,5 @@ pub mod newer_firmware {}
 /// What macros of this crate name; no part of the interface.
 #[doc(hidden)]
 pub mod __private {
-    pub use jaka_proto_derive::pack;
+    pub use jaka_proto_derive::{pack, status_subset};
 }

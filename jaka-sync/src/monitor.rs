@@ -6,15 +6,19 @@ mod statistics;
 mod subscription;
 mod thread;
 
+#[cfg(all(test, shuttle))]
+mod interleavings;
+
 use std::fmt::Display;
+use std::net::TcpStream;
 use std::ops::ControlFlow;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
-use jaka_proto::wire::{Decode, DecodeError, Reader};
+use jaka_proto::wire::{Decode, DecodeError};
 
 use self::observer::Observers;
 pub use self::reconnect::Reconnect;
@@ -23,6 +27,7 @@ pub use self::statistics::MonitorStatistics;
 use self::subscription::Queue;
 pub use self::subscription::Subscription;
 use crate::recorder::{self, Tap};
+use crate::sync::{Condvar, Mutex, MutexGuard};
 use crate::{Config, Disconnect, Error, Exchanges};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
@@ -87,19 +92,49 @@ struct State<S> {
     /// Why the newest packet could not be decoded, until one can.
     unfit: Option<DecodeError>,
     /// The connection, for the monitor to end it.
-    stream: Option<std::net::TcpStream>,
+    stream: Option<TcpStream>,
     tap: Tap,
     closing: bool,
+    /// Threads that wait for a change.
+    sleepers: usize,
 }
 
 impl<S> Board<S> {
+    fn new(stream: Option<TcpStream>, tap: Tap) -> Self {
+        let state = State {
+            latest: None,
+            counters: Counters::default(),
+            queues: Vec::new(),
+            observers: Observers::default(),
+            ended: None,
+            unfit: None,
+            stream,
+            tap,
+            closing: false,
+            sleepers: 0,
+        };
+        Self { state: Mutex::new(state), changed: Condvar::new() }
+    }
+
     fn lock(&self) -> MutexGuard<'_, State<S>> {
         // Every change is made whole before the lock is left.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn wait<'b>(&'b self, state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
-        self.changed.wait_timeout(state, time).unwrap_or_else(PoisonError::into_inner).0
+    fn wait<'b>(&'b self, mut state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
+        state.sleepers += 1;
+        let mut state = self.changed.wait_timeout(state, time).unwrap_or_else(PoisonError::into_inner).0;
+        state.sleepers -= 1;
+        state
+    }
+
+    /// Wakes those who wait. Where nobody does, which is usual, it takes no system call.
+    fn wake(&self, state: MutexGuard<'_, State<S>>) {
+        let sleepers = state.sleepers;
+        drop(state);
+        if sleepers > 0 {
+            self.changed.notify_all();
+        }
     }
 }
 
@@ -117,28 +152,13 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = recorder::connect(address, Port::Status, config)?;
         let failed = |source| Error::Connect { address: address.to_owned(), source };
-        let state = State {
-            latest: None,
-            counters: Counters::default(),
-            queues: Vec::new(),
-            observers: Observers::default(),
-            ended: None,
-            unfit: None,
-            stream: Some(stream.try_clone().map_err(failed)?),
-            tap: tap.clone(),
-            closing: false,
-        };
-        let board = Arc::new(Board { state: Mutex::new(state), changed: Condvar::new() });
+        let board = Arc::new(Board::new(Some(stream.try_clone().map_err(failed)?), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
-        let thread = builder.spawn(move || worker.run((stream, tap), decode::<S>)).map_err(failed)?;
+        let thread = builder.spawn(move || worker.run((stream, tap))).map_err(failed)?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, thread: Some(thread), timeout, stale_after })
     }
-}
-
-fn decode<S: Decode>(text: &str) -> Result<S, DecodeError> {
-    S::decode(&mut Reader::new(text))
 }
 
 impl<S> Monitor<S> {
@@ -267,8 +287,7 @@ impl<S> Clone for Waker<S> {
 impl<S> Waker<S> {
     pub(crate) fn wake(&self) {
         // With the lock, so that nobody is between looking and waiting.
-        drop(self.board.lock());
-        self.board.changed.notify_all();
+        self.board.wake(self.board.lock());
     }
 }
 
@@ -288,8 +307,7 @@ impl<S> Drop for Monitor<S> {
             // An error says that the connection has ended already.
             let _ = stream.shutdown(std::net::Shutdown::Both);
         }
-        drop(state);
-        self.board.changed.notify_all();
+        self.board.wake(state);
         if let Some(thread) = self.thread.take() {
             // A panic there has been reported.
             drop(thread.join());

@@ -12,34 +12,49 @@ use crate::recorder::Tap;
 /// What a read brought.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Chunk {
-    /// Some bytes.
+    /// Some bytes. There may be more.
     Some,
-    /// Nothing within the time.
+    /// Nothing, within the time of one read, which may be shorter than what was asked for; or at all, where the socket does
+    /// not block.
     TimeUp,
+}
+
+/// What a read of what has come left.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Rest {
+    /// There may be more.
+    Perhaps,
+    /// It was all that had come by then: there was room for more.
+    Nothing,
 }
 
 /// The read timeout that the socket has, so that it is set only where it must change.
 #[derive(Debug, Default)]
 pub(crate) struct Timeout(Duration);
 
-/// A timeout that is longer than the time left by less than this is left as it is.
-const SLACK: Duration = Duration::from_millis(1);
+/// The shortest timeout: a read ends late by no more than this.
+const SHORTEST: Duration = Duration::from_millis(1);
 
 impl Timeout {
+    /// Sets a timeout that is no longer than the time left, and at least half of it.
+    ///
+    /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it reads: a call that
+    /// is answered takes no system call for its deadline. Who waits to the end reads a few times more.
     fn set(&mut self, stream: &TcpStream, left: Duration) -> std::io::Result<()> {
-        let left = left.max(SLACK);
-        if self.0.checked_sub(left).is_some_and(|longer| longer < SLACK) {
+        let left = left.max(SHORTEST);
+        if (left / 2..=left).contains(&self.0) {
             return Ok(());
         }
-        stream.set_read_timeout(Some(left))?;
-        self.0 = left;
+        let timeout = (left / 8 * 7).max(SHORTEST);
+        stream.set_read_timeout(Some(timeout))?;
+        self.0 = timeout;
         Ok(())
     }
 }
 
-/// Reads once.
+/// Reads once, for at most the time that is left.
 pub(crate) fn chunk(
-    mut stream: &TcpStream,
+    stream: &TcpStream,
     tap: &Tap,
     framer: &mut Framer,
     timeout: &mut Timeout,
@@ -49,17 +64,54 @@ pub(crate) fn chunk(
         return Ok(Chunk::TimeUp);
     }
     timeout.set(stream, left).map_err(Disconnect::Read)?;
+    once(stream, tap, framer).map(|len| if len == Some(0) { Chunk::TimeUp } else { Chunk::Some })
+}
+
+/// Reads once what has come, from a socket that does not block.
+pub(crate) fn arrived(stream: &TcpStream, tap: &Tap, framer: &mut Framer) -> Result<Rest, Disconnect> {
+    let room = framer.spare().len();
+    let len = once(stream, tap, framer)?;
+    Ok(if len.is_some_and(|len| len < room) { Rest::Nothing } else { Rest::Perhaps })
+}
+
+/// Reads once: how many bytes, with 0 for nothing in time; `None` if a signal came first.
+fn once(mut stream: &TcpStream, tap: &Tap, framer: &mut Framer) -> Result<Option<usize>, Disconnect> {
     match stream.read(framer.spare()) {
         Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
         Ok(len) => {
             framer.filled(len);
             tap.arrived();
-            Ok(Chunk::Some)
+            Ok(Some(len))
         }
         Err(error) => match error.kind() {
-            ErrorKind::WouldBlock | ErrorKind::TimedOut => Ok(Chunk::TimeUp),
-            ErrorKind::Interrupted => Ok(Chunk::Some),
+            ErrorKind::WouldBlock | ErrorKind::TimedOut => Ok(Some(0)),
+            ErrorKind::Interrupted => Ok(None),
             _ => Err(Disconnect::Read(error)),
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::net::TcpListener;
+
+    use super::*;
+
+    #[test]
+    fn a_timeout_is_set_only_where_it_must_change() {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+        let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+        let mut timeout = Timeout::default();
+        let mut set = |left: u64| {
+            timeout.set(&stream, Duration::from_millis(left)).expect("the socket is open");
+            assert!((left / 2..=left).contains(&u64::try_from(timeout.0.as_millis()).expect("it is short")));
+            assert!(stream.read_timeout().expect("the socket is open").is_some());
+            timeout.0
+        };
+        let first = set(5000);
+        // However much of the time is gone when it comes to the reading, up to an eighth.
+        assert!([4999, 5000, 4990, 4500, 4376].into_iter().all(|left| set(left) == first));
+        assert!(set(4000) < first);
+        assert!(set(1) < set(30_000));
     }
 }

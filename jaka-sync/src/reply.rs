@@ -1,7 +1,9 @@
 //! What a reply says beside its payload.
 
-use jaka_proto::Envelope;
+use std::fmt;
+
 use jaka_proto::wire::DecodeError;
+use jaka_proto::{Command, Envelope, read_payload, read_reply};
 
 use crate::{Error, Exchanges};
 
@@ -34,4 +36,47 @@ impl<'a> Reply<'a> {
 /// The error for a reply that does not fit the spec.
 pub(crate) fn unexpected(command: &str, source: DecodeError) -> Error {
     Error::UnexpectedReply { command: command.to_owned(), source, exchanges: Exchanges::default() }
+}
+
+/// What a call makes of the reply that it waits for, in the pass that reads whose reply it is.
+pub(crate) trait Payload: fmt::Debug {
+    /// Reads a reply as the one that is waited for, whosever it is.
+    fn read<'a>(&mut self, text: &'a str) -> Result<Reply<'a>, DecodeError>;
+}
+
+/// The reply's text is all that is asked for.
+#[derive(Debug)]
+pub(crate) struct TextAlone;
+
+impl Payload for TextAlone {
+    fn read<'a>(&mut self, text: &'a str) -> Result<Reply<'a>, DecodeError> {
+        Reply::read(text)
+    }
+}
+
+/// The payload of the reply that was read last, if the controller accepted the command.
+pub(crate) struct Typed<C: Command>(Option<Result<C::Reply, DecodeError>>);
+
+impl<C: Command> Typed<C> {
+    /// Nothing was read.
+    pub(crate) const NONE: Self = Self(None);
+
+    /// The payload of the reply that was read last, which is `text`.
+    pub(crate) fn take(self, text: &str) -> Result<C::Reply, DecodeError> {
+        self.0.unwrap_or_else(|| read_payload(C::INFO, text))
+    }
+}
+
+impl<C: Command> Payload for Typed<C> {
+    fn read<'a>(&mut self, text: &'a str) -> Result<Reply<'a>, DecodeError> {
+        let reply = read_reply(C::INFO, text)?;
+        self.0 = reply.payload;
+        Ok(reply.envelope.map_or(Reply::Bare, Reply::Json))
+    }
+}
+
+impl<C: Command> fmt::Debug for Typed<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "payload of `{}`", C::INFO.name)
+    }
 }

@@ -65,6 +65,13 @@ struct Stops {
     done: AtomicU64,
 }
 
+impl Stops {
+    /// A stop, if one was asked for beyond those that were told of.
+    fn asked_since(&self, told: u64) -> Option<Outcome> {
+        (self.begun.load(Ordering::SeqCst) != told).then_some(Outcome::Stopped)
+    }
+}
+
 /// Motions that were accepted and have not been waited for.
 #[derive(Debug, Clone, Copy)]
 struct Batch {
@@ -159,7 +166,7 @@ impl Robot {
     /// was accepted is told by the [`MotionEnd`].
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
         let since = Instant::now();
-        self.send(motion, |client| client.call_within(motion, timeout))?;
+        self.send(motion, timeout)?;
         Ok(self.wait(timeout.saturating_sub(since.elapsed())))
     }
 
@@ -167,17 +174,14 @@ impl Robot {
     ///
     /// # Errors
     /// As [`Client::call`]; [`Error::NotAcknowledged`] after a stop or a lost connection. Nothing was sent then.
-    pub fn start(&mut self, motion: &impl Motion) -> Result<(), Error> {
-        self.send(motion, |client| client.call(motion))
+    pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
+        self.send(motion, self.client.timeout_of(M::INFO))
     }
 
-    fn send<M: Motion>(
-        &mut self,
-        motion: &M,
-        call: impl FnOnce(&mut Client) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+    fn send<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<(), Error> {
         self.check_latch()?;
-        call(&mut self.client).map_err(|error| self.explained(error))?;
+        let gate = self.gate();
+        self.client.call_through(Some(&gate), motion, timeout).map_err(|error| self.explained(error))?;
         // Packets that came before the reply may be older than the motion.
         let sent = Instant::now();
         self.batch = Some(Batch { sent, target: motion.target() });
@@ -243,8 +247,15 @@ impl Robot {
         ServoSession::enter(self, config)
     }
 
-    pub(crate) fn check_latch(&mut self) -> Result<(), Error> {
-        self.latch().map_or(Ok(()), |outcome| Err(Error::NotAcknowledged { outcome: Box::new(outcome) }))
+    pub(crate) fn check_latch(&self) -> Result<(), Error> {
+        not_latched(self.latch())
+    }
+
+    /// Keeps back what would move the arm behind a stop: one that has begun by the time of the write is on the wire before it,
+    /// or will be sent behind it.
+    pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<> {
+        let (latched, stops, told) = (Arc::clone(&self.latched), Arc::clone(&self.stops), self.stops_told);
+        move || not_latched(lock(&latched).clone().or_else(|| stops.asked_since(told)))
     }
 
     /// What must be acknowledged before the arm moves again, if something must.
@@ -257,8 +268,7 @@ impl Robot {
         if latched.is_none() {
             *latched = cause.map(|cause| Outcome::StatusLost { cause: Some(cause) });
         }
-        let stopped = self.stops.begun.load(Ordering::SeqCst) != self.stops_told;
-        latched.clone().or(stopped.then_some(Outcome::Stopped))
+        latched.clone().or_else(|| self.stops.asked_since(self.stops_told))
     }
 
     /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving.
@@ -290,6 +300,10 @@ impl Robot {
     pub fn stop_handle(&self) -> RobotStop {
         RobotStop { handle: self.client.stop_handle(), stops: Arc::clone(&self.stops), waker: self.monitor.waker() }
     }
+}
+
+fn not_latched(latch: Option<Outcome>) -> Result<(), Error> {
+    latch.map_or(Ok(()), |outcome| Err(Error::NotAcknowledged { outcome: Box::new(outcome) }))
 }
 
 fn lock(latched: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {

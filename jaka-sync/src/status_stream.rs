@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
-use jaka_proto::wire::{Decode, Reader};
+use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
@@ -80,6 +80,17 @@ impl StatusStream {
         self.decode()
     }
 
+    /// The same into the value of an earlier packet, whose memory is used again: packets of the same shape take no allocation.
+    ///
+    /// After an error what is there means nothing.
+    ///
+    /// # Errors
+    /// As [`next_packet`](Self::next_packet).
+    pub fn next_packet_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
+        self.receive()?;
+        self.decode_into(status)
+    }
+
     /// The newest packet that has arrived; older ones are dropped. Waits for one if none has arrived.
     ///
     /// # Errors
@@ -93,10 +104,17 @@ impl StatusStream {
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
     pub fn newest_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
-        if !self.drain()? {
-            self.receive()?;
-        }
+        self.receive_newest()?;
         self.decode()
+    }
+
+    /// The same into the value of an earlier packet: see [`next_packet_into`](Self::next_packet_into).
+    ///
+    /// # Errors
+    /// As [`next_packet`](Self::next_packet).
+    pub fn newest_packet_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
+        self.receive_newest()?;
+        self.decode_into(status)
     }
 
     /// The text of the last packet, as it came.
@@ -105,8 +123,15 @@ impl StatusStream {
     }
 
     fn decode<S: Decode>(&self) -> Result<S, Error> {
-        let status = S::decode(&mut Reader::new(&self.packet));
-        status.map_err(|source| self.tap.attach(Error::UnexpectedStatus { source, exchanges: Exchanges::default() }))
+        S::decode(&mut Reader::new(&self.packet)).map_err(|source| self.unexpected(source))
+    }
+
+    fn decode_into<S: Decode>(&self, status: &mut S) -> Result<(), Error> {
+        status.decode_into(&mut Reader::new(&self.packet)).map_err(|source| self.unexpected(source))
+    }
+
+    fn unexpected(&self, source: DecodeError) -> Error {
+        self.tap.attach(Error::UnexpectedStatus { source, exchanges: Exchanges::default() })
     }
 
     /// Waits for a packet and keeps its text.
@@ -118,12 +143,18 @@ impl StatusStream {
                 return Ok(());
             }
             let left = self.timeout.saturating_sub(since.elapsed());
-            match self.read(left) {
-                Ok(Chunk::Some) => {}
-                Ok(Chunk::TimeUp) => return Err(self.time_up()),
-                Err(cause) => return Err(self.break_off(cause)),
+            if left.is_zero() {
+                return Err(self.time_up());
+            }
+            if let Err(cause) = self.read(left) {
+                return Err(self.break_off(cause));
             }
         }
+    }
+
+    /// Keeps the text of the newest packet, and waits for one if none has arrived.
+    fn receive_newest(&mut self) -> Result<(), Error> {
+        if self.drain()? { Ok(()) } else { self.receive() }
     }
 
     /// Reads all that has arrived, without waiting, and keeps the newest packet; false if there is none.

@@ -9,6 +9,7 @@ use jaka_proto::messages::program::StopProgram;
 
 use crate::Error;
 use crate::link::Link;
+use crate::reply::TextAlone;
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
 ///
@@ -43,8 +44,8 @@ impl StopHandle {
     /// As [`Client::call`](crate::Client::call). Unless the call succeeds, expect the robot to move on.
     pub fn stop(&self) -> Result<(), Error> {
         let info = StopProgram::INFO;
-        let write = |out: &mut _| StopProgram.write_request(out);
-        let sent = self.link.send(info.name, Cow::Borrowed(info.name), self.timeout, write)?;
-        self.link.wait(&sent, &mut String::new())
+        let write = &mut |out: &mut _| StopProgram.write_request(out);
+        let sent = self.link.send(info.name, Cow::Borrowed(info.name), self.timeout, None, write)?;
+        self.link.wait(&sent, &mut String::new(), &mut TextAlone)
     }
 }

@@ -54,6 +54,7 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "latch",
     "monitor",
     "peer_addr",
+    "pipeline",
     "power_up",
     "reply_timeout",
     "run",

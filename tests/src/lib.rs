@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
 mod seeds;
+pub mod soak;
 
 pub use seeds::seeds;
 

@@ -5,11 +5,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use jaka_proto::check::{Limits, NotSent, Place, Validate};
+use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_proto::{Command, CommandInfo};
 use jaka_sim::{Controller, Delays, StatusFault};
 use jaka_sync::force::StartTorqSensorPayloadIdentify;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
-use jaka_sync::types::{MoveMode, Pose};
-use jaka_sync::{Client, Config, Error, Explanation, Monitor, MotionEnd, Outcome, Robot};
+use jaka_sync::types::{JointPosition, MoveMode, Pose};
+use jaka_sync::{Client, Config, Error, Explanation, Monitor, Motion, MotionEnd, Outcome, Robot, RobotStop};
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
 const CYCLE: Duration = Duration::from_millis(8);
@@ -142,6 +145,49 @@ fn a_stop_between_motions_keeps_the_next_from_being_sent() {
     let error = robot.run(&to(5.0), LONG).expect_err("somebody wanted the arm to stop");
     assert!(matches!(&error, Error::NotAcknowledged { outcome } if matches!(**outcome, Outcome::Stopped)));
     assert_eq!(controller.requests().len(), sent);
+    robot.acknowledge();
+    assert!(run(&controller, &mut robot, &to(5.0), |_| ()).outcome.is_reached());
+}
+
+/// A motion during whose checks the arm is stopped: after the robot has looked whether it may send, before it does.
+struct StoppedOnTheWay(RobotStop);
+
+impl Command for StoppedOnTheWay {
+    type Reply = ();
+    const INFO: &'static CommandInfo = JointMove::INFO;
+}
+
+impl Motion for StoppedOnTheWay {
+    fn target(&self) -> Option<JointPosition> {
+        None
+    }
+}
+
+impl Validate for StoppedOnTheWay {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+        self.0.stop().expect("the controller takes the stop");
+        Ok(())
+    }
+}
+
+impl Fields for StoppedOnTheWay {
+    fn write_fields(&self, out: &mut Writer) {
+        to(5.0).write_fields(out);
+    }
+
+    fn read_fields(_reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Err(DecodeError::unfit("nothing", ""))
+    }
+}
+
+#[test]
+fn no_motion_goes_out_behind_a_stop() {
+    let (controller, mut robot) = ready();
+    let motion = StoppedOnTheWay(robot.stop_handle());
+    let error = robot.run(&motion, LONG).expect_err("the stop came first");
+    assert!(matches!(&error, Error::NotAcknowledged { outcome } if matches!(**outcome, Outcome::Stopped)));
+    let requests = controller.requests();
+    assert!(requests.last().is_some_and(|last| last.contains("stop_program")), "{requests:?}");
     robot.acknowledge();
     assert!(run(&controller, &mut robot, &to(5.0), |_| ()).outcome.is_reached());
 }

@@ -26,9 +26,10 @@ fn ready() -> (Controller, Robot) {
     (controller, Robot::new(client, monitor))
 }
 
-/// The last set-points are under way when they have been answered.
-fn arrives(robot: &Robot, is_there: impl Fn(&RobotStatus) -> bool) {
-    robot.monitor().wait_until(is_there, Duration::from_secs(30)).expect("the arm follows the set-points");
+/// The last set-points are under way when they have been answered, and are given up when servo mode is left.
+fn arrives(controller: &Controller, is_there: impl Fn(&RobotStatus) -> bool) {
+    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(is_there, Duration::from_secs(30)).expect("the arm follows the set-points");
 }
 
 const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
@@ -43,10 +44,12 @@ fn every_set_point_is_sent_in_order_and_answered() {
     for _ in 0..100 {
         session.joints_by(STEP).expect("servo mode is on");
     }
+    arrives(&controller, |status| {
+        status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6)
+    });
     let report = session.finish().expect("all were accepted");
     assert_eq!((report.cycles, report.accepted, report.refused, report.unanswered), (100, 100, 0, 0));
     assert!(report.lateness(0.5) <= report.lateness(1.0));
-    arrives(&robot, |status| status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6));
     assert!(controller.requests().last().is_some_and(|last| last.contains("servo_move")));
     assert_eq!(controller.state().servo_filter, filter);
     let sent = controller.requests();
@@ -71,9 +74,11 @@ fn a_closure_gives_set_points_until_it_breaks() {
     assert_eq!(end.expect("servo mode is on"), "done");
     // The beat is that of two cycles; one that was missed altogether is passed over.
     assert!(times.iter().all(|time| time.as_millis() % 16 == 0) && times.is_sorted());
+    arrives(&controller, |status| {
+        status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6)
+    });
     let report = session.finish().expect("all were accepted");
     assert_eq!(report.accepted, 20);
-    arrives(&robot, |status| status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6));
 }
 
 #[test]
@@ -87,10 +92,10 @@ fn the_tool_centre_point_follows_set_points_too() {
     for _ in 0..10 {
         session.pose_by([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]).expect("servo mode is on");
     }
+    let is_there = |at: Pose| (at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01;
+    arrives(&controller, |status| status.actual_position.is_some_and(is_there));
     let report = session.finish().expect("all were accepted");
     assert_eq!((report.cycles, report.accepted), (30, 30));
-    let is_there = |at: Pose| (at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01;
-    arrives(&robot, |status| status.actual_position.is_some_and(is_there));
 }
 
 #[test]
@@ -172,4 +177,31 @@ fn a_stop_or_a_lost_connection_ends_the_session() {
     assert!(error.is_disconnected() || matches!(error, Error::NotAcknowledged { .. }), "{error:?}");
     let error = session.finish().expect_err("servo mode cannot be left");
     assert!(matches!(error, Error::ServoModeNotLeft { .. }) || error.is_disconnected(), "{error:?}");
+}
+
+#[test]
+fn no_set_point_goes_out_behind_a_stop() {
+    let (controller, mut robot) = ready();
+    let stop = robot.stop_handle();
+    // A beat of a second, so that the session waits for it while the stop comes.
+    let config = ServoConfig::new().step_count(125);
+    std::thread::scope(|scope| {
+        let sending = scope.spawn(|| {
+            let mut session = robot.servo(&config).expect("the arm is enabled");
+            (0..100).find_map(|_| session.joints_by(STEP).err())
+        });
+        let is_set_point = |request: &String| request.contains("servo_j");
+        let mut received = 1;
+        while !controller.requests().iter().any(is_set_point) {
+            assert!(controller.wait_for_requests(received, Duration::from_secs(30)), "a set-point comes");
+            received = controller.requests().len() + 1;
+        }
+        // Most likely the session waits by now; where it does not, the test passes all the same.
+        controller.wait_for_requests(received, Duration::from_millis(100));
+        stop.stop().expect("the controller takes the stop");
+        let error = sending.join().expect("it does not panic").expect("the session has ended");
+        assert!(matches!(error, Error::NotAcknowledged { .. }), "{error:?}");
+        let behind = controller.requests().into_iter().skip_while(|request| !request.contains("stop_program"));
+        assert_eq!(behind.filter(is_set_point).collect::<Vec<_>>(), Vec::<String>::new());
+    });
 }

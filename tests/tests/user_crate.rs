@@ -170,3 +170,66 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
         error: could not compile `user` (lib) due to 1 previous error
     "]]);
 }
+
+#[test]
+fn a_choice_of_status_fields_compiles_without_a_warning() {
+    let code = r"
+#![forbid(unsafe_code)]
+#![deny(warnings, missing_docs, missing_debug_implementations, unreachable_pub, unused, rust_2018_idioms)]
+//! A user's crate.
+
+jaka_sync::status_subset! {
+    /// Where the arm is.
+    #[non_exhaustive]
+    pub struct Joints { joint_actual_position, in_position }
+}
+
+/// Reads them.
+pub fn joints(status: &mut jaka_sync::StatusStream) -> Result<Option<jaka_sync::types::JointPosition>, jaka_sync::Error> {
+    jaka_sync::status_subset! {
+        struct Own { extio, digital_inputs, tool_rs_signals, task_state, }
+    }
+    let mut own = Own::default();
+    status.newest_packet_into(&mut own)?;
+    drop((own.extio, own.digital_inputs, own.tool_rs_signals, own.task_state));
+    let joints: Joints = status.newest_packet_as()?;
+    Ok(joints.joint_actual_position.filter(|_| joints.in_position == Some(true)))
+}
+";
+    UserCrate::new("subset", "2021", code).expect(&expect![""]);
+}
+
+#[test]
+fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
+    let code = |field| format!("jaka_sync::status_subset! {{ pub struct Joints {{ in_position, {field} }} }}\n");
+    let user = UserCrate::new("no_subset", "2024", &code("joint_actual_positions"));
+    user.expect(&expect![[r"
+        error: the status packet has no field `joint_actual_positions`; is it `joint_actual_position`?
+         --> src/lib.rs:1:62
+          |
+        1 | jaka_sync::status_subset! { pub struct Joints { in_position, joint_actual_positions } }
+          |                                                              ^^^^^^^^^^^^^^^^^^^^^^
+
+        error: could not compile `user` (lib) due to 1 previous error
+    "]]);
+    user.write("src/lib.rs", &code("inpos"));
+    user.expect(&expect![[r"
+        error: `inpos` on the wire is `in_position` here
+         --> src/lib.rs:1:62
+          |
+        1 | jaka_sync::status_subset! { pub struct Joints { in_position, inpos } }
+          |                                                              ^^^^^
+
+        error: could not compile `user` (lib) due to 1 previous error
+    "]]);
+    user.write("src/lib.rs", &code("in_position"));
+    user.expect(&expect![[r"
+        error: `in_position` stands here twice
+         --> src/lib.rs:1:62
+          |
+        1 | jaka_sync::status_subset! { pub struct Joints { in_position, in_position } }
+          |                                                              ^^^^^^^^^^^
+
+        error: could not compile `user` (lib) due to 1 previous error
+    "]]);
+}

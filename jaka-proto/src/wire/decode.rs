@@ -1,6 +1,9 @@
 //! How JSON becomes values: leniently, since controllers write the same value in many forms.
 
+use serde_json::Value;
+
 use super::error::DecodeError;
+use super::number::Scalar;
 use super::reader::Reader;
 
 /// A value that can be read from the wire, in any of the forms that controllers use.
@@ -10,6 +13,32 @@ pub trait Decode: Sized {
     /// # Errors
     /// The text is no JSON, or the value does not fit.
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+
+    /// Reads the value over another one, whose memory is used again. After an error, what is there means nothing.
+    ///
+    /// # Errors
+    /// As [`decode`](Self::decode).
+    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        *self = Self::decode(reader)?;
+        Ok(())
+    }
+
+    /// Reads an array over a list, whose memory is used again.
+    #[doc(hidden)]
+    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        let mut len = 0;
+        reader.begin_array()?;
+        while reader.next_element()? {
+            let decoded = match list.get_mut(len) {
+                Some(value) => value.decode_into(reader),
+                None => Self::decode(reader).map(|value| list.push(value)),
+            };
+            decoded.map_err(|error| error.in_element(len))?;
+            len += 1;
+        }
+        list.truncate(len);
+        Ok(())
+    }
 
     /// Reads an array of exactly `N` values. Types that need no allocation for it have a way of their own.
     #[doc(hidden)]
@@ -21,28 +50,48 @@ pub trait Decode: Sized {
 
 /// A number, or a string that holds one. Correctly rounded; never NaN or infinite.
 impl Decode for f64 {
+    #[inline]
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let start = reader.clone();
-        let value = reader.scalar()?.and_then(|text| text.parse::<f64>().ok());
-        value.filter(|value| value.is_finite()).ok_or_else(|| unfit(start, "a number"))
+        if let Some(value) = reader.usual() { Ok(value) } else { unusual_float(reader) }
+    }
+
+    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        scalar_list(list, reader)
     }
 
     fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        scalars(reader)
+        scalar_array(reader)
     }
+}
+
+#[inline(never)]
+fn unusual_float(reader: &mut Reader<'_>) -> Result<f64, DecodeError> {
+    let start = reader.clone();
+    let value = reader.scalar()?.and_then(|text| text.parse::<f64>().ok());
+    value.filter(|value| value.is_finite()).ok_or_else(|| unfit(start, "a number"))
 }
 
 /// A whole number, also one written with a fraction of zero, or a string that holds one.
 impl Decode for i64 {
+    #[inline]
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let start = reader.clone();
-        let value = reader.scalar()?.and_then(|text| whole(&text));
-        value.ok_or_else(|| unfit(start, "a whole number"))
+        if let Some(value) = reader.usual() { Ok(value) } else { unusual_int(reader) }
+    }
+
+    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        scalar_list(list, reader)
     }
 
     fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        scalars(reader)
+        scalar_array(reader)
     }
+}
+
+#[inline(never)]
+fn unusual_int(reader: &mut Reader<'_>) -> Result<i64, DecodeError> {
+    let start = reader.clone();
+    let value = reader.scalar()?.and_then(|text| whole(&text));
+    value.ok_or_else(|| unfit(start, "a whole number"))
 }
 
 /// The whole number that `text` holds.
@@ -59,24 +108,34 @@ pub(crate) fn whole(text: &str) -> Option<i64> {
 
 /// `true` and `false`, 0 and 1, or a string that holds one of these, in any case.
 impl Decode for bool {
+    #[inline]
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let start = reader.clone();
-        let value = match reader.scalar()? {
-            Some(text) if text.eq_ignore_ascii_case("true") => Some(true),
-            Some(text) if text.eq_ignore_ascii_case("false") => Some(false),
-            Some(text) => whole(&text).and_then(zero_or_one),
-            None => match reader.raw()? {
-                "true" => Some(true),
-                "false" => Some(false),
-                _ => None,
-            },
-        };
-        value.ok_or_else(|| unfit(start, "a truth value"))
+        if let Some(value) = reader.usual() { Ok(value) } else { unusual_truth(reader) }
+    }
+
+    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        scalar_list(list, reader)
     }
 
     fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        scalars(reader)
+        scalar_array(reader)
     }
+}
+
+#[inline(never)]
+fn unusual_truth(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
+    let start = reader.clone();
+    let value = match reader.scalar()? {
+        Some(text) if text.eq_ignore_ascii_case("true") => Some(true),
+        Some(text) if text.eq_ignore_ascii_case("false") => Some(false),
+        Some(text) => whole(&text).and_then(zero_or_one),
+        None => match reader.raw()? {
+            "true" => Some(true),
+            "false" => Some(false),
+            _ => None,
+        },
+    };
+    value.ok_or_else(|| unfit(start, "a truth value"))
 }
 
 fn zero_or_one(int: i64) -> Option<bool> {
@@ -91,23 +150,43 @@ impl Decode for String {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         reader.text().map(std::borrow::Cow::into_owned)
     }
+
+    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        let text = reader.text()?;
+        self.clear();
+        self.push_str(&text);
+        Ok(())
+    }
 }
 
-impl Decode for serde_json::Value {
+impl Decode for Value {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let raw = reader.raw()?;
         serde_json::from_str(raw).map_err(|error| DecodeError::unfit(format!("JSON ({error})"), raw))
+    }
+
+    /// Only strings, and arrays as long as before, are used again: the shape is not known.
+    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        match self {
+            Self::String(text) if reader.is_text() => text.decode_into(reader),
+            Self::Array(list) if reader.is_array() => Self::decode_list(list, reader),
+            _ => {
+                *self = Self::decode(reader)?;
+                Ok(())
+            }
+        }
     }
 }
 
 impl<T: Decode> Decode for Vec<T> {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let mut list = Self::new();
-        reader.begin_array()?;
-        while reader.next_element()? {
-            list.push(T::decode(reader).map_err(|error| error.in_element(list.len()))?);
-        }
+        T::decode_list(&mut list, reader)?;
         Ok(list)
+    }
+
+    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        T::decode_list(self, reader)
     }
 }
 
@@ -118,27 +197,47 @@ impl<T: Decode, const N: usize> Decode for [T; N] {
     }
 }
 
+/// A list of numbers or truth values.
+fn scalar_list<T: Scalar>(list: &mut Vec<T>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+    list.clear();
+    reader.begin_array()?;
+    while reader.next_element()? {
+        if reader.usual_run(|value| list.push(value)) == 0 {
+            list.push(T::decode(reader).map_err(|error| error.in_element(list.len()))?);
+        }
+    }
+    Ok(())
+}
+
 /// An array of numbers or truth values, without an allocation.
-fn scalars<T: Decode + Copy + Default, const N: usize>(reader: &mut Reader<'_>) -> Result<[T; N], DecodeError> {
+fn scalar_array<T: Scalar, const N: usize>(reader: &mut Reader<'_>) -> Result<[T; N], DecodeError> {
     let start = reader.clone();
     let mut values = [T::default(); N];
     let mut len = 0;
-    reader.begin_array()?;
-    while reader.next_element()? {
-        let value = T::decode(reader).map_err(|error| error.in_element(len))?;
-        if let Some(slot) = values.get_mut(len) {
+    let mut slots = values.iter_mut();
+    let mut take = |value| {
+        if let Some(slot) = slots.next() {
             *slot = value;
         }
-        len += 1;
+    };
+    reader.begin_array()?;
+    while reader.next_element()? {
+        let usual = reader.usual_run(&mut take);
+        if usual == 0 {
+            take(T::decode(reader).map_err(|error| error.in_element(len))?);
+        }
+        len += usual.max(1);
     }
     if len == N { Ok(values) } else { Err(not_an_array_of(N, start)) }
 }
 
+#[cold]
 fn not_an_array_of(len: usize, start: Reader<'_>) -> DecodeError {
     unfit(start, &format!("an array of {len}"))
 }
 
 /// The error for the value at which `reader` stands.
+#[cold]
 fn unfit(mut reader: Reader<'_>, expected: &str) -> DecodeError {
     match reader.raw() {
         Ok(raw) => DecodeError::unfit(expected, raw),

@@ -9,24 +9,28 @@ pub trait Encode {
 }
 
 impl Encode for f64 {
+    #[inline]
     fn encode(&self, out: &mut Writer) {
         out.float(*self);
     }
 }
 
 impl Encode for i64 {
+    #[inline]
     fn encode(&self, out: &mut Writer) {
         out.int(*self);
     }
 }
 
 impl Encode for bool {
+    #[inline]
     fn encode(&self, out: &mut Writer) {
         out.choose(*self, "false", "true");
     }
 }
 
 impl Encode for String {
+    #[inline]
     fn encode(&self, out: &mut Writer) {
         out.text(self);
     }
@@ -34,7 +38,7 @@ impl Encode for String {
 
 impl Encode for serde_json::Value {
     fn encode(&self, out: &mut Writer) {
-        out.raw(&self.to_string());
+        out.json(self);
     }
 }
 

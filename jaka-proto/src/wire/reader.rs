@@ -1,15 +1,19 @@
 //! Reads JSON text, one value after the other, without building a tree.
 
+mod fields;
+mod reply;
+mod skip;
+
 use std::borrow::Cow;
 
-use memchr::memchr2;
+pub use fields::Keys;
+pub(crate) use reply::read_accepted;
 
 use super::decode::whole;
 use super::error::DecodeError;
+use super::number::{self, Scalar};
 use super::{Decode, Fields, Writer};
-
-/// How deep arrays and objects may nest.
-const MAX_DEPTH: u32 = 64;
+use crate::near::first_of;
 
 /// A position in a JSON text.
 #[derive(Debug, Clone)]
@@ -18,26 +22,48 @@ pub struct Reader<'a> {
     at: usize,
     /// True where a comma must come before the next key or element.
     comma: bool,
+    /// What a reply says beside its payload, where that is wanted.
+    reply: reply::Slots<'a>,
 }
 
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self { text, at: 0, comma: false }
+        Self { text, at: 0, comma: false, reply: reply::Slots::default() }
+    }
+
+    #[inline]
+    fn rest(&self) -> &'a [u8] {
+        self.text.as_bytes().get(self.at..).unwrap_or_default()
     }
 
     /// The next byte that is no white space.
+    #[inline]
     fn peek(&mut self) -> Option<u8> {
-        let rest = &self.text.as_bytes()[self.at..];
-        let blanks = rest.iter().take_while(|b| matches!(b, b' ' | b'\t' | b'\r' | b'\n')).count();
-        self.at += blanks;
-        rest.get(blanks).copied()
+        match *self.rest() {
+            [byte, ..] if byte > b' ' => Some(byte),
+            // Some firmware puts a blank behind each comma and colon.
+            [b' ', byte, ..] if byte > b' ' => {
+                self.at += 1;
+                Some(byte)
+            }
+            _ => self.peek_far(),
+        }
+    }
+
+    #[inline(never)]
+    fn peek_far(&mut self) -> Option<u8> {
+        while let Some(b' ' | b'\t' | b'\r' | b'\n') = self.rest().first() {
+            self.at += 1;
+        }
+        self.rest().first().copied()
     }
 
     fn malformed(&self, expected: &'static str) -> DecodeError {
         DecodeError::malformed(self.text, self.at, expected)
     }
 
+    #[inline]
     fn expect(&mut self, byte: u8, expected: &'static str) -> Result<(), DecodeError> {
         if self.peek() != Some(byte) {
             return Err(self.malformed(expected));
@@ -69,10 +95,12 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// The next value is no array.
+    #[inline]
     pub fn begin_array(&mut self) -> Result<(), DecodeError> {
         self.begin(b'[', "an array")
     }
 
+    #[inline]
     fn begin(&mut self, open: u8, expected: &'static str) -> Result<(), DecodeError> {
         if self.peek() != Some(open) {
             return Err(self.unfit(expected));
@@ -83,6 +111,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The error for a value of another kind than `expected`.
+    #[cold]
     fn unfit(&mut self, expected: &'static str) -> DecodeError {
         let start = self.at;
         match self.skip() {
@@ -96,23 +125,36 @@ impl<'a> Reader<'a> {
     /// # Errors
     /// The text is no JSON.
     pub fn next_key(&mut self) -> Result<Option<Cow<'a, str>>, DecodeError> {
-        if !self.next(b'}', "`,` or `}`")? {
-            return Ok(None);
-        }
+        if self.next(b'}', "`,` or `}`")? { self.key().map(Some) } else { Ok(None) }
+    }
+
+    fn key(&mut self) -> Result<Cow<'a, str>, DecodeError> {
         let key = self.string("a key")?;
         self.expect(b':', "`:`")?;
-        Ok(Some(key))
+        Ok(key)
     }
 
     /// Goes to the next element of an array; false behind the last.
     ///
     /// # Errors
     /// The text is no JSON.
+    #[inline]
     pub fn next_element(&mut self) -> Result<bool, DecodeError> {
         self.next(b']', "`,` or `]`")
     }
 
+    #[inline]
     fn next(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
+        match *self.rest() {
+            [b',', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 1,
+            [b',', b' ', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 2,
+            _ => return self.next_closely(close, expected),
+        }
+        Ok(true)
+    }
+
+    #[inline(never)]
+    fn next_closely(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
         if self.peek() == Some(close) {
             self.at += 1;
             self.comma = true;
@@ -127,124 +169,60 @@ impl<'a> Reader<'a> {
         Ok(true)
     }
 
-    /// Reads a field's value into its slot. A null counts as absent.
-    ///
-    /// # Errors
-    /// The value does not fit, or the slot is taken: the key appears twice.
-    pub fn field<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
-        self.field_with(name, slot, T::decode)
+    /// Reads a scalar if it is written in its usual form.
+    #[inline]
+    pub(super) fn usual<T: Scalar>(&mut self) -> Option<T> {
+        self.peek()?;
+        let (value, len) = T::usual(self.rest())?;
+        self.at += len;
+        self.comma = true;
+        Some(value)
     }
 
-    /// Reads a truth value that is written as one of two words, or in any of the usual forms.
-    ///
-    /// # Errors
-    /// As [`field`](Self::field).
-    pub fn field_word(
-        &mut self,
-        name: &'static str,
-        slot: &mut Option<bool>,
-        off: &str,
-        on: &str,
-    ) -> Result<(), DecodeError> {
-        self.field_with(name, slot, |reader| reader.word(off, on))
-    }
-
-    /// Reads a value that is written as a Python literal inside a string.
-    ///
-    /// # Errors
-    /// As [`field`](Self::field).
-    pub fn field_python<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
-        self.field_with(name, slot, |reader| {
-            let literal = reader.text()?;
-            let json = crate::python::to_json(&literal)
-                .map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
-            T::decode(&mut Reader::new(&json))
-        })
-    }
-
-    fn field_with<T>(
-        &mut self,
-        name: &'static str,
-        slot: &mut Option<T>,
-        decode: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
-    ) -> Result<(), DecodeError> {
-        if slot.is_some() {
-            return Err(DecodeError::repeated().in_field(name));
-        }
-        if !self.null() {
-            *slot = Some(decode(self).map_err(|error| error.in_field(name))?);
-        }
-        Ok(())
-    }
-
-    /// Reads the next element of an array, which must be there.
-    ///
-    /// # Errors
-    /// The array ends, or the element does not fit.
-    pub fn element<T: Decode>(&mut self, name: &'static str) -> Result<T, DecodeError> {
-        self.optional_element(name)?.ok_or_else(|| DecodeError::missing(name, ""))
-    }
-
-    /// Reads the next element of an array, if there is one and it is not null.
-    ///
-    /// # Errors
-    /// The element does not fit.
-    pub fn optional_element<T: Decode>(&mut self, name: &'static str) -> Result<Option<T>, DecodeError> {
-        let mut slot = None;
-        // Behind the array's end its bracket is left in place, so that further optional elements see it too.
-        let bracket = self.clone();
-        if self.next_element()? {
-            self.field(name, &mut slot)?;
-        } else {
-            *self = bracket;
-        }
-        Ok(slot)
-    }
-
-    /// Leaves an array; elements that the type does not know are skipped.
-    ///
-    /// # Errors
-    /// The text is no JSON.
-    pub fn end_array(&mut self) -> Result<(), DecodeError> {
-        while self.next_element()? {
-            self.skip()?;
-        }
-        Ok(())
-    }
-
-    /// Leaves an array that must have no further elements.
-    ///
-    /// # Errors
-    /// There is a further element.
-    pub fn end_exact_array(&mut self) -> Result<(), DecodeError> {
-        if self.next_element()? {
-            return Err(self.unfit("the end of the array"));
-        }
-        Ok(())
-    }
-
-    /// Reads the tag that tells which variant an object holds, and goes back to the object's beginning.
-    ///
-    /// # Errors
-    /// The tag is missing or no whole number.
-    pub fn tag(&mut self, name: &'static str, key: &'static str) -> Result<i64, DecodeError> {
-        let mut ahead = self.clone();
-        let mut tag = None;
-        ahead.begin_object()?;
-        while let Some(found) = ahead.next_key()? {
-            if found == key { ahead.field(name, &mut tag)? } else { ahead.skip()? }
-        }
-        tag.ok_or_else(|| DecodeError::missing(name, key))
+    /// Reads the elements of an array as far as they are written in their usual form, and tells how many they were.
+    #[inline]
+    pub(super) fn usual_run<T: Scalar>(&mut self, take: impl FnMut(T)) -> usize {
+        let (count, len) = number::run(self.rest(), take);
+        self.at += len;
+        self.comma |= count > 0;
+        count
     }
 
     /// Reads null, if that is the next value.
+    #[inline]
     pub fn null(&mut self) -> bool {
-        let null = self.peek() == Some(b'n') && self.text[self.at..].starts_with("null");
-        if null {
-            self.at += 4;
+        self.eat("null")
+    }
+
+    /// Whether the next value is a string.
+    pub(super) fn is_text(&mut self) -> bool {
+        self.peek() == Some(b'"')
+    }
+
+    /// Whether the next value is an array.
+    pub(super) fn is_array(&mut self) -> bool {
+        self.peek() == Some(b'[')
+    }
+
+    /// Reads a value that is written exactly so.
+    #[inline]
+    pub(crate) fn eat(&mut self, value: &str) -> bool {
+        let eaten = self.peek().is_some() && self.rest().starts_with(value.as_bytes());
+        if eaten {
+            self.at += value.len();
             self.comma = true;
         }
-        null
+        eaten
+    }
+
+    /// Reads a string of which `read` makes something; otherwise stays before it.
+    pub(crate) fn text_with<T>(&mut self, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
+        let start = (self.at, self.comma);
+        let value = if self.is_text() { self.string("a string").ok().and_then(|text| read(&text)) } else { None };
+        if value.is_none() {
+            (self.at, self.comma) = start;
+        }
+        value
     }
 
     /// Reads a string.
@@ -260,8 +238,8 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let mut escaped = false;
         loop {
-            let rest = &self.text.as_bytes()[self.at..];
-            let Some(found) = memchr2(b'"', b'\\', rest) else {
+            let rest = self.rest();
+            let Some(found) = first_of(*b"\"\\", rest) else {
                 self.at = self.text.len();
                 return Err(self.malformed("the end of a string"));
             };
@@ -282,6 +260,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The escapes are rare: they are left to `serde_json`.
+    #[cold]
     fn unescape(&self, inner: &str, start: usize) -> Result<String, DecodeError> {
         // serde_json takes no bare control characters; controllers may send them inside messages.
         let mut clean = Writer::new();
@@ -308,8 +287,7 @@ impl<'a> Reader<'a> {
 
     fn number(&mut self) -> &'a str {
         let rest = &self.text[self.at..];
-        let is_part = |b: &u8| matches!(b, b'0'..=b'9' | b'-' | b'+' | b'.' | b'e' | b'E');
-        let len = rest.bytes().take_while(is_part).count();
+        let len = number::length(rest.as_bytes());
         self.at += len;
         self.comma = true;
         &rest[..len]
@@ -326,63 +304,17 @@ impl<'a> Reader<'a> {
         Ok(&self.text[start..self.at])
     }
 
-    /// Reads `T`, or keeps the raw text of a value that does not fit.
-    pub(super) fn either<T: Decode>(&mut self) -> Result<Result<T, &'a str>, DecodeError> {
-        let start = self.clone();
-        if let Ok(value) = T::decode(self) {
+    /// Reads with `read`, or goes back and keeps the raw text of a value that does not fit.
+    pub(super) fn or_raw<T>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
+    ) -> Result<Result<T, &'a str>, DecodeError> {
+        let start = (self.at, self.comma);
+        if let Ok(value) = read(self) {
             return Ok(Ok(value));
         }
-        *self = start;
+        (self.at, self.comma) = start;
         self.raw().map(Err)
-    }
-
-    /// Skips the next value.
-    ///
-    /// # Errors
-    /// The text is no JSON, or nests deeper than 64 levels.
-    pub fn skip(&mut self) -> Result<(), DecodeError> {
-        self.skip_nested(0)
-    }
-
-    fn skip_nested(&mut self, depth: u32) -> Result<(), DecodeError> {
-        if depth > MAX_DEPTH {
-            return Err(self.malformed("at most 64 levels of nesting"));
-        }
-        match self.peek() {
-            Some(b'{') => {
-                self.begin_object()?;
-                while self.next_key()?.is_some() {
-                    self.skip_nested(depth + 1)?;
-                }
-                Ok(())
-            }
-            Some(b'[') => {
-                self.begin_array()?;
-                while self.next_element()? {
-                    self.skip_nested(depth + 1)?;
-                }
-                Ok(())
-            }
-            Some(b'"') => self.string("a string").map(drop),
-            Some(b'-' | b'0'..=b'9') => self.skip_number(),
-            _ => self.skip_word(),
-        }
-    }
-
-    fn skip_number(&mut self) -> Result<(), DecodeError> {
-        let start = self.at;
-        let fits = self.number().parse::<f64>().is_ok();
-        if fits { Ok(()) } else { Err(DecodeError::malformed(self.text, start, "a number")) }
-    }
-
-    fn skip_word(&mut self) -> Result<(), DecodeError> {
-        let rest = &self.text[self.at..];
-        let Some(word) = ["true", "false", "null"].into_iter().find(|word| rest.starts_with(word)) else {
-            return Err(self.malformed("a value"));
-        };
-        self.at += word.len();
-        self.comma = true;
-        Ok(())
     }
 
     /// Reads a truth value, in any of the usual forms or as one of two words.
@@ -417,7 +349,11 @@ pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
 }
 
 /// The text without the blanks around it.
+#[inline]
 pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
+    if let [b'!'..=b'~', .., b'!'..=b'~'] = text.as_bytes() {
+        return text;
+    }
     match text {
         Cow::Borrowed(text) => Cow::Borrowed(text.trim()),
         Cow::Owned(text) => Cow::Owned(text.trim().to_owned()),

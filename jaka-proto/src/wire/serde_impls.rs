@@ -63,6 +63,13 @@ macro_rules! __object_impls {
             ) -> ::core::result::Result<Self, $crate::wire::DecodeError> {
                 $crate::wire::Fields::read_fields(reader)
             }
+
+            fn decode_into(
+                &mut self,
+                reader: &mut $crate::wire::Reader<'_>,
+            ) -> ::core::result::Result<(), $crate::wire::DecodeError> {
+                $crate::wire::Fields::read_fields_into(self, reader)
+            }
         }
 
         $crate::__serde_impls!($type);
@@ -75,6 +82,7 @@ macro_rules! __object_impls {
 macro_rules! __int_enum_impls {
     ($type:ident) => {
         impl $crate::wire::Encode for $type {
+            #[inline]
             fn encode(&self, out: &mut $crate::wire::Writer) {
                 out.int((*self).into());
             }

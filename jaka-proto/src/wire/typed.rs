@@ -36,9 +36,20 @@ impl<T: Encode> Encode for Typed<T> {
 
 impl<T: Decode> Decode for Typed<T> {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        match reader.either::<T>()? {
+        match reader.or_raw(T::decode)? {
             Ok(value) => Ok(Self::Known(value)),
             Err(raw) => Value::decode(&mut Reader::new(raw)).map(Self::Raw),
         }
+    }
+
+    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        let Self::Known(value) = self else {
+            *self = Self::decode(reader)?;
+            return Ok(());
+        };
+        if let Err(raw) = reader.or_raw(|reader| value.decode_into(reader))? {
+            *self = Self::Raw(Value::decode(&mut Reader::new(raw))?);
+        }
+        Ok(())
     }
 }

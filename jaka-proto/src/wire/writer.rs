@@ -1,5 +1,9 @@
 //! Writes JSON text.
 
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
 /// Writes JSON into a buffer that is reused from message to message.
 #[derive(Debug, Default, Clone)]
 pub struct Writer {
@@ -23,23 +27,33 @@ impl Writer {
     }
 
     /// What has been written.
+    #[inline]
     pub fn into_string(self) -> String {
         self.text
     }
 
     /// Writes text that is JSON already.
+    #[inline]
     pub fn raw(&mut self, json: &str) {
         self.text.push_str(json);
     }
 
+    /// Writes any JSON.
+    pub fn json(&mut self, value: &Value) {
+        // A string takes all that is written.
+        let _ = write!(self.text, "{value}");
+    }
+
     /// Writes a comma, unless an object or array begins here.
+    #[inline]
     pub fn comma(&mut self) {
-        if !self.text.ends_with(['{', '[']) {
+        if !matches!(self.text.as_bytes().last(), Some(b'{' | b'[')) {
             self.text.push(',');
         }
     }
 
     /// Writes a key, given with its quotes and colon, and the comma before it where one is due.
+    #[inline]
     pub fn key(&mut self, quoted: &str) {
         self.comma();
         self.text.push_str(quoted);
@@ -48,6 +62,7 @@ impl Writer {
     /// Writes a number, shortest form that reads back as the same value; whole numbers without a fraction.
     ///
     /// JSON has no form for NaN and infinity: they become `null`. Requests that hold them are refused before.
+    #[inline]
     pub fn float(&mut self, value: f64) {
         if !value.is_finite() {
             return self.text.push_str("null");
@@ -58,8 +73,13 @@ impl Writer {
     }
 
     /// Writes a whole number.
+    #[inline]
     pub fn int(&mut self, value: i64) {
-        self.text.push_str(itoa::Buffer::new().format(value));
+        match u8::try_from(value) {
+            // Enums, indices and switches: most numbers are one digit.
+            Ok(digit @ 0..=9) => self.text.push(char::from(b'0' + digit)),
+            _ => self.text.push_str(itoa::Buffer::new().format(value)),
+        }
     }
 
     /// Writes a string with its quotes and escapes.
@@ -93,18 +113,21 @@ impl Writer {
     }
 
     /// Writes one of two JSON texts, for a truth value that is not written as `true` and `false`.
+    #[inline]
     pub fn choose(&mut self, value: bool, off: &str, on: &str) {
         self.text.push_str(if value { on } else { off });
     }
 
     /// Writes an array, each element by `write`.
+    #[inline]
     pub fn array<T>(&mut self, items: &[T], mut write: impl FnMut(&mut Self, &T)) {
         self.text.push('[');
-        for (i, item) in items.iter().enumerate() {
-            if i > 0 {
+        if let [first, rest @ ..] = items {
+            write(self, first);
+            for item in rest {
                 self.text.push(',');
+                write(self, item);
             }
-            write(self, item);
         }
         self.text.push(']');
     }

@@ -1,10 +1,11 @@
 //! Packets in a queue.
 
 use std::collections::VecDeque;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::Snapshot;
+use crate::sync::{Condvar, Mutex, MutexGuard};
 
 /// Packets in the order in which they came, from [`Monitor::subscribe`](super::Monitor::subscribe).
 ///

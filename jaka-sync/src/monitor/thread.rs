@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::framing::{FrameError, Framer};
 use jaka_proto::recording::Port;
-use jaka_proto::wire::DecodeError;
+use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
@@ -21,32 +21,38 @@ pub(super) struct Worker<S> {
     board: Arc<Board<S>>,
     address: String,
     config: Config,
-    number: u64,
+    pub(super) number: u64,
     tap: Tap,
     /// The framer drops what comes until a packet begins.
     is_lost: bool,
+    /// The packet before the latest, whose memory is used again.
+    spare: Option<Arc<Snapshot<S>>>,
 }
 
-impl<S> Worker<S> {
+impl<S: Decode> Worker<S> {
     pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
-        Self { board, address, config, number: 0, tap: Tap::default(), is_lost: false }
+        Self { board, address, config, number: 0, tap: Tap::default(), is_lost: false, spare: None }
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made anew.
-    pub(super) fn run(mut self, connected: (TcpStream, Tap), decode: fn(&str) -> Result<S, DecodeError>) {
+    pub(super) fn run(mut self, connected: (TcpStream, Tap)) {
         let mut connected = Some(connected);
         while let Some((stream, tap)) = connected.take() {
             self.tap = tap;
-            let cause = self.read(&stream, decode);
+            let cause = self.read(&stream);
             self.record_end(&cause);
             connected = self.reconnect(cause);
         }
+        self.end();
+    }
+
+    /// Tells all who wait that no packet will come any more.
+    pub(super) fn end(&self) {
         let mut state = self.board.lock();
         for queue in state.queues.drain(..) {
             queue.close();
         }
-        drop(state);
-        self.board.changed.notify_all();
+        self.board.wake(state);
     }
 
     fn record_end(&self, cause: &Disconnect) {
@@ -54,20 +60,15 @@ impl<S> Worker<S> {
     }
 
     /// Reads until the connection ends, and says why it did.
-    fn read(&mut self, stream: &TcpStream, decode: fn(&str) -> Result<S, DecodeError>) -> Disconnect {
+    fn read(&mut self, stream: &TcpStream) -> Disconnect {
         let mut framer = Framer::new(self.config.max_frame);
         self.is_lost = false;
-        let cause = self.read_into(&mut framer, stream, decode);
+        let cause = self.read_into(&mut framer, stream);
         self.tap.stray(framer.partial());
         cause
     }
 
-    fn read_into(
-        &mut self,
-        framer: &mut Framer,
-        stream: &TcpStream,
-        decode: fn(&str) -> Result<S, DecodeError>,
-    ) -> Disconnect {
+    fn read_into(&mut self, framer: &mut Framer, stream: &TcpStream) -> Disconnect {
         let mut timeout = receive::Timeout::default();
         let mut newest = String::new();
         loop {
@@ -77,7 +78,10 @@ impl<S> Worker<S> {
                 Err(cause) => return cause,
             }
             match self.take_newest(framer, &mut newest) {
-                Ok(true) => self.post(decode(&newest)),
+                Ok(true) => {
+                    let decoded = self.decode(&newest);
+                    self.post(decoded);
+                }
                 Ok(false) => {}
                 Err(cause) => return cause,
             }
@@ -134,20 +138,32 @@ impl<S> Worker<S> {
         Ok(())
     }
 
-    fn post(&mut self, decoded: Result<S, DecodeError>) {
-        let now = Instant::now();
+    /// Decodes a packet, in the place of an earlier one that nobody holds any more if there is one.
+    fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
+        let (mut reader, received, number) = (Reader::new(packet), Instant::now(), self.number);
+        let mut spare = self.spare.take();
+        if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
+            snapshot.status.decode_into(&mut reader)?;
+            (snapshot.received, snapshot.number) = (received, number);
+        }
+        match spare {
+            Some(snapshot) if snapshot.number == number => Ok(snapshot),
+            _ => Ok(Arc::new(Snapshot { status: S::decode(&mut reader)?, received, number })),
+        }
+    }
+
+    pub(super) fn post(&mut self, decoded: Result<Arc<Snapshot<S>>, DecodeError>) {
         let mut state = self.board.lock();
         match decoded {
-            Ok(status) => {
-                let snapshot = Arc::new(Snapshot { status, received: now, number: self.number });
-                state.counters.packet(now);
+            Ok(snapshot) => {
+                state.counters.packet(snapshot.received);
                 state.unfit = None;
                 // A queue that nobody else holds has lost its subscription.
                 state.queues.retain(|queue| Arc::strong_count(queue) > 1);
                 for queue in &state.queues {
                     queue.push(Arc::clone(&snapshot));
                 }
-                state.latest = Some(Arc::clone(&snapshot));
+                self.spare = state.latest.replace(Arc::clone(&snapshot));
                 // Called without the lock, so that they can ask the monitor.
                 let mut observers = std::mem::take(&mut state.observers);
                 drop(state);
@@ -162,12 +178,11 @@ impl<S> Worker<S> {
                 state.unfit = Some(error);
             }
         }
-        drop(state);
-        self.board.changed.notify_all();
+        self.board.wake(state);
     }
 
     /// Connects anew as the policy says; `None` if the monitor has come to its end.
-    fn reconnect(&self, mut cause: Disconnect) -> Option<(TcpStream, Tap)> {
+    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(TcpStream, Tap)> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
                 break;

@@ -1,15 +1,14 @@
 //! A session in servo mode.
 
-use std::collections::VecDeque;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove, ServoP};
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose, Switch};
-use jaka_proto::{Command, Ticket};
 
 use super::pace::{CYCLE, Pace};
 use super::{ServoConfig, ServoReport};
@@ -44,7 +43,6 @@ pub struct ServoSession<'r> {
     pace: Pace,
     /// The joints of the last set-point, where they are known.
     last: Option<JointPosition>,
-    outstanding: VecDeque<Ticket>,
     report: ServoReport,
     refusal: Option<Error>,
     is_open: bool,
@@ -63,7 +61,6 @@ impl<'r> ServoSession<'r> {
             config: config.clone(),
             pace,
             last: Some(start),
-            outstanding: VecDeque::new(),
             report: ServoReport::default(),
             refusal: None,
             is_open: true,
@@ -193,35 +190,28 @@ impl<'r> ServoSession<'r> {
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
-        self.robot.check_latch()?;
         let late = self.pace.wait();
-        let ticket = self.robot.client().post(request)?;
-        self.outstanding.push_back(ticket);
+        // Behind the wait: a stop may have come meanwhile.
+        self.robot.check_latch()?;
+        let gate = self.robot.gate();
+        let outstanding = self.robot.client().post(Some(&gate), std::slice::from_ref(request))?;
         self.report.late(late, self.config.period());
-        self.report.most_outstanding = self.report.most_outstanding.max(self.outstanding.len());
+        self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
         Ok(())
     }
 
     fn take_answers(&mut self, command: &str) -> Result<(), Error> {
-        let Self { robot, outstanding, report, refusal, .. } = self;
-        let mut done = Vec::new();
-        let drained = robot.client().drain(
-            command,
-            |ticket| outstanding.contains(&ticket),
-            |ticket, answer| {
-                done.push(ticket);
-                match answer {
-                    Ok(()) => report.accepted += 1,
-                    Err(Error::ReplyLost { .. }) => report.unanswered += 1,
-                    Err(error) => {
-                        report.refused += 1;
-                        refusal.get_or_insert(error);
-                    }
-                }
-            },
-        );
-        outstanding.retain(|ticket| !done.contains(ticket));
-        drained
+        let (answers, checked) = self.robot.client().link().drain(command);
+        self.report.accepted += answers.accepted;
+        for error in answers.failed {
+            if matches!(error, Error::ReplyLost { .. }) {
+                self.report.unanswered += 1;
+            } else {
+                self.report.refused += 1;
+                self.refusal.get_or_insert(error);
+            }
+        }
+        checked
     }
 
     /// Waits for the last answers and leaves servo mode.
@@ -248,7 +238,7 @@ impl<'r> ServoSession<'r> {
     fn last_answers(&mut self) -> Result<(), Error> {
         let since = Instant::now();
         let mut pace = Pace::new(CYCLE, Duration::ZERO);
-        while !self.outstanding.is_empty() && since.elapsed() < LAST_ANSWERS {
+        while self.robot.client().link().outstanding() > 0 && since.elapsed() < LAST_ANSWERS {
             self.take_answers(ServoJ::INFO.name)?;
             pace.wait();
         }
@@ -259,11 +249,10 @@ impl<'r> ServoSession<'r> {
 
     fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
-        self.report.unanswered += u64::try_from(self.outstanding.len()).unwrap_or(u64::MAX);
-        for ticket in self.outstanding.drain(..) {
-            self.robot.client().forget(ticket);
-        }
-        self.robot.client().call(&ServoMove { servo_mode: Switch::Off })
+        let client = self.robot.client();
+        self.report.unanswered += u64::try_from(client.link().outstanding()).unwrap_or(u64::MAX);
+        client.link().forget_posted();
+        client.call(&ServoMove { servo_mode: Switch::Off })
     }
 }
 
@@ -279,10 +268,6 @@ impl Drop for ServoSession<'_> {
 
 impl fmt::Debug for ServoSession<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("ServoSession")
-            .field("config", &self.config)
-            .field("time", &self.time())
-            .field("outstanding", &self.outstanding.len())
-            .finish_non_exhaustive()
+        f.debug_struct("ServoSession").field("config", &self.config).field("time", &self.time()).finish_non_exhaustive()
     }
 }

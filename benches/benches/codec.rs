@@ -1,0 +1,8 @@
+//! Requests, replies and status packets: `cargo bench -p jaka-benches --bench codec`.
+
+fn main() {
+    let works = [jaka_benches::encode::works(), jaka_benches::reply::works(), jaka_benches::status::works()];
+    for mut work in works.into_iter().flatten() {
+        println!("{}", work.report());
+    }
+}

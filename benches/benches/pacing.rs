@@ -1,0 +1,168 @@
+//! When set-points go out: sessions that sleep until the beat, sessions that spin before it, and a bare loop, in turn.
+//!
+//! Options: `--seconds N` for each turn (1), `--rounds N` (10), `--spin MICROSECONDS` (200).
+
+use std::error::Error;
+use std::io::{ErrorKind, Read, Write};
+use std::net::TcpStream;
+use std::time::{Duration, Instant};
+
+use jaka_benches::system::canned::SET_POINT;
+use jaka_benches::system::child::{Addresses, Server};
+use jaka_benches::system::figures::median;
+use jaka_benches::system::report::{self, Target};
+use jaka_benches::system::{options, process};
+use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig, ServoReport};
+
+const PERIOD: Duration = Duration::from_millis(8);
+
+/// Answers are late by so many set-points in the last part.
+const LATE: &str = "5";
+
+type Failure = Box<dyn Error>;
+
+/// What one way of pacing did, over all rounds. Times are in microseconds.
+#[derive(Default)]
+struct Way {
+    name: &'static str,
+    /// By how much each set-point was late.
+    late: Vec<f64>,
+    /// By how much the beat moved away from the clock, as a share, session by session.
+    drift: Vec<f64>,
+    passed_over: u64,
+    most_outstanding: usize,
+    cpu: Duration,
+    wall: Duration,
+}
+
+fn main() -> Result<(), Failure> {
+    let seconds = options::number("--seconds", 1)?;
+    let rounds = options::number("--rounds", 10)?;
+    let spin = Duration::from_micros(options::number("--spin", 200)?.into());
+    let servers = [&[][..], &[LATE]].map(|late| Server::start(env!("CARGO_BIN_EXE_canned"), late, None));
+    let [prompt, late] = servers;
+    let (prompt, late) = (prompt?, late?);
+    let time = Duration::from_secs(seconds.into());
+    let mut ways = ["bare loop, sleeping", "session, sleeping", "session, spinning", "spinning, late answers"]
+        .map(|name| Way { name, ..Way::default() });
+    for round in 0..rounds {
+        for turn in 0..4 {
+            let way = (round + turn) as usize % 4;
+            match way {
+                0 => ways[way].bare(prompt.robots()[0], time)?,
+                1 => ways[way].session(prompt.robots()[0], Duration::ZERO, time)?,
+                2 => ways[way].session(prompt.robots()[0], spin, time)?,
+                _ => ways[way].session(late.robots()[0], spin, time)?,
+            }
+        }
+    }
+    let run =
+        format!("{rounds} rounds of {seconds} s of each, a set-point each {PERIOD:?}, spinning {spin:?} before it");
+    print(&mut ways, &run);
+    Ok(())
+}
+
+impl Way {
+    /// A loop that sleeps to absolute times, writes, and reads what has come.
+    fn bare(&mut self, robot: Addresses, time: Duration) -> Result<(), Failure> {
+        let mut stream = TcpStream::connect(robot.commands)?;
+        stream.set_nodelay(true)?;
+        stream.set_nonblocking(true)?;
+        let mut buffer = vec![0; 8 << 10];
+        let (cpu, start) = (process::thread_cpu(), Instant::now());
+        let mut behind = Vec::new();
+        for due in (0..).map(|beat| PERIOD * beat).take_while(|due| *due < time) {
+            let answers = stream.read(&mut buffer).or_else(|error| match error.kind() {
+                ErrorKind::WouldBlock => Ok(0),
+                _ => Err(error),
+            });
+            std::thread::sleep((start + due).saturating_duration_since(Instant::now()));
+            behind.push((due, micros(start.elapsed()) - micros(due)));
+            stream.write_all(SET_POINT)?;
+            std::hint::black_box(&buffer[..answers?]);
+        }
+        self.ran(start, cpu, &behind);
+        self.late.extend(behind.iter().map(|(_, late)| late));
+        Ok(())
+    }
+
+    fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
+        let monitor: Monitor = Config::new().monitor(robot.status)?;
+        let mut robot = Robot::new(Client::connect(robot.commands)?, monitor);
+        let mut session = robot.servo(&ServoConfig::new().busy_wait(spin))?;
+        let (cpu, start) = (process::thread_cpu(), Instant::now());
+        let mut behind = Vec::new();
+        while session.time() < time {
+            let due = session.time();
+            session.joints_by([0.0; 6])?;
+            behind.push((due, micros(start.elapsed()) - micros(due)));
+        }
+        let beats = session.time();
+        self.ran(start, cpu, &behind);
+        let report = session.finish()?;
+        self.late.extend(lateness(&report));
+        self.passed_over += u64::try_from(beats.as_nanos() / PERIOD.as_nanos())? - report.cycles;
+        self.most_outstanding = self.most_outstanding.max(report.most_outstanding);
+        Ok(())
+    }
+
+    /// Adds what a session took, and how far behind the clock its beats were.
+    fn ran(&mut self, start: Instant, cpu: Option<Duration>, behind: &[(Duration, f64)]) {
+        self.cpu +=
+            process::thread_cpu().zip(cpu).map_or(Duration::ZERO, |(after, before)| after.saturating_sub(before));
+        self.wall += start.elapsed();
+        let third = behind.len() / 3;
+        let middle = |part: &[(Duration, f64)]| median(&mut part.iter().map(|(_, behind)| *behind).collect::<Vec<_>>());
+        let (first, last) = (&behind[..third], &behind[behind.len() - third..]);
+        if let Some(((begin, _), (end, _))) = first.first().zip(last.first()) {
+            self.drift.push((middle(last) - middle(first)) / (micros(*end) - micros(*begin)));
+        }
+    }
+
+    fn percentile(&mut self, share: f64) -> f64 {
+        self.late.sort_unstable_by(f64::total_cmp);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
+        let place = (share * self.late.len().saturating_sub(1) as f64).round() as usize;
+        self.late.get(place).copied().unwrap_or(f64::NAN)
+    }
+
+    fn cpu_percent(&self) -> f64 {
+        100.0 * self.cpu.as_secs_f64() / self.wall.as_secs_f64()
+    }
+}
+
+/// The lateness of each set-point, which the report has in whole microseconds: rounded up here.
+fn lateness(report: &ServoReport) -> impl Iterator<Item = f64> {
+    #[expect(clippy::cast_precision_loss)]
+    let share = |cycle: u64| cycle as f64 / report.cycles.saturating_sub(1).max(1) as f64;
+    (0..report.cycles).map(move |cycle| micros(report.lateness(share(cycle))) + 1.0)
+}
+
+fn print(ways: &mut [Way; 4], run: &str) {
+    report::title("Servo pacing", run);
+    println!("  {:<24} {:>8} {:>8} {:>8} {:>8} us {:>7}", "", "p50", "p90", "p99", "maximum", "CPU");
+    for way in &mut *ways {
+        let [p50, p90, p99, most] = [0.5, 0.9, 0.99, 1.0].map(|share| way.percentile(share));
+        println!("  {:<24} {p50:>8.1} {p90:>8.1} {p99:>8.1} {most:>8.1} {:>8.2} %", way.name, way.cpu_percent());
+    }
+    let [bare, sleeping, spinning, late] = ways;
+    let ratio = |share| (spinning.percentile(share), sleeping.percentile(share));
+    let [p50, p90] = [0.5, 0.9].map(ratio).map(|(spinning, sleeping)| spinning / sleeping);
+    report::figure("p50 of sleeping sessions beside the bare loop", sleeping.percentile(0.5) / bare.percentile(0.5));
+    report::figure("CPU of sleeping sessions beside the bare loop", sleeping.cpu_percent() / bare.cpu_percent());
+    report::verdict("p50 of lateness, spinning beside sleeping", p50, Target::AtMost(0.05));
+    report::verdict("p90 of lateness, spinning beside sleeping", p90, Target::AtMost(0.25));
+    report::verdict("CPU, spinning, percent of a core", spinning.cpu_percent(), Target::AtMost(2.5));
+    for way in [sleeping, spinning] {
+        let drift = 100.0 * median(&mut way.drift);
+        report::verdict(&format!("drift, percent: {}", way.name), drift.abs(), Target::AtMost(0.01));
+    }
+    println!("  {LATE} answers late: at most {} were outstanding", late.most_outstanding);
+    #[expect(clippy::cast_precision_loss)]
+    report::figure("  beats passed over, answers late", late.passed_over as f64);
+    report::figure("  p90 beside that with prompt answers", late.percentile(0.9) / ways[2].percentile(0.9));
+}
+
+fn micros(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e6
+}

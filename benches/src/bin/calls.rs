@@ -1,0 +1,55 @@
+//! Does one thing so many times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where WHAT is `call` for
+//! calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points without a beat.
+
+use std::error::Error;
+use std::time::Duration;
+
+use jaka_sync::servo::ServoJ;
+use jaka_sync::types::MoveMode;
+use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<_> = std::env::args().skip(1).collect();
+    let [what, commands, status, count] = &*arguments else {
+        return Err("calls WHAT COMMANDS STATUS COUNT".into());
+    };
+    let count = count.parse()?;
+    match &**what {
+        "call" => call(commands, count),
+        "pipeline" => pipeline(commands, count),
+        "servo" => servo(commands, status, count),
+        other => Err(format!("`{other}` is not known").into()),
+    }
+}
+
+fn call(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
+    let mut client = Client::connect(commands)?;
+    for _ in 0..count {
+        std::hint::black_box(client.get_joint_pos()?.joint_position);
+    }
+    Ok(())
+}
+
+fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
+    let mut client = Client::connect(commands)?;
+    let mut pipeline = client.pipeline(64);
+    for _ in 0..count {
+        let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1].into();
+        pipeline.send(&ServoJ { mode: MoveMode::Relative, joint_position, step_count: Some(1.into()) })?;
+    }
+    pipeline.finish()?;
+    Ok(())
+}
+
+fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
+    let monitor: Monitor = Config::new().monitor(status)?;
+    let mut robot = Robot::new(Client::connect(commands)?, monitor);
+    // It spins, so that it need not be asleep at the beat.
+    let config = ServoConfig::new().busy_wait(Duration::from_millis(8));
+    let mut session = robot.servo(&config)?;
+    for _ in 0..count {
+        session.joints_by([0.0; 6])?;
+    }
+    session.finish()?;
+    Ok(())
+}

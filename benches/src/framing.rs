@@ -1,0 +1,57 @@
+//! Finding the ends of messages in a stream that is cut anywhere.
+
+use std::hint::black_box;
+
+use jaka_proto::framing::Framer;
+
+use crate::PACKET_OF_NEWER;
+use crate::limit::framing::{Bytewise, append};
+use crate::measure::{Contender, Target, Work};
+
+/// A packet in pieces as Ethernet brings them, and in single bytes.
+pub fn works() -> Vec<Work<'static>> {
+    let dense = Box::leak(dense().into_boxed_str());
+    let bytewise = vec![Target::AtLeast("byte by byte", 4.0, "ours")];
+    vec![
+        work("framing 9 KB in pieces of 1460 bytes", PACKET_OF_NEWER, 1460, bytewise.clone()),
+        work("framing 9 KB of short keys, in pieces of 1460 bytes", dense, 1460, bytewise),
+        work("framing 9 KB in single bytes", PACKET_OF_NEWER, 1, vec![Target::AtMost("ours", 2.5, "append only")]),
+    ]
+}
+
+/// A message of nothing but keys and small numbers: the most structure that a message can have.
+fn dense() -> String {
+    let keys: Vec<_> = (0..600).map(|at| format!("\"key_{at:03}\":{}", at * 7 % 1000)).collect();
+    format!("{{{}}}", keys.join(","))
+}
+
+fn work(name: &'static str, packet: &'static str, piece: usize, targets: Vec<Target>) -> Work<'static> {
+    let (bytes, len) = (packet.as_bytes(), packet.len());
+    assert_eq!((ours(&mut Framer::default(), bytes, piece), Bytewise::default().run(bytes, piece)), (1, 1));
+    let (mut buffer, mut framer, mut bytewise) = (Vec::new(), Framer::default(), Bytewise::default());
+    Work {
+        name,
+        contenders: vec![
+            Contender::new("append only", move || append(black_box(bytes), piece, len, &mut buffer)),
+            Contender::new("ours", move || ours(&mut framer, black_box(bytes), piece)),
+            Contender::new("byte by byte", move || bytewise.run(black_box(bytes), piece)),
+        ],
+        targets,
+    }
+}
+
+/// How many frames the framer finds.
+///
+/// # Panics
+/// Something else stands between them.
+pub fn ours(framer: &mut Framer, stream: &[u8], piece: usize) -> usize {
+    let mut found = 0;
+    for piece in stream.chunks(piece) {
+        framer.push(piece);
+        while let Some(frame) = framer.next_frame().expect("frames only") {
+            black_box(frame);
+            found += 1;
+        }
+    }
+    found
+}

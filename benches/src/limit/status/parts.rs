@@ -1,0 +1,316 @@
+//! The nested parts of a status packet.
+
+use jaka_proto::messages::io::{ExtioPinRange, ExtioRtu, ExtioTcp, FunctionInput};
+use jaka_proto::messages::status::{
+    ExtioMode, ExtioPinStates, ExtioReport, ExtioReportPinMap, ExtioReportPins, ExtioReportSetup, JointMonitor,
+    MonitorData, TorqueSensorPayload, TorqueSensorReport, TorqueSensorSettings, TorqueSensorState, TorqueSensorTcp,
+};
+use jaka_proto::wire::{Typed, Value};
+
+use crate::limit::scan::Scan;
+
+/// A part that can be read into what it was before.
+pub(super) trait Blank {
+    /// Something to begin with.
+    fn blank() -> Self;
+}
+
+/// Reads a part of a known shape into its slot.
+pub(super) fn known<'a, T: Blank>(
+    slot: &mut Option<Typed<T>>,
+    read: impl Fn(&mut Scan<'a>, &mut T) -> Option<()>,
+    scan: &mut Scan<'a>,
+) -> Option<()> {
+    let slot = slot.get_or_insert_with(|| Typed::Known(T::blank()));
+    if let Typed::Raw(_) = slot {
+        *slot = Typed::Known(T::blank());
+    }
+    match slot {
+        Typed::Known(value) => read(scan, value),
+        Typed::Raw(_) => None,
+    }
+}
+
+pub(super) fn bits(scan: &mut Scan<'_>, into: &mut Vec<bool>) -> Option<()> {
+    scan.bits(into)
+}
+
+pub(super) fn floats(scan: &mut Scan<'_>, into: &mut Vec<f64>) -> Option<()> {
+    scan.list(into, Scan::float)
+}
+
+pub(super) fn ints(scan: &mut Scan<'_>, into: &mut Vec<i64>) -> Option<()> {
+    scan.list(into, Scan::int)
+}
+
+pub(super) fn int(scan: &mut Scan<'_>, into: &mut i64) -> Option<()> {
+    *into = scan.int()?;
+    Some(())
+}
+
+pub(super) fn inputs(scan: &mut Scan<'_>, into: &mut Vec<FunctionInput>) -> Option<()> {
+    scan.list(into, |scan| {
+        let [kind, index] = scan.array::<i64, 2>(Scan::int)?;
+        Some(FunctionInput { kind: kind.into(), index })
+    })
+}
+
+pub(super) fn monitor(scan: &mut Scan<'_>, into: &mut MonitorData) -> Option<()> {
+    scan.need(b"[")?;
+    into.scb_major_version = first(scan, Scan::int)?;
+    into.scb_minor_version = first(scan, Scan::int)?;
+    into.cabinet_temperature = first(scan, Scan::float)?;
+    into.bus_average_power = first(scan, Scan::float)?;
+    into.bus_average_current = first(scan, Scan::float)?;
+    scan.list(&mut into.joints, joint)?;
+    last(scan)
+}
+
+fn joint(scan: &mut Scan<'_>) -> Option<JointMonitor> {
+    scan.need(b"[")?;
+    let mut joint = JointMonitor {
+        current: first(scan, Scan::float)?,
+        voltage: first(scan, Scan::float)?,
+        temperature: first(scan, Scan::float)?,
+        average_power: first(scan, Scan::float)?,
+        current_fluctuation: first(scan, Scan::float)?,
+        total_revolutions: first(scan, Scan::float)?,
+        total_running_time: first(scan, Scan::float)?,
+        cycles_since_start: first(scan, Scan::float)?,
+        running_time_since_start: first(scan, Scan::float)?,
+        torque: scan.float()?,
+        eleventh: None,
+    };
+    if scan.comma(b']')? {
+        joint.eleventh = Some(scan.float()?);
+        last(scan)?;
+    }
+    Some(joint)
+}
+
+/// An element with another behind it.
+fn first<'a, T>(scan: &mut Scan<'a>, one: impl Fn(&mut Scan<'a>) -> Option<T>) -> Option<T> {
+    let value = one(scan)?;
+    scan.comma(b']')?.then_some(value)
+}
+
+/// The end of an array.
+fn last(scan: &mut Scan<'_>) -> Option<()> {
+    (!scan.comma(b']')?).then_some(())
+}
+
+pub(super) fn torque_sensor(scan: &mut Scan<'_>, into: &mut TorqueSensorReport) -> Option<()> {
+    scan.need(b"[")?;
+    scan.need(b"[0,")?;
+    let TorqueSensorSettings::Tcp { connection, payload } = &mut into.settings else { return None };
+    scan.need(b"[")?;
+    scan.text_into(&mut connection.address)?;
+    scan.comma(b']')?.then_some(())?;
+    connection.port = scan.int()?;
+    last(scan)?;
+    scan.comma(b']')?.then_some(())?;
+    scan.need(b"[")?;
+    let mass = first(scan, Scan::float)?;
+    *payload = Typed::Known(TorqueSensorPayload { mass, centroid: scan.array::<f64, 3>(Scan::float)?.into() });
+    last(scan)?;
+    last(scan)?;
+    scan.comma(b']')?.then_some(())?;
+    scan.need(b"[")?;
+    into.state.working = first(scan, Scan::bit)?;
+    into.state.error_code = Typed::Known(first(scan, Scan::int)?);
+    into.state.contact_force = first(scan, |scan| scan.array::<f64, 6>(Scan::float))?;
+    into.state.raw_reading = scan.array::<f64, 6>(Scan::float)?;
+    last(scan)?;
+    last(scan)
+}
+
+pub(super) fn extio(scan: &mut Scan<'_>, into: &mut ExtioReport) -> Option<()> {
+    scan.need(b"{")?;
+    // This object always has the same keys in the same order.
+    scan.need(br#""status":"#)?;
+    pin_states(scan, &mut into.pin_states)?;
+    next(scan)?;
+    scan.need(br#""setup":"#)?;
+    setups(scan, &mut into.setup)?;
+    next(scan)?;
+    scan.need(br#""num":"#)?;
+    into.count = scan.int()?;
+    next(scan)?;
+    scan.need(br#""pinmap":"#)?;
+    scan.list(&mut into.pin_maps, pin_map)?;
+    next(scan)?;
+    scan.need(br#""mode":"#)?;
+    into.mode = scan.int()?.into();
+    (!scan.comma(b'}')?).then_some(())
+}
+
+fn next(scan: &mut Scan<'_>) -> Option<()> {
+    scan.comma(b'}')?.then_some(())
+}
+
+fn pin_states(scan: &mut Scan<'_>, into: &mut ExtioPinStates) -> Option<()> {
+    scan.need(b"[")?;
+    bits(scan, &mut into.digital_inputs)?;
+    scan.comma(b']')?.then_some(())?;
+    bits(scan, &mut into.digital_outputs)?;
+    scan.comma(b']')?.then_some(())?;
+    floats(scan, &mut into.analog_inputs)?;
+    scan.comma(b']')?.then_some(())?;
+    floats(scan, &mut into.analog_outputs)?;
+    last(scan)
+}
+
+fn pin_map(scan: &mut Scan<'_>) -> Option<ExtioReportPinMap> {
+    let [digital_inputs, digital_outputs, analog_inputs, analog_outputs] = scan.array::<i64, 4>(Scan::int)?;
+    Some(ExtioReportPinMap { digital_inputs, digital_outputs, analog_inputs, analog_outputs })
+}
+
+/// The modules, in place of those before.
+fn setups(scan: &mut Scan<'_>, into: &mut Vec<ExtioReportSetup>) -> Option<()> {
+    scan.need(b"[")?;
+    let mut len = 0;
+    while !(len == 0 && scan.eat(b"]")) {
+        if into.len() == len {
+            into.push(ExtioReportSetup::Other(Value::Null));
+        }
+        setup(scan, &mut into[len])?;
+        len += 1;
+        if !scan.comma(b']')? {
+            break;
+        }
+    }
+    into.truncate(len);
+    Some(())
+}
+
+fn setup(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
+    scan.need(b"[")?;
+    match first(scan, Scan::int)? {
+        0 => rtu(scan, into),
+        1 => tcp(scan, into),
+        _ => None,
+    }
+}
+
+fn rtu(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
+    if !matches!(into, ExtioReportSetup::Rtu { connection: Typed::Known(_), .. }) {
+        let connection = ExtioRtu {
+            baud_rate: 0,
+            data_bit_length: 0,
+            slave_id: 0,
+            data_bits: 0,
+            parity: Value::Null,
+            stop_bit_length: 0,
+        };
+        *into = ExtioReportSetup::Rtu { name: String::new(), connection: Typed::Known(connection), pins: NO_PINS };
+    }
+    let ExtioReportSetup::Rtu { name, connection: Typed::Known(connection), pins } = into else { return None };
+    scan.text_into(name)?;
+    scan.comma(b']')?.then_some(())?;
+    scan.need(b"[")?;
+    connection.baud_rate = first(scan, Scan::int)?;
+    connection.data_bit_length = first(scan, Scan::int)?;
+    connection.slave_id = first(scan, Scan::int)?;
+    connection.data_bits = first(scan, Scan::int)?;
+    scan.json_into(&mut connection.parity)?;
+    scan.comma(b']')?.then_some(())?;
+    connection.stop_bit_length = scan.int()?;
+    last(scan)?;
+    scan.comma(b']')?.then_some(())?;
+    *pins = pin_ranges(scan)?;
+    last(scan)
+}
+
+fn tcp(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
+    if !matches!(into, ExtioReportSetup::Tcp { .. }) {
+        let connection = ExtioTcp { address: String::new(), port: 0, slave_id: None };
+        *into = ExtioReportSetup::Tcp { name: String::new(), connection, pins: NO_PINS };
+    }
+    let ExtioReportSetup::Tcp { name, connection, pins } = into else { return None };
+    scan.text_into(name)?;
+    scan.comma(b']')?.then_some(())?;
+    scan.need(b"[")?;
+    scan.text_into(&mut connection.address)?;
+    scan.comma(b']')?.then_some(())?;
+    connection.port = scan.int()?;
+    connection.slave_id = None;
+    if scan.comma(b']')? {
+        connection.slave_id = Some(scan.int()?);
+        last(scan)?;
+    }
+    scan.comma(b']')?.then_some(())?;
+    *pins = pin_ranges(scan)?;
+    last(scan)
+}
+
+const NO_PIN: ExtioPinRange = ExtioPinRange { start: 0, count: 0 };
+const NO_PINS: ExtioReportPins =
+    ExtioReportPins { digital_inputs: NO_PIN, digital_outputs: NO_PIN, analog_inputs: NO_PIN, analog_outputs: NO_PIN };
+
+fn pin_ranges(scan: &mut Scan<'_>) -> Option<ExtioReportPins> {
+    let range = |scan: &mut Scan<'_>| {
+        let [start, count] = scan.array::<i64, 2>(Scan::int)?;
+        Some(ExtioPinRange { start, count })
+    };
+    scan.need(b"[")?;
+    let pins = ExtioReportPins {
+        digital_inputs: first(scan, range)?,
+        digital_outputs: first(scan, range)?,
+        analog_inputs: first(scan, range)?,
+        analog_outputs: range(scan)?,
+    };
+    last(scan)?;
+    Some(pins)
+}
+
+impl<T> Blank for Vec<T> {
+    fn blank() -> Self {
+        Self::new()
+    }
+}
+
+impl Blank for i64 {
+    fn blank() -> Self {
+        0
+    }
+}
+
+impl Blank for MonitorData {
+    fn blank() -> Self {
+        Self {
+            scb_major_version: 0,
+            scb_minor_version: 0,
+            cabinet_temperature: 0.0,
+            bus_average_power: 0.0,
+            bus_average_current: 0.0,
+            joints: Vec::new(),
+        }
+    }
+}
+
+impl Blank for TorqueSensorReport {
+    fn blank() -> Self {
+        let connection = TorqueSensorTcp { address: String::new(), port: 0 };
+        Self {
+            settings: TorqueSensorSettings::Tcp { connection, payload: Typed::Raw(Value::Null) },
+            state: TorqueSensorState {
+                working: false,
+                error_code: Typed::Known(0),
+                contact_force: [0.0; 6],
+                raw_reading: [0.0; 6],
+            },
+        }
+    }
+}
+
+impl Blank for ExtioReport {
+    fn blank() -> Self {
+        let pin_states = ExtioPinStates {
+            digital_inputs: Vec::new(),
+            digital_outputs: Vec::new(),
+            analog_inputs: Vec::new(),
+            analog_outputs: Vec::new(),
+        };
+        Self { pin_states, setup: Vec::new(), count: 0, pin_maps: Vec::new(), mode: ExtioMode::On }
+    }
+}

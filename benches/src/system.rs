@@ -1,0 +1,9 @@
+//! What the benchmarks of the system share: a server that answers printed messages, figures of interleaved rounds, and what
+//! the system tells of a process.
+
+pub mod canned;
+pub mod child;
+pub mod figures;
+pub mod options;
+pub mod process;
+pub mod report;

@@ -1,0 +1,106 @@
+//! A server that does as little as can be: each request is answered at once with the message that is printed here.
+//!
+//! It is the same for all who are compared, so that what differs is the client's side.
+
+use std::io::{self, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::thread;
+
+/// A request without fields.
+pub const JOINTS_REQUEST: &[u8] = br#"{"cmdName":"get_joint_pos"}"#;
+
+/// Its reply, of a fixed shape, with floats in full precision, spaced as controllers do.
+pub const JOINTS_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_joint_pos", "joint_pos": [-12.354189, 89.99987654321012, 45.123456, -90.000314159265, 0.001235, 178.98765432109877]}"#;
+
+/// A set-point.
+pub const SET_POINT: &[u8] =
+    br#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[0.1,0.0,0.0,0.0,0.0,-0.1],"stepNum":1}"#;
+
+/// The answer to a set-point.
+pub const SET_POINT_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "servo_j"}"#;
+
+const SERVO_MODE_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "servo_move"}"#;
+
+const IN_SERVO_MODE_REPLY: &[u8] =
+    br#"{"errorCode": "0", "errorMsg": "", "in_servomove": true, "cmdName": "is_in_servomove"}"#;
+
+/// Serves each client in a thread of its own.
+///
+/// The answers to set-points are late by so many set-points; those to any other command come at once, after what is late.
+///
+/// # Errors
+/// Nobody can connect any more.
+pub fn serve(listener: &TcpListener, late: usize) -> io::Result<()> {
+    loop {
+        let (stream, _) = listener.accept()?;
+        stream.set_nodelay(true)?;
+        // A client that is gone is no error.
+        thread::spawn(move || attend(stream, late).ok());
+    }
+}
+
+/// Takes connections and sends nothing: a status port without news.
+///
+/// # Errors
+/// Nobody can connect any more.
+pub fn keep_silent(listener: &TcpListener) -> io::Result<()> {
+    let mut readers = Vec::new();
+    loop {
+        readers.push(listener.accept()?);
+    }
+}
+
+fn attend(mut stream: TcpStream, late: usize) -> io::Result<()> {
+    let (mut buffer, mut end) = (vec![0; 64 << 10], 0);
+    let mut answers = Answers { late, held: 0, out: Vec::new() };
+    loop {
+        let len = stream.read(&mut buffer[end..])?;
+        if len == 0 {
+            return Ok(());
+        }
+        end += len;
+        let mut start = 0;
+        // No request in use here has an object inside.
+        while let Some(len) = buffer[start..end].iter().position(|byte| *byte == b'}') {
+            answers.to(&buffer[start..=start + len])?;
+            start += len + 1;
+        }
+        buffer.copy_within(start..end, 0);
+        end -= start;
+        stream.write_all(&answers.out)?;
+        answers.out.clear();
+    }
+}
+
+struct Answers {
+    late: usize,
+    held: usize,
+    out: Vec<u8>,
+}
+
+impl Answers {
+    fn to(&mut self, request: &[u8]) -> io::Result<()> {
+        let name = request.split(|byte| *byte == b'"').nth(3).unwrap_or_default();
+        if name == b"servo_j" {
+            self.held += 1;
+            let due = self.held.saturating_sub(self.late);
+            self.release(due);
+            return Ok(());
+        }
+        self.release(self.held);
+        self.out.extend_from_slice(match name {
+            b"get_joint_pos" => JOINTS_REPLY,
+            b"servo_move" => SERVO_MODE_REPLY,
+            b"is_in_servomove" => IN_SERVO_MODE_REPLY,
+            _ => return Err(io::Error::other("a request without a printed answer")),
+        });
+        Ok(())
+    }
+
+    fn release(&mut self, count: usize) {
+        self.held -= count;
+        for _ in 0..count {
+            self.out.extend_from_slice(SET_POINT_REPLY);
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Options of the benchmarks on the command line.
+
+use std::error::Error;
+
+/// The number that follows `name`, or `default` where it is not given.
+///
+/// # Errors
+/// What follows is no number.
+pub fn number(name: &str, default: u32) -> Result<u32, Box<dyn Error>> {
+    let Some(text) = text(name) else { return Ok(default) };
+    text.parse().map_err(|_| format!("{name} takes a number, not `{text}`").into())
+}
+
+/// The word that follows `name`, where it is given.
+pub fn text(name: &str) -> Option<String> {
+    std::env::args().skip_while(|argument| argument != name).nth(1)
+}

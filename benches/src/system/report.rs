@@ -1,0 +1,42 @@
+//! What a benchmark prints.
+
+use std::fmt::Display;
+
+use super::figures::Contender;
+
+/// What a figure should reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// This or less.
+    AtMost(f64),
+    /// This or more.
+    AtLeast(f64),
+}
+
+/// Prints a title, and what is run.
+pub fn title(title: &str, run: impl Display) {
+    println!("\n{title}\n  {run}");
+}
+
+/// Prints the percentiles of each contender in microseconds.
+pub fn percentiles(contenders: &[Contender<'_>]) {
+    println!("  {:<34} {:>9} {:>9} {:>9} {:>9}   us", "", "p50", "p90", "p99", "maximum");
+    for Contender { name, samples, .. } in contenders {
+        let [p50, p90, p99, max] = [0.5, 0.9, 0.99, 1.0].map(|share| samples.percentile(share));
+        println!("  {name:<34} {p50:>9.2} {p90:>9.2} {p99:>9.2} {max:>9.2}");
+    }
+}
+
+/// Prints a figure beside its target, and whether it is met.
+pub fn verdict(what: &str, figure: f64, target: Target) {
+    let (sign, bound, met) = match target {
+        Target::AtMost(bound) => ("at most", bound, figure <= bound),
+        Target::AtLeast(bound) => ("at least", bound, figure >= bound),
+    };
+    println!("  {what:<50} {figure:>9.3}   target {sign} {bound}: {}", if met { "met" } else { "MISSED" });
+}
+
+/// Prints a figure without a target.
+pub fn figure(what: &str, figure: f64) {
+    println!("  {what:<50} {figure:>9.3}");
+}

@@ -1,0 +1,90 @@
+use proptest::prelude::*;
+
+use super::*;
+
+/// What the usual form gives, if the text is in it, and what the standard library makes of the same text.
+fn check(text: &str) -> Result<(), TestCaseError> {
+    let followed = format!("{text},");
+    if let Some((value, len)) = f64::usual(followed.as_bytes()) {
+        let expected: f64 = text.parse().expect("the standard library takes it too");
+        prop_assert_eq!((value.to_bits(), len), (expected.to_bits(), text.len()), "{}", text);
+    }
+    if let Some((value, len)) = i64::usual(followed.as_bytes()) {
+        prop_assert_eq!((Ok(value), len), (text.parse(), text.len()), "{}", text);
+    }
+    Ok(())
+}
+
+/// So many numbers of each kind: millions with `JAKA_RELIABILITY=100`.
+fn numbers() -> ProptestConfig {
+    let times: u32 = std::env::var("JAKA_RELIABILITY").ok().and_then(|times| times.parse().ok()).unwrap_or(1);
+    ProptestConfig::with_cases(2_000 * times)
+}
+
+proptest! {
+    #![proptest_config(numbers())]
+
+    #[test]
+    fn floats_as_they_are_printed(value in any::<f64>().prop_filter("JSON has finite numbers only", |value| value.is_finite())) {
+        check(&value.to_string())?;
+    }
+
+    #[test]
+    fn positions_of_full_precision(value in -1000.0..1000.0) {
+        let text = f64::to_string(&value);
+        check(&text)?;
+        prop_assert!(f64::usual(format!("{text}]").as_bytes()).is_some() || text.len() > 20, "{}", text);
+    }
+
+    #[test]
+    fn any_digits(digits in any::<u64>(), point in 0..21_usize, sign in "-?0{0,3}") {
+        let mut text = digits.to_string();
+        if point < text.len() {
+            text.insert(text.len() - point, '.');
+        }
+        check(&(sign + &text))?;
+    }
+
+    /// Where rounding is hardest: exactly in the middle between two floats, and next to it.
+    #[test]
+    fn middles_between_two_floats(odd in 1_u64 << 53..1 << 54, shift in 0..8_u32, beside in -1_i64..=1, point in 0..19_usize) {
+        let digits = ((odd | 1) << shift).saturating_add_signed(beside).to_string();
+        check(&digits)?;
+        let (whole, fraction) = digits.split_at(digits.len().saturating_sub(point).max(1));
+        check(&format!("{whole}.{fraction}"))?;
+    }
+
+    /// Halves, quarters and so on of whole numbers can lie in the middle as well: they end in fives.
+    #[test]
+    fn middles_with_a_fraction(whole in 1_u64 << 49..1 << 50, parts in 0..16_u32) {
+        // 2^53 lies between; sixteenths of these take four digits.
+        check(&format!("{whole}.{:04}", parts * 625))?;
+    }
+
+    #[test]
+    fn whatever_looks_like_a_number(text in "-?[0-9]{0,20}[.]?[0-9]{0,20}([eE][+-]?[0-9]{0,3})?") {
+        check(&text)?;
+        prop_assert_eq!(is_number(&text), text.parse::<f64>().is_ok(), "{}", text);
+    }
+
+    #[test]
+    fn eight_bytes_are_eight_digits_or_not(bytes in any::<[u8; 8]>(), digits in 0..100_000_000_u64) {
+        let number = std::str::from_utf8(&bytes).ok().filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()));
+        prop_assert_eq!(eight_digits(bytes), number.map(|text| text.parse().expect("digits")));
+        let text = format!("{digits:08}");
+        prop_assert_eq!(text.as_bytes().first_chunk().copied().and_then(eight_digits), Some(digits));
+    }
+}
+
+#[test]
+fn nothing_is_taken_that_goes_on() {
+    for text in ["1", "-", "-,", "1e5,", "1.,", ".5,", "1.5", "01x", "1.5.2,", "1-2,", "12345678901234567890,"] {
+        assert_eq!(f64::usual(text.as_bytes()), if text == "01x" { Some((1.0, 2)) } else { None }, "{text}");
+    }
+    for text in ["1", "-", "-,", "1e5,", "1.0,", "1234567890123456789,"] {
+        assert_eq!(i64::usual(text.as_bytes()), None, "{text}");
+    }
+    for text in ["2,", "1", "10,", "1.0,", "\"1\",", "tru"] {
+        assert_eq!(bool::usual(text.as_bytes()), None, "{text}");
+    }
+}

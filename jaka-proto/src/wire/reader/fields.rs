@@ -1,0 +1,319 @@
+//! Objects by the keys of their type, and arrays by the places of their elements.
+
+use super::{Decode, DecodeError, Reader, Writer};
+use crate::near::plain_text;
+
+/// The keys of a type, on the way through an object.
+#[derive(Debug)]
+pub struct Keys {
+    /// Each with its quotes and colon.
+    names: &'static [&'static str],
+    /// The place of the key found last.
+    found: usize,
+    /// A bit for each key that came with a value, where values are read in place.
+    seen: u128,
+    /// Whether keys that the type does not know may be those of a reply.
+    in_reply: bool,
+}
+
+impl Keys {
+    /// How many keys a type can have whose values are read in place.
+    pub const IN_PLACE: usize = 128;
+
+    /// Empties the slot of a key that did not come.
+    #[inline]
+    pub fn absent<T>(&self, at: usize, slot: &mut Option<T>) {
+        if self.seen >> at & 1 == 0 {
+            *slot = None;
+        }
+    }
+
+    /// Fails for a key that did not come.
+    ///
+    /// # Errors
+    /// The key is missing.
+    #[inline]
+    pub fn required(&self, at: usize, name: &'static str, key: &'static str) -> Result<(), DecodeError> {
+        if self.seen >> at & 1 == 0 { Err(DecodeError::missing(name, key)) } else { Ok(()) }
+    }
+
+    /// Whether the key found last had a value before.
+    #[inline]
+    fn has_seen(&self) -> bool {
+        self.seen >> self.found & 1 == 1
+    }
+
+    /// Notes that the key found last has a value.
+    #[inline]
+    fn note(&mut self) {
+        self.seen |= 1 << self.found;
+    }
+
+    /// The place of the key with which `text` begins, if it is written as usual.
+    #[inline]
+    fn place_of_usual(&self, text: &[u8]) -> Option<usize> {
+        // The byte behind the quote spares most comparisons.
+        let is = |name: &&str| name.as_bytes().get(1) == text.get(1) && text.starts_with(name.as_bytes());
+        self.names.iter().position(is)
+    }
+
+    /// The place of a key that may be written in any way; the one behind the last if the type does not know it.
+    #[cold]
+    fn place_of_any(&self, key: &str) -> usize {
+        let mut quoted = Writer::new();
+        quoted.text(key);
+        quoted.raw(":");
+        self.names.iter().position(|name| *name == quoted.as_str()).unwrap_or(self.names.len())
+    }
+}
+
+impl Reader<'_> {
+    /// Enters an object whose keys are these, each given with its quotes and colon.
+    ///
+    /// # Errors
+    /// The next value is no object.
+    pub fn begin_fields(&mut self, names: &'static [&'static str]) -> Result<Keys, DecodeError> {
+        self.begin_object()?;
+        Ok(Keys { names, found: usize::MAX, seen: 0, in_reply: self.reply.enter() })
+    }
+
+    /// Goes to the next key, and tells its place among those of the type: the one behind the last for any other key.
+    /// `None` behind the object's end.
+    ///
+    /// # Errors
+    /// The text is no JSON.
+    pub fn next_field(&mut self, keys: &mut Keys) -> Result<Option<usize>, DecodeError> {
+        while self.next(b'}', "`,` or `}`")? {
+            // Most often it is the key behind the last one, and needs no search.
+            let guess = keys.found.wrapping_add(1);
+            if let Some(name) = keys.names.get(guess).filter(|name| self.rest().starts_with(name.as_bytes())) {
+                self.at += name.len();
+                keys.found = guess;
+                return Ok(Some(guess));
+            }
+            if keys.in_reply && self.take_reply_key()? {
+                continue;
+            }
+            if let Some(place) = keys.place_of_usual(self.rest()) {
+                self.at += keys.names[place].len();
+                keys.found = place;
+                return Ok(Some(place));
+            }
+            if self.pass_usual_key() {
+                return Ok(Some(keys.names.len()));
+            }
+            let place = self.unusual_key(keys)?;
+            if place < keys.names.len() {
+                keys.found = place;
+            }
+            return Ok(Some(place));
+        }
+        Ok(None)
+    }
+
+    /// Goes over a key that is none of the type's, if it is written as usual.
+    #[inline]
+    fn pass_usual_key(&mut self) -> bool {
+        let Some((b'"', text)) = self.rest().split_first() else { return false };
+        let Some(len) = plain_text(text) else { return false };
+        let is_usual = text.get(len + 1) == Some(&b':');
+        self.at += if is_usual { len + 3 } else { 0 };
+        is_usual
+    }
+
+    /// Reads a key that may be written with escapes, with a bare control character, or with white space before its colon.
+    #[inline(never)]
+    fn unusual_key(&mut self, keys: &Keys) -> Result<usize, DecodeError> {
+        if keys.in_reply {
+            // It may be one of a reply's keys: two passes tell.
+            return Err(self.malformed("a key in its usual form"));
+        }
+        let key = self.key()?;
+        Ok(keys.place_of_any(&key))
+    }
+
+    /// Reads a field's value into its slot. A null counts as absent.
+    ///
+    /// # Errors
+    /// The value does not fit, or the slot is taken: the key appears twice.
+    pub fn field<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
+        self.field_with(name, slot, T::decode)
+    }
+
+    /// Reads a truth value that is written as one of two words, or in any of the usual forms.
+    ///
+    /// # Errors
+    /// As [`field`](Self::field).
+    pub fn field_word(
+        &mut self,
+        name: &'static str,
+        slot: &mut Option<bool>,
+        off: &str,
+        on: &str,
+    ) -> Result<(), DecodeError> {
+        self.field_with(name, slot, |reader| reader.word(off, on))
+    }
+
+    /// Reads a value that is written as a Python literal inside a string.
+    ///
+    /// # Errors
+    /// As [`field`](Self::field).
+    pub fn field_python<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
+        self.field_with(name, slot, |reader| {
+            let literal = reader.text()?;
+            let json = crate::python::to_json(&literal)
+                .map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
+            T::decode(&mut Reader::new(&json))
+        })
+    }
+
+    fn field_with<T>(
+        &mut self,
+        name: &'static str,
+        slot: &mut Option<T>,
+        decode: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
+    ) -> Result<(), DecodeError> {
+        if slot.is_some() {
+            return Err(repeated(name));
+        }
+        if !self.null() {
+            *slot = Some(decode(self).map_err(|error| error.in_field(name))?);
+        }
+        Ok(())
+    }
+
+    /// Reads a field's value over what the slot held before. A null counts as absent.
+    ///
+    /// # Errors
+    /// The value does not fit, or the key has come before.
+    pub fn field_into<T: Decode>(
+        &mut self,
+        name: &'static str,
+        slot: &mut Option<T>,
+        keys: &mut Keys,
+    ) -> Result<(), DecodeError> {
+        if keys.has_seen() {
+            return Err(repeated(name));
+        }
+        if !self.null() {
+            keys.note();
+            match slot {
+                Some(value) => value.decode_into(self),
+                None => T::decode(self).map(|value| *slot = Some(value)),
+            }
+            .map_err(|error| error.in_field(name))?;
+        }
+        Ok(())
+    }
+
+    /// The same for a field that may not be absent.
+    ///
+    /// # Errors
+    /// As [`field_into`](Self::field_into).
+    pub fn required_into<T: Decode>(
+        &mut self,
+        name: &'static str,
+        slot: &mut T,
+        keys: &mut Keys,
+    ) -> Result<(), DecodeError> {
+        if keys.has_seen() {
+            return Err(repeated(name));
+        }
+        if !self.null() {
+            keys.note();
+            slot.decode_into(self).map_err(|error| error.in_field(name))?;
+        }
+        Ok(())
+    }
+
+    /// Reads the next element of an array, which must be there.
+    ///
+    /// # Errors
+    /// The array ends, or the element does not fit.
+    pub fn element<T: Decode>(&mut self, name: &'static str) -> Result<T, DecodeError> {
+        self.optional_element(name)?.ok_or_else(|| DecodeError::missing(name, ""))
+    }
+
+    /// Reads the next element of an array, if there is one and it is not null.
+    ///
+    /// # Errors
+    /// The element does not fit.
+    pub fn optional_element<T: Decode>(&mut self, name: &'static str) -> Result<Option<T>, DecodeError> {
+        if !self.at_element()? || self.null() {
+            return Ok(None);
+        }
+        T::decode(self).map(Some).map_err(|error| error.in_field(name))
+    }
+
+    /// Reads the next element of an array, which must be there, over what was in its place.
+    ///
+    /// # Errors
+    /// As [`element`](Self::element).
+    pub fn element_into<T: Decode>(&mut self, name: &'static str, slot: &mut T) -> Result<(), DecodeError> {
+        if !self.at_element()? || self.null() {
+            return Err(DecodeError::missing(name, ""));
+        }
+        slot.decode_into(self).map_err(|error| error.in_field(name))
+    }
+
+    /// Reads the next element of an array over what was in its place, if there is one and it is not null.
+    ///
+    /// # Errors
+    /// The element does not fit.
+    pub fn optional_element_into<T: Decode>(
+        &mut self,
+        name: &'static str,
+        slot: &mut Option<T>,
+    ) -> Result<(), DecodeError> {
+        *slot = self.optional_element(name)?;
+        Ok(())
+    }
+
+    /// Goes to the next element of an array. Behind the last, the bracket is left in place: further optional elements
+    /// see it too.
+    #[inline]
+    fn at_element(&mut self) -> Result<bool, DecodeError> {
+        if self.peek() == Some(b']') { Ok(false) } else { self.next_element() }
+    }
+
+    /// Leaves an array; elements that the type does not know are skipped.
+    ///
+    /// # Errors
+    /// The text is no JSON.
+    pub fn end_array(&mut self) -> Result<(), DecodeError> {
+        while self.next_element()? {
+            self.skip()?;
+        }
+        Ok(())
+    }
+
+    /// Leaves an array that must have no further elements.
+    ///
+    /// # Errors
+    /// There is a further element.
+    pub fn end_exact_array(&mut self) -> Result<(), DecodeError> {
+        if self.next_element()? {
+            return Err(self.unfit("the end of the array"));
+        }
+        Ok(())
+    }
+
+    /// Reads the tag that tells which variant an object holds, and goes back to the object's beginning.
+    ///
+    /// # Errors
+    /// The tag is missing or no whole number.
+    pub fn tag(&mut self, name: &'static str, key: &'static str) -> Result<i64, DecodeError> {
+        let mut ahead = self.clone();
+        let mut tag = None;
+        ahead.begin_object()?;
+        while let Some(found) = ahead.next_key()? {
+            if found == key { ahead.field(name, &mut tag)? } else { ahead.skip()? }
+        }
+        tag.ok_or_else(|| DecodeError::missing(name, key))
+    }
+}
+
+#[cold]
+fn repeated(name: &'static str) -> DecodeError {
+    DecodeError::repeated().in_field(name)
+}

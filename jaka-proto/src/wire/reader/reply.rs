@@ -1,0 +1,73 @@
+//! What a reply says beside its payload, taken on the way through it.
+
+use std::borrow::Cow;
+
+use super::{Decode, DecodeError, Reader, trimmed};
+use crate::envelope::{Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE};
+use crate::error_code::ErrorCode;
+use crate::wire::Fields;
+
+/// The three keys that every reply has, as far as they have come.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Slots<'a> {
+    /// True up to the reply's own object: the objects inside it have other keys.
+    wanted: bool,
+    command: Option<&'a str>,
+    message: Option<&'a str>,
+    code: Option<ErrorCode>,
+}
+
+impl Slots<'_> {
+    /// True for the first object that is entered, if the keys are wanted.
+    pub(super) fn enter(&mut self) -> bool {
+        std::mem::take(&mut self.wanted)
+    }
+}
+
+impl<'a> Reader<'a> {
+    /// Takes a key that every reply has, and its value; false if another key comes, or one of these in an unusual form.
+    ///
+    /// # Errors
+    /// The value is not as usual.
+    pub(super) fn take_reply_key(&mut self) -> Result<bool, DecodeError> {
+        let twice = if self.eat_key(QUOTED_CODE) {
+            let code = ErrorCode::decode(self)?;
+            self.reply.code.replace(code).is_some()
+        } else if self.eat_key(QUOTED_MESSAGE) {
+            let message = self.plain_text()?;
+            self.reply.message.replace(message).is_some()
+        } else if self.eat_key(QUOTED_COMMAND) {
+            let command = self.plain_text()?;
+            self.reply.command.replace(command).is_some()
+        } else {
+            return Ok(false);
+        };
+        if twice { Err(DecodeError::repeated()) } else { Ok(true) }
+    }
+
+    #[inline]
+    fn eat_key(&mut self, quoted: &str) -> bool {
+        let eaten = self.rest().starts_with(quoted.as_bytes());
+        self.at += if eaten { quoted.len() } else { 0 };
+        eaten
+    }
+
+    fn plain_text(&mut self) -> Result<&'a str, DecodeError> {
+        match self.text()? {
+            Cow::Borrowed(text) => Ok(text),
+            Cow::Owned(text) => Err(DecodeError::unfit("a string without escapes", &text)),
+        }
+    }
+}
+
+/// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
+pub(crate) fn read_accepted<R: Fields>(text: &str) -> Option<(Envelope<'_>, R)> {
+    let mut reader = Reader::new(text);
+    reader.reply.wanted = true;
+    let payload = R::read_fields(&mut reader).ok()?;
+    reader.end().ok()?;
+    let Slots { command, message, code, .. } = reader.reply;
+    let code = code.filter(|code| code.is_success())?;
+    let command = command.map(|command| trimmed(command.into()));
+    Some((Envelope { command, code: Ok(code), message: message.unwrap_or_default().into() }, payload))
+}

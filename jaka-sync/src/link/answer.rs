@@ -1,0 +1,102 @@
+//! What became of a command.
+
+use std::sync::Arc;
+
+use jaka_proto::Ticket;
+use jaka_proto::wire::DecodeError;
+
+use super::Sent;
+use crate::reply::{self, Payload, Reply};
+use crate::{Disconnect, Error, Exchanges};
+
+/// What became of a command, told to the thread that waits for it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Answer {
+    Reply(String),
+    Lost,
+}
+
+/// The command that the reading thread waits for itself, if any.
+#[derive(Debug)]
+pub(super) struct Caller<'s, 'r> {
+    own: Option<Own<'s, 'r>>,
+    /// Whether its command was accepted, once that is known.
+    pub(super) outcome: Option<Result<(), Error>>,
+}
+
+/// A command that is waited for, and where its reply goes to: its text, and what is made of it.
+#[derive(Debug)]
+struct Own<'s, 'r> {
+    sent: &'s Sent<'s>,
+    text: &'r mut String,
+    payload: &'r mut dyn Payload,
+}
+
+impl<'s, 'r> Caller<'s, 'r> {
+    /// It waits for nothing of its own.
+    pub(super) fn nobody() -> Self {
+        Self { own: None, outcome: None }
+    }
+
+    /// It waits for the reply to `sent`, whose text goes to `text`.
+    pub(super) fn new(sent: &'s Sent<'s>, text: &'r mut String, payload: &'r mut dyn Payload) -> Self {
+        Self { own: Some(Own { sent, text, payload }), outcome: None }
+    }
+
+    /// Reads a reply, as the caller's own if it waits for one.
+    pub(super) fn read<'a>(&mut self, text: &'a str) -> Result<Reply<'a>, DecodeError> {
+        self.own.as_mut().map_or_else(|| Reply::read(text), |own| own.payload.read(text))
+    }
+
+    pub(super) fn is(&self, ticket: Ticket) -> bool {
+        self.own.as_ref().is_some_and(|own| own.sent.ticket == ticket)
+    }
+
+    /// The reply that was read last is the caller's own.
+    pub(super) fn answered(&mut self, text: &str, reply: Reply<'_>) {
+        if let Some(own) = &mut self.own {
+            own.text.clear();
+            own.text.push_str(text);
+            self.outcome = Some(reply.accepted(own.sent.command));
+        }
+    }
+
+    /// A later command was answered: the caller's own reply, if it is that, will not come any more.
+    pub(super) fn lost(&mut self, ticket: Ticket) -> bool {
+        let own = self.own.as_ref().filter(|own| own.sent.ticket == ticket);
+        if let Some(own) = own {
+            self.outcome = Some(Err(lost(own.sent.command)));
+        }
+        own.is_some()
+    }
+
+    /// Takes an answer that another thread has put aside.
+    pub(super) fn take(&mut self, answer: Answer) {
+        let Some(own) = &mut self.own else { return };
+        let command = own.sent.command;
+        self.outcome = Some(match answer {
+            Answer::Lost => Err(lost(command)),
+            Answer::Reply(text) => {
+                *own.text = text;
+                let read = own.payload.read(own.text).map_err(|source| reply::unexpected(command, source));
+                read.and_then(|read| read.accepted(command))
+            }
+        });
+    }
+}
+
+pub(super) fn lost(command: &str) -> Error {
+    Error::ReplyLost { command: command.to_owned(), exchanges: Exchanges::default() }
+}
+
+/// Whether a command was on the wire when its connection was broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Progress {
+    Sent,
+    NotSent,
+}
+
+pub(super) fn disconnected(command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
+    let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
+    Error::Disconnected { command, sent, cause, exchanges: Exchanges::default() }
+}

@@ -1,0 +1,138 @@
+//! Commands whose replies are counted, and waited for by nobody in particular: set-points and the commands of a pipeline.
+
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
+
+use jaka_proto::Ticket;
+
+use super::Link;
+use super::answer::{Caller, Progress, disconnected};
+use super::state::State;
+use crate::{Disconnect, Error, Exchanges};
+
+/// Commands whose replies are counted.
+#[derive(Debug, Default)]
+pub(super) struct Posted {
+    /// In the order in which they were sent, which is that of their tickets.
+    outstanding: VecDeque<Debt>,
+    answers: Answers,
+}
+
+#[derive(Debug)]
+struct Debt {
+    ticket: Ticket,
+    command: &'static str,
+    since: Instant,
+}
+
+/// What became of commands that were posted, since this was last asked for.
+#[derive(Debug, Default)]
+pub(crate) struct Answers {
+    /// How many were accepted.
+    pub(crate) accepted: u64,
+    /// What became of the others, in the order in which it was learnt.
+    pub(crate) failed: Vec<Error>,
+}
+
+impl Posted {
+    pub(super) fn sent(&mut self, ticket: Ticket, command: &'static str) {
+        self.outstanding.push_back(Debt { ticket, command, since: Instant::now() });
+    }
+
+    pub(super) fn outstanding(&self) -> usize {
+        self.outstanding.len()
+    }
+
+    /// Takes off a command that is outstanding, and says which it was. Most often it is the oldest.
+    pub(super) fn settle(&mut self, ticket: Ticket) -> Option<&'static str> {
+        let place = self.outstanding.iter().position(|debt| debt.ticket >= ticket)?;
+        let debt = self.outstanding.get(place).filter(|debt| debt.ticket == ticket)?;
+        let command = debt.command;
+        self.outstanding.remove(place);
+        Some(command)
+    }
+
+    pub(super) fn answered(&mut self, answer: Result<(), Error>) {
+        match answer {
+            Ok(()) => self.answers.accepted += 1,
+            Err(error) => self.answers.failed.push(error),
+        }
+    }
+
+    /// Takes off a command with what became of it; false if it is none of these.
+    pub(super) fn fail(&mut self, ticket: Ticket, error: impl FnOnce(&str) -> Error) -> bool {
+        let command = self.settle(ticket);
+        self.answers.failed.extend(command.map(error));
+        command.is_some()
+    }
+}
+
+/// The error for a command whose reply has not come in time.
+pub(super) fn time_up(command: &str, after: Duration) -> Error {
+    Error::Timeout { command: command.to_owned(), after, exchanges: Exchanges::default() }
+}
+
+impl Link {
+    /// Reads what has come, without waiting, and takes what became of posted commands; and an error if the connection is
+    /// broken. Where another thread is reading, what it has read so far has to do.
+    pub(crate) fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
+        let mut state = self.lock();
+        if let Err(cause) = self.settle_arrived(&mut state) {
+            self.break_off(&mut state, cause);
+        }
+        (self.take_answers(&mut state), self.check(&state, command))
+    }
+
+    /// Waits until at most so many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
+    /// what became of them; and an error if the connection is broken.
+    pub(crate) fn wait_for_posted(&self, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
+        let mut state = self.lock();
+        let mut checked = Ok(());
+        while state.posted.outstanding.len() > most && checked.is_ok() {
+            let Some(oldest) = state.posted.outstanding.front() else { break };
+            let (ticket, command, left) =
+                (oldest.ticket, oldest.command, timeout.saturating_sub(oldest.since.elapsed()));
+            if left.is_zero() {
+                self.give_up_posted(&mut state, ticket, timeout);
+            } else if state.broken.is_none() {
+                state = self.turn(state, left, &mut Caller::nobody());
+            }
+            checked = self.check(&state, command);
+        }
+        (self.take_answers(&mut state), checked)
+    }
+
+    /// How many posted commands are outstanding.
+    pub(crate) fn outstanding(&self) -> usize {
+        self.lock().posted.outstanding()
+    }
+
+    /// Gives up the replies to all posted commands: they belong to nobody when they come.
+    pub(crate) fn forget_posted(&self) {
+        let mut state = self.lock();
+        state.posted.answers = Answers::default();
+        while let Some(debt) = state.posted.outstanding.pop_front() {
+            if let Err(mistrust) = state.ledger.give_up(debt.ticket) {
+                self.break_off(&mut state, Disconnect::Mistrust(mistrust));
+            }
+        }
+    }
+
+    fn give_up_posted(&self, state: &mut State, ticket: Ticket, timeout: Duration) {
+        match state.ledger.give_up(ticket) {
+            Ok(()) => drop(state.posted.fail(ticket, |command| time_up(command, timeout))),
+            Err(mistrust) => drop(self.break_off(state, Disconnect::Mistrust(mistrust))),
+        }
+    }
+
+    fn take_answers(&self, state: &mut State) -> Answers {
+        let mut answers = std::mem::take(&mut state.posted.answers);
+        answers.failed = answers.failed.into_iter().map(|error| self.attach(error)).collect();
+        answers
+    }
+
+    fn check(&self, state: &State, command: &str) -> Result<(), Error> {
+        let broken = state.broken.clone();
+        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, Progress::Sent, cause))))
+    }
+}

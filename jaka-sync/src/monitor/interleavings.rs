@@ -1,0 +1,124 @@
+//! Interleavings of those who share a monitor's board: who waits is always woken.
+//!
+//! `RUSTFLAGS="--cfg shuttle" cargo test -p jaka-sync --lib --target-dir target/shuttle interleavings`
+//!
+//! Under shuttle a wait never times out, so a wake-up that is lost is a deadlock, which it reports with the schedule that leads to it.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use shuttle::thread;
+
+use super::thread::Worker;
+use super::{Board, Monitor, Snapshot};
+use crate::recorder::Tap;
+use crate::{Config, Disconnect, Reconnect};
+
+/// How many schedules are tried of each test: at random, and such that a few switches of threads are put anywhere.
+const SCHEDULES: usize = 5000;
+const SWITCHES: usize = 3;
+
+/// Longer than any test.
+const LONG: Duration = Duration::from_secs(3600);
+
+fn check(test: fn()) {
+    shuttle::check_random(test, SCHEDULES);
+    shuttle::check_pct(test, SCHEDULES, SWITCHES);
+}
+
+/// A monitor without a connection, and what its thread would be.
+fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
+    let board = Arc::new(Board::new(None, Tap::default()));
+    let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
+    (Arc::new(Monitor { board, thread: None, timeout: LONG, stale_after: LONG }), worker)
+}
+
+/// Two packets, and then the end of the connection.
+fn two_packets(mut worker: Worker<i64>) {
+    for packet in 1..=2 {
+        worker.number += 1;
+        let (received, number) = (Instant::now(), worker.number);
+        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number })));
+    }
+    assert!(worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
+    worker.end();
+}
+
+#[test]
+fn each_waiter_is_woken_by_its_packet_or_by_the_end() {
+    check(|| {
+        let (monitor, worker) = monitor(&Config::new());
+        let waiting = |wanted| {
+            let monitor = Arc::clone(&monitor);
+            thread::spawn(move || monitor.wait_until(|packet| *packet == wanted, LONG))
+        };
+        let (second, never) = (waiting(2), waiting(3));
+        two_packets(worker);
+        // The newest packet may have been looked at too late, when the connection had ended.
+        match second.join().expect("it does not panic") {
+            Ok(found) => assert_eq!((found.status, found.number), (2, 2)),
+            Err(error) => assert!(error.is_disconnected(), "{error:?}"),
+        }
+        let error = never.join().expect("it does not panic").expect_err("there is none");
+        assert!(error.is_disconnected(), "{error:?}");
+    });
+}
+
+#[test]
+fn who_watches_sees_newer_packets_only() {
+    check(|| {
+        let (monitor, worker) = monitor(&Config::new());
+        let sending = thread::spawn(move || two_packets(worker));
+        let mut seen = Vec::new();
+        let watched = monitor.watch(LONG, |packet| {
+            seen.extend(packet.map(|packet| packet.number));
+            None::<()>
+        });
+        assert!(watched.is_err_and(|error| error.is_disconnected()));
+        assert!(seen.is_sorted_by(|a, b| a < b) && seen.iter().all(|number| *number <= 2), "{seen:?}");
+        sending.join().expect("it does not panic");
+        assert_eq!(monitor.last().map(|packet| packet.number), Some(2));
+    });
+}
+
+#[test]
+fn a_stop_ends_a_wait_without_any_packet() {
+    check(|| {
+        let (monitor, _worker) = monitor(&Config::new());
+        let (waker, is_stopped) = (monitor.waker(), Arc::new(AtomicBool::new(false)));
+        let stopped = Arc::clone(&is_stopped);
+        let stopping = thread::spawn(move || {
+            stopped.store(true, Ordering::SeqCst);
+            waker.wake();
+        });
+        let watched = monitor.watch(LONG, |_| is_stopped.load(Ordering::SeqCst).then_some(()));
+        assert!(matches!(watched, Ok(Some(()))));
+        stopping.join().expect("it does not panic");
+    });
+}
+
+#[test]
+fn dropping_a_monitor_ends_the_pause_before_it_connects_anew() {
+    check(|| {
+        let config = Config::new().reconnect(Reconnect::Attempts { limit: 1, delay: LONG, longest: LONG });
+        let (monitor, worker) = monitor(&config);
+        let connecting = thread::spawn(move || worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
+        drop(monitor);
+        assert!(connecting.join().expect("it does not panic"), "nothing was connected");
+    });
+}
+
+#[test]
+fn a_subscription_has_each_packet_and_then_its_end() {
+    check(|| {
+        let (monitor, worker) = monitor(&Config::new());
+        let subscription = monitor.subscribe(1);
+        let sending = thread::spawn(move || two_packets(worker));
+        let received: Vec<_> =
+            std::iter::from_fn(|| subscription.next_within(LONG)).map(|packet| packet.number).collect();
+        sending.join().expect("it does not panic");
+        assert!(subscription.is_closed());
+        assert!(received == [1, 2] || (received == [2] && subscription.dropped() == 1), "{received:?}");
+    });
+}

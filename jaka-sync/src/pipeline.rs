@@ -1,0 +1,125 @@
+//! Commands that go out without waiting for each reply.
+
+use std::collections::VecDeque;
+
+use jaka_proto::Command;
+
+use crate::{Client, Error};
+
+/// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
+///
+/// For many settings at once, such as outputs and variables, and for set-points at a beat of your own. The controller takes the
+/// commands in their order and answers each; its answers are counted, and up to a window of them is outstanding at once.
+///
+/// What the controller refuses is learnt late: up to a window of later commands have been sent by then, and may have run. Where one
+/// command must not go out unless the one before was accepted, call them one by one.
+///
+/// Dropping the pipeline gives up the answers that are outstanding; [`finish`](Self::finish) waits for them.
+///
+/// ```no_run
+/// use jaka_sync::Client;
+/// use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+/// use jaka_sync::types::Switch;
+///
+/// let mut robot = Client::connect("10.5.5.100")?;
+/// let off = |index| SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::Off };
+/// let mut pipeline = robot.pipeline(8);
+/// for index in 0..16 {
+///     pipeline.send(&off(index))?;
+/// }
+/// let accepted = pipeline.finish()?;
+/// assert_eq!(accepted, 16);
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Pipeline<'c> {
+    client: &'c mut Client,
+    window: usize,
+    outstanding: usize,
+    sent: u64,
+    accepted: u64,
+    /// What is to be told yet.
+    failed: VecDeque<Error>,
+}
+
+impl<'c> Pipeline<'c> {
+    pub(crate) fn new(client: &'c mut Client, window: usize) -> Self {
+        Self { client, window: window.max(1), outstanding: 0, sent: 0, accepted: 0, failed: VecDeque::new() }
+    }
+
+    /// Sends a command. Where the window is full, waits first until half of it has been answered.
+    ///
+    /// # Errors
+    /// - [`Error::InvalidArgument`], [`Error::NotInFirmware`]: as [`Client::call`].
+    /// - [`Error::Refused`], [`Error::Timeout`], [`Error::ReplyLost`], [`Error::UnexpectedReply`]: what became of an earlier
+    ///   command, which the error names. Each is told once.
+    /// - [`Error::Disconnected`]: the connection is broken for good; what was outstanding may have run.
+    ///
+    /// After an error, this command was not sent, unless the error is `Disconnected` and says so.
+    pub fn send<C: Command<Reply = ()>>(&mut self, command: &C) -> Result<(), Error> {
+        self.send_all(std::slice::from_ref(command))
+    }
+
+    /// Sends commands, as many in one write as the window has room for. Where it is full, waits as [`send`](Self::send) does.
+    ///
+    /// # Errors
+    /// As [`send`](Self::send); [`sent`](Self::sent) tells how many have gone out. If one of the commands is an
+    /// [`InvalidArgument`](Error::InvalidArgument), none of those in its write was sent.
+    pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
+        let mut rest = commands;
+        while !rest.is_empty() {
+            if self.outstanding >= self.window {
+                self.wait(self.window / 2)?;
+            }
+            if let Some(error) = self.failed.pop_front() {
+                return Err(error);
+            }
+            let (now, later) = rest.split_at(rest.len().min(self.window - self.outstanding));
+            self.outstanding = self.client.post(None, now)?;
+            self.sent += now.len() as u64;
+            rest = later;
+        }
+        Ok(())
+    }
+
+    /// How many commands have been sent.
+    pub fn sent(&self) -> u64 {
+        self.sent
+    }
+
+    /// How many commands have been sent whose answers have not been looked at.
+    pub fn outstanding(&self) -> usize {
+        self.outstanding
+    }
+
+    /// How many commands have been accepted so far, by the answers that have been looked at.
+    pub fn accepted(&self) -> u64 {
+        self.accepted
+    }
+
+    /// Waits for the answers that are outstanding, each for the reply timeout since its command was sent, and says how many
+    /// commands were accepted in all.
+    ///
+    /// # Errors
+    /// As [`send`](Self::send), for the first command of which it has not been told.
+    pub fn finish(mut self) -> Result<u64, Error> {
+        let waited = self.wait(0);
+        self.failed.pop_front().map_or(waited, Err)?;
+        Ok(self.accepted)
+    }
+
+    fn wait(&mut self, most: usize) -> Result<(), Error> {
+        let link = self.client.link();
+        let (answers, checked) = link.wait_for_posted(most, self.client.reply_timeout());
+        self.accepted += answers.accepted;
+        self.failed.extend(answers.failed);
+        self.outstanding = link.outstanding();
+        checked
+    }
+}
+
+impl Drop for Pipeline<'_> {
+    fn drop(&mut self) {
+        self.client.link().forget_posted();
+    }
+}

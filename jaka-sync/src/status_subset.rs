@@ -1,0 +1,39 @@
+//! A choice of fields of the status packet.
+
+/// Makes a struct with some fields of the status packet, for those who need no more.
+///
+/// The fields are named as in [`RobotStatus`](crate::status::RobotStatus), and have the types and docs that they have there. Use
+/// the struct with [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and its neighbours, or as that which a
+/// [`Monitor`](crate::Monitor) keeps.
+///
+/// ```no_run
+/// use jaka_sync::{Config, Monitor, StatusStream};
+///
+/// jaka_sync::status_subset! {
+///     /// Where the arm is.
+///     pub struct Joints { joint_actual_position, in_position }
+/// }
+///
+/// let mut status = StatusStream::connect("10.5.5.100")?;
+/// let Joints { joint_actual_position, in_position } = status.newest_packet_as()?;
+/// let monitor: Monitor<Joints> = Config::new().monitor("10.5.5.100")?;
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+///
+/// A packet takes a fraction of the time that all of it takes: the values of other keys are passed over by their quotes and
+/// brackets, and not looked at, so that a broken one among them goes unnoticed. A field that is named is read and checked as in a
+/// full packet, and a key that comes twice is an error. A key that does not come is `None`.
+///
+/// A field that the packet does not have is a compiler error at its name:
+///
+/// ```compile_fail
+/// jaka_sync::status_subset! {
+///     struct Joints { joint_position }
+/// }
+/// ```
+#[macro_export]
+macro_rules! status_subset {
+    ($(#[$attribute:meta])* $vis:vis struct $name:ident { $($field:ident),* $(,)? }) => {
+        $crate::__private::status_subset! { ($crate) [$(#[$attribute])* $vis] $name { $($field),* } }
+    };
+}

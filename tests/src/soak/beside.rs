@@ -1,0 +1,199 @@
+//! Threads beside the one that makes the calls: stop handles, and readers of the status port.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{self, Sender};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use jaka_sync::status::RobotStatus;
+use jaka_sync::{Config, Error, Monitor};
+
+use super::account::{Fate, Stops};
+use super::host::{FIRST_RATE, Ports};
+use super::tally::Tally;
+
+/// How long a reader of the status port waits before it connects anew.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// What is wrong, told by any thread.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Findings(Arc<Mutex<Vec<String>>>);
+
+impl Findings {
+    pub(super) fn add(&self, finding: String) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(finding);
+    }
+
+    pub(super) fn take(&self) -> Vec<String> {
+        std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+/// Counts what a call ended with.
+pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
+    let ended = match result {
+        Ok(_) => "accepted",
+        Err(Error::Refused { .. } | Error::RefusedBecause { .. }) => "refused",
+        Err(Error::Timeout { .. }) => "timeouts",
+        Err(Error::ReplyLost { .. }) => "replies lost",
+        Err(Error::UnexpectedReply { .. }) => "unexpected replies",
+        Err(error) if error.may_have_run() => "broken off",
+        Err(_) => {
+            tally.one("not sent");
+            return;
+        }
+    };
+    tally.one("commands");
+    tally.one(ended);
+}
+
+/// A thread that stops the arm whenever it is told to.
+#[derive(Debug)]
+pub(super) struct Hand {
+    go: Sender<()>,
+    thread: JoinHandle<(Stops, Tally)>,
+}
+
+impl Hand {
+    pub(super) fn new(stop: impl Fn() -> Result<(), Error> + Send + 'static) -> Self {
+        let (go, told) = mpsc::channel();
+        let thread = thread::spawn(move || {
+            let (mut stops, mut tally) = (Stops::default(), Tally::default());
+            for () in told {
+                let stopped = stop();
+                count(&mut tally, &stopped);
+                let fate = Fate::of(&stopped);
+                stops.sent += usize::from(fate != Fate::NotSent);
+                stops.seen += usize::from(fate == Fate::Seen);
+            }
+            (stops, tally)
+        });
+        Self { go, thread }
+    }
+
+    /// It stops some time from now.
+    pub(super) fn go(&self) {
+        // A thread that has panicked is told of at its end.
+        self.go.send(()).ok();
+    }
+
+    /// `None` if it has panicked.
+    pub(super) fn end(self) -> Option<(Stops, Tally)> {
+        drop(self.go);
+        self.thread.join().ok()
+    }
+}
+
+/// The rate of motions that an arm was told last. Each is higher than the one before, so that packets show their order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rate(Arc<AtomicU64>);
+
+impl Rate {
+    /// The next one, to be sent.
+    pub(super) fn next(&self) -> f64 {
+        Self::at(self.0.fetch_add(1, Ordering::SeqCst) + 1)
+    }
+
+    /// The last that was sent.
+    fn last(&self) -> f64 {
+        Self::at(self.0.load(Ordering::SeqCst))
+    }
+
+    fn at(number: u64) -> f64 {
+        FIRST_RATE + f64::from(u32::try_from(number).unwrap_or(u32::MAX)) / 1e6
+    }
+}
+
+/// Sees to it that packets come in order, and say nothing that was not set.
+#[derive(Debug)]
+struct Order {
+    rate: Rate,
+    last: f64,
+    findings: Findings,
+}
+
+impl Order {
+    fn new(rate: &Rate, findings: &Findings) -> Self {
+        Self { rate: rate.clone(), last: 0.0, findings: findings.clone() }
+    }
+
+    fn see(&mut self, status: &RobotStatus) {
+        // Of some faults nothing but the braces comes.
+        let Some(rate) = status.rapid_rate else { return };
+        if rate < self.last || rate > self.rate.last() {
+            self.findings.add(format!("a packet has the rate {rate} after {}, of {}", self.last, self.rate.last()));
+        }
+        self.last = rate;
+    }
+}
+
+/// Has each packet of a monitor looked at.
+pub(super) fn observe(monitor: &Monitor, rate: &Rate, findings: &Findings) {
+    let (mut order, mut number, findings) = (Order::new(rate, findings), 0, findings.clone());
+    monitor.observe(move |snapshot| {
+        if snapshot.number <= number {
+            findings.add(format!("packet {} came after {number}", snapshot.number));
+        }
+        number = snapshot.number;
+        order.see(&snapshot.status);
+        ControlFlow::Continue(())
+    });
+}
+
+/// A thread that reads status packets by a stream, and connects anew when it breaks.
+#[derive(Debug)]
+pub(super) struct Reader {
+    ends: Arc<AtomicBool>,
+    thread: JoinHandle<Tally>,
+}
+
+impl Reader {
+    pub(super) fn new(config: Config, ports: Ports, rate: &Rate, findings: &Findings) -> Self {
+        let ends = Arc::new(AtomicBool::new(false));
+        let (told, mut order) = (Arc::clone(&ends), Order::new(rate, findings));
+        let thread = thread::spawn(move || {
+            let mut tally = Tally::default();
+            while !told.load(Ordering::SeqCst) {
+                if let Err(error) = read(&config, ports, &told, &mut order, &mut tally) {
+                    order.findings.add(format!("the status stream failed with {error:?}"));
+                    break;
+                }
+            }
+            tally
+        });
+        Self { ends, thread }
+    }
+
+    /// `None` if it has panicked.
+    pub(super) fn end(self) -> Option<Tally> {
+        self.ends.store(true, Ordering::SeqCst);
+        self.thread.join().ok()
+    }
+}
+
+/// Reads to the end of one connection.
+fn read(config: &Config, ports: Ports, ends: &AtomicBool, order: &mut Order, tally: &mut Tally) -> Result<(), Error> {
+    let mut stream = config.connect_status(ports.status)?;
+    tally.one("status streams");
+    while !ends.load(Ordering::SeqCst) {
+        let newest = tally.get("packets") % 4 == 0;
+        match if newest { stream.newest_packet() } else { stream.next_packet() } {
+            Ok(status) => {
+                tally.one("packets");
+                order.see(&status);
+            }
+            Err(Error::StatusTimeout { .. }) => tally.one("silences of the status port"),
+            Err(Error::UnexpectedStatus { .. }) => tally.one("packets that do not fit"),
+            Err(Error::Disconnected { .. }) => {
+                tally.one("status streams broken");
+                // Where each connection ends at once, ports would run out.
+                thread::sleep(PAUSE);
+                break;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(())
+}

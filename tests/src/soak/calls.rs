@@ -1,0 +1,253 @@
+//! What an arm's program does.
+
+use std::time::Duration;
+
+use jaka_proto::read_payload;
+use jaka_sync::io::GetFuncdiStatus;
+use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
+use jaka_sync::motion::JointMove;
+use jaka_sync::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
+use jaka_sync::power::{GetRobotState, GetVersion};
+use jaka_sync::program::{LoadProgram, RapidRate};
+use jaka_sync::servo::ServoMove;
+use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
+use jaka_sync::{Command, Error, Outcome};
+use serde_json::{Value, json};
+
+use super::account::Fate;
+use super::arm::{Arm, text};
+use super::faults;
+use super::servo::{LEAVE, servo_session};
+use super::session::Session;
+
+/// The first command of each connection.
+pub(super) const FIRST: &str = GetRobotState::INFO.name;
+
+/// How long a motion is waited for, its reply included.
+const MOTION: Duration = Duration::from_secs(1);
+
+/// How long a status packet may take to show what was set, on a machine however slow.
+const SHOWN: Duration = Duration::from_secs(120);
+
+/// The variable that a controller has from the start.
+const VARIABLE: i64 = 5500;
+
+/// How close an arm that has reached its target is, in degrees.
+const CLOSE: f64 = 0.1;
+
+/// The tool's turn about the vertical where joint 1 is at 0, in degrees, of the simulator's arm.
+const UPRIGHT: f64 = 90.0;
+
+type Operation = fn(&mut Arm, &mut Session);
+
+/// What can be done, and how often beside the others.
+const OPERATIONS: [(u32, Operation); 14] = [
+    (16, forward_kinematics),
+    (12, set_mass),
+    (12, get_mass),
+    (4, get_mass_as_text),
+    (6, set_variable),
+    (6, get_variable),
+    (6, raw_query),
+    (3, unknown),
+    (4, refused),
+    (4, once),
+    (10, motion),
+    (6, servo_session),
+    (4, change_status_fault),
+    (4, status_follows),
+];
+
+/// Does one thing, while other threads may stop the arm.
+pub(super) fn one(arm: &mut Arm, session: &mut Session) {
+    for hand in &session.hands {
+        if arm.random.one_in(9) {
+            hand.go();
+        }
+    }
+    let all = OPERATIONS.iter().map(|(weight, _)| weight).sum();
+    let mut place = arm.random.below(all);
+    for (weight, operation) in OPERATIONS {
+        if place < weight {
+            return operation(arm, session);
+        }
+        place -= weight;
+    }
+}
+
+/// A typed call, noted.
+fn call<C: Command>(arm: &mut Arm, session: &mut Session, command: &C) -> Result<C::Reply, Error> {
+    let timeout = session.robot.client().reply_timeout();
+    let result = session.robot.client().call_within(command, timeout);
+    arm.note(session, text(command), &result);
+    result
+}
+
+/// Some queries of one name in a row, each of which has an answer of its own: the tool turns about the vertical as joint 1 does.
+fn forward_kinematics(arm: &mut Arm, session: &mut Session) {
+    for _ in 0..3 {
+        let angle = f64::from(arm.serial() % 34_000) / 100.0 - 170.0;
+        let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
+        let Ok(reply) = call(arm, session, &KineForward { joint_position }) else { continue };
+        let off = (reply.pose.rz - angle - UPRIGHT).rem_euclid(360.0);
+        if off.min(360.0 - off) > 1e-6 {
+            arm.find(&format!("a reply to another query: at {angle} the tool is at {:?}", reply.pose));
+        }
+    }
+}
+
+fn set_mass(arm: &mut Arm, session: &mut Session) {
+    let mass = f64::from(arm.serial());
+    let result = call(arm, session, &SetPayload { mass, centroid: Centroid { x: 1.5, y: -2.0, z: mass } });
+    arm.mass.set(mass, Fate::of(&result));
+}
+
+fn get_mass(arm: &mut Arm, session: &mut Session) {
+    if let Ok(reply) = call(arm, session, &GetPayload) {
+        check_mass(arm, &reply);
+    }
+}
+
+fn get_mass_as_text(arm: &mut Arm, session: &mut Session) {
+    let (_, text) = arm.numbered(GetPayload::INFO.name, json!({}));
+    let timeout = session.robot.client().reply_timeout();
+    let result = session.robot.client().call_text(&text, timeout).map(str::to_owned);
+    arm.note(session, text, &result);
+    if let Ok(reply) = result {
+        match read_payload::<GetPayloadReply>(GetPayload::INFO, &reply) {
+            Ok(reply) => check_mass(arm, &reply),
+            Err(error) => arm.find(&format!("the reply to a query is {reply}: {error}")),
+        }
+    }
+}
+
+fn check_mass(arm: &mut Arm, reply: &GetPayloadReply) {
+    if let Err(finding) = arm.mass.read(reply.mass) {
+        arm.find(&format!("a reply to another query: {finding}"));
+    }
+}
+
+fn set_variable(arm: &mut Arm, session: &mut Session) {
+    let value = f64::from(arm.serial());
+    let result = call(arm, session, &ModifyUserDefinedVariable { id: VARIABLE, alias: "soak".to_owned(), value });
+    arm.variable.set(value, Fate::of(&result));
+}
+
+fn get_variable(arm: &mut Arm, session: &mut Session) {
+    let Ok(reply) = call(arm, session, &QueryUserDefinedVariable) else { return };
+    let value = reply.variables.iter().find(|variable| variable.id == VARIABLE).map(|variable| variable.value);
+    if let Err(finding) = arm.variable.read(value.unwrap_or(f64::NAN)) {
+        arm.find(&format!("a reply to another query: {finding}"));
+    }
+}
+
+fn raw_query(arm: &mut Arm, session: &mut Session) {
+    let name = GetJointPos::INFO.name;
+    let reply = raw(arm, session, name, json!({}));
+    if let Some(reply) = reply.filter(|reply| reply["cmdName"].as_str().map(str::trim) != Some(name)) {
+        arm.find(&format!("the reply to {name} is {reply}"));
+    }
+}
+
+/// A command that no controller knows, whose refusal names none.
+fn unknown(arm: &mut Arm, session: &mut Session) {
+    if let Some(reply) = raw(arm, session, "soak", json!({})) {
+        arm.find(&format!("the reply to a command that there is not is {reply}"));
+    }
+}
+
+/// A raw call with a number, so that no other has its text. Its reply, if it has one.
+pub(super) fn raw(arm: &mut Arm, session: &mut Session, name: &str, parameters: Value) -> Option<Value> {
+    let (parameters, text) = arm.numbered(name, parameters);
+    let result = session.robot.client().call_raw(name, &parameters);
+    arm.note(session, text, &result);
+    result.ok()
+}
+
+/// A command that the controller refuses.
+fn refused(arm: &mut Arm, session: &mut Session) {
+    let command = LoadProgram { program_name: format!("soak-{}.jks", arm.serial()) };
+    if call(arm, session, &command).is_ok() {
+        arm.find("a refusal was taken for success");
+    }
+}
+
+/// A query that the connection has not seen yet.
+fn once(arm: &mut Arm, session: &mut Session) {
+    session.once += 1;
+    match session.once {
+        1 => drop(call(arm, session, &GetVersion)),
+        2 => drop(call(arm, session, &GetDhParam)),
+        3 => drop(call(arm, session, &GetFuncdiStatus)),
+        _ => get_mass(arm, session),
+    }
+}
+
+/// A motion to where the arm has never been.
+fn motion(arm: &mut Arm, session: &mut Session) {
+    if !is_ready(arm, session) {
+        return;
+    }
+    let angle = f64::from(arm.random.below(7)) - 3.0;
+    let target = [angle, 90.0, 90.0, 90.0, -90.0, f64::from(arm.serial()) / 1000.0].into();
+    let command =
+        JointMove { mode: MoveMode::Absolute, joint_position: target, speed: 170.0, acceleration: Some(700.0) };
+    let result = session.robot.run(&command, MOTION);
+    arm.note(session, text(&command), &result);
+    let Ok(end) = result else { return };
+    arm.tally.one(ended(&end.outcome));
+    if end.outcome.is_reached() {
+        if let Ok(reply) = call(arm, session, &GetJointPos) {
+            check_position(arm, target, reply.joint_position);
+        }
+    }
+}
+
+fn check_position(arm: &mut Arm, target: JointPosition, found: JointPosition) {
+    let is_there = target.0.iter().zip(found.0).all(|(target, at)| (target - at).abs() <= CLOSE + 1e-9);
+    if !is_there {
+        arm.find(&format!("a motion is said to have reached {target:?}, and the arm is at {found:?}"));
+    }
+}
+
+fn ended(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Reached => "motions reached",
+        Outcome::Stopped => "motions stopped",
+        Outcome::Deadline => "motions at their deadline",
+        Outcome::StatusLost { .. } => "motions without status",
+        _ => "motions ended otherwise",
+    }
+}
+
+/// Acknowledges what latched, and leaves servo mode, where a session may not have.
+pub(super) fn is_ready(arm: &mut Arm, session: &mut Session) -> bool {
+    session.robot.acknowledge();
+    if arm.in_servo_mode {
+        let off: Value = serde_json::from_str(&text(&LEAVE)).expect("requests are JSON");
+        arm.in_servo_mode = raw(arm, session, ServoMove::INFO.name, off).is_none();
+    }
+    !arm.in_servo_mode
+}
+
+/// Sets what is wrong with the status port from now on.
+fn change_status_fault(arm: &mut Arm, _: &mut Session) {
+    let faults = faults::of_status();
+    let fault = arm.random.below(u32::try_from(faults.len()).unwrap_or(1)) as usize;
+    arm.place.host.status_fault(arm.place.arm, fault);
+    arm.fault(&format!("status {}", faults::kind(&faults[fault])));
+}
+
+/// Where nothing is wrong with the status port any more, its packets show what is set.
+fn status_follows(arm: &mut Arm, session: &mut Session) {
+    arm.place.host.status_fault(arm.place.arm, 0);
+    let rate = arm.place.rate.next();
+    if call(arm, session, &RapidRate { rate }).is_err() {
+        return;
+    }
+    match session.robot.monitor().wait_until(|status| status.rapid_rate == Some(rate), SHOWN) {
+        Ok(_) => arm.tally.one("settings seen in the status"),
+        Err(error) => arm.find(&format!("no packet shows the rate {rate}: {error:?}")),
+    }
+}

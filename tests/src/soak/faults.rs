@@ -1,0 +1,133 @@
+//! What goes wrong, as a function of the seed.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use jaka_sim::{Fault, FaultPlan, StatusFault};
+use jaka_sync::Command;
+use jaka_sync::io::GetFuncdiStatus;
+use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
+use jaka_sync::motion::JointMove;
+use jaka_sync::payload::{GetPayload, SetPayload};
+use jaka_sync::power::{GetRobotState, GetVersion};
+use jaka_sync::program::{LoadProgram, RapidRate, StopProgram};
+use jaka_sync::servo::{IsInServomove, ServoJ, ServoMove};
+use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
+use serde_json::json;
+
+use super::random::Random;
+
+/// Faults of the replies to each command, in the order of the replies.
+pub(super) type Script = BTreeMap<&'static str, Vec<Fault>>;
+
+/// Commands of which a connection sees one at most. Theirs alone are answered twice: names cannot tell a surplus reply from the one
+/// to the next command of its name (`docs/reliability.md`).
+const ONCE: [&str; 4] =
+    [GetRobotState::INFO.name, GetVersion::INFO.name, GetDhParam::INFO.name, GetFuncdiStatus::INFO.name];
+
+const USUAL: [&str; 12] = [
+    KineForward::INFO.name,
+    GetJointPos::INFO.name,
+    JointMove::INFO.name,
+    GetPayload::INFO.name,
+    SetPayload::INFO.name,
+    LoadProgram::INFO.name,
+    RapidRate::INFO.name,
+    StopProgram::INFO.name,
+    IsInServomove::INFO.name,
+    ServoMove::INFO.name,
+    ModifyUserDefinedVariable::INFO.name,
+    QueryUserDefinedVariable::INFO.name,
+];
+
+/// How many replies to a command have faults drawn in a round; those behind have none.
+const REPLIES: u32 = 200;
+const SET_POINTS: u32 = 2000;
+
+/// A fault strikes one in so many replies, by arm: also none, so that some connections last.
+const RARITY: [u32; 4] = [25, 10, 60, 0];
+
+/// Set-points are many.
+const SET_POINT_RARITY: u32 = 5;
+
+/// The faults of an arm in a round.
+pub(super) fn script(seed: u64, round: u32, arm: u32) -> Script {
+    let mut random = Random::new(seed, [round, arm, 1]);
+    let rarity = RARITY[arm as usize % RARITY.len()];
+    let mut draw = |faults: &[Fault], rarity| {
+        if random.one_in(rarity) { random.pick(faults).clone() } else { Fault::None }
+    };
+    let usual = faults(&[]);
+    let mut script: Script =
+        USUAL.iter().map(|name| (*name, (0..REPLIES).map(|_| draw(&usual, rarity)).collect())).collect();
+    for name in ONCE {
+        let refusal = json!({"errorCode": "2", "errorMsg": "as the soak wants", "cmdName": name}).to_string();
+        let empty = json!({"errorCode": "0", "errorMsg": "", "cmdName": name}).to_string();
+        let faults = faults(&[Fault::Twice, Fault::Instead(refusal.into_bytes()), Fault::Instead(empty.into_bytes())]);
+        script.insert(name, (0..REPLIES).map(|_| draw(&faults, rarity / 3)).collect());
+    }
+    let set_points = (0..SET_POINTS).map(|_| draw(&usual, rarity * SET_POINT_RARITY)).collect();
+    script.insert(ServoJ::INFO.name, set_points);
+    script
+}
+
+/// All kinds of faults but those that no client can tell from a true reply, and more of those that come in several ways.
+fn faults(more: &[Fault]) -> Vec<Fault> {
+    let names_another = |fault: &Fault| matches!(fault, Fault::None | Fault::Twice | Fault::Renamed(_));
+    let mut faults = Fault::one_of_each();
+    faults.retain(|fault| !names_another(fault));
+    // Nobody sends this command.
+    let unasked = json!({"errorCode": "0", "errorMsg": "", "cmdName": "jog"}).to_string().into_bytes();
+    faults.extend([
+        Fault::Renamed("jog".to_owned()),
+        Fault::Delay(Duration::from_millis(10)),
+        Fault::Delay(Duration::from_millis(300)),
+        Fault::Before(b" \r\n".to_vec()),
+        Fault::Before(unasked.clone()),
+        Fault::After(unasked),
+        Fault::Oversized(10_000),
+        Fault::Pieces(vec![40, 1]),
+        Fault::Instead(b"{errorCode: 0}".to_vec()),
+        Fault::Instead(b"{\"\xff\": 0}".to_vec()),
+    ]);
+    faults.extend_from_slice(more);
+    faults
+}
+
+/// The script as a controller takes it.
+pub(super) fn plan(script: &Script) -> FaultPlan {
+    let longest = script.values().map(Vec::len).max().unwrap_or_default();
+    // Those that come first stand first.
+    let in_order =
+        (0..longest).flat_map(|at| script.iter().filter_map(move |(name, faults)| Some((*name, faults.get(at)?))));
+    in_order.fold(FaultPlan::new(), |plan, (name, fault)| plan.then_for(name, fault.clone()))
+}
+
+/// The kind of a fault: the first word of its text.
+pub(super) fn kind(fault: &impl ToString) -> String {
+    fault.to_string().split(' ').next().unwrap_or_default().to_owned()
+}
+
+/// What can be wrong with status packets, from [`StatusFault::None`] on.
+pub(super) fn of_status() -> Vec<StatusFault> {
+    let mut faults = StatusFault::one_of_each();
+    faults.extend([StatusFault::CloseAfter(20_000), StatusFault::Garbage { bytes: 2000, seed: 9 }]);
+    faults
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_fault_strikes_and_the_seed_says_where() {
+        assert_eq!(script(7, 1, 0), script(7, 1, 0));
+        assert_ne!(script(7, 1, 0), script(8, 1, 0));
+        assert!(script(7, 1, 3).values().flatten().all(|fault| *fault == Fault::None));
+        let drawn: Vec<_> =
+            (0..20).flat_map(|round| script(7, round, 1).into_values().flatten()).map(|fault| kind(&fault)).collect();
+        for fault in Fault::one_of_each() {
+            assert!(drawn.contains(&kind(&fault)), "{fault}");
+        }
+    }
+}

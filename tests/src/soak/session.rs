@@ -1,0 +1,126 @@
+//! One connection of an arm, with all that stands on it.
+
+use std::io::{self, Write};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use jaka_proto::recording::{Event, Port, Recording};
+use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
+
+use super::account::Connection;
+use super::arm::Place;
+use super::beside::{Hand, observe};
+use super::tally::Tally;
+
+/// How long a reply may take. A slow machine is no mistake: then there are more timeouts.
+const REPLY: Duration = Duration::from_millis(150);
+
+/// The longest message that is taken: shorter than the longest of the faults.
+const MAX_FRAME: usize = 64 << 10;
+
+/// How long connecting may take.
+const CONNECT: Duration = Duration::from_secs(60);
+
+/// One in so many status packets is recorded.
+const SAMPLING: u32 = 20;
+
+/// One connection of an arm.
+#[derive(Debug)]
+pub(super) struct Session {
+    pub(super) robot: Robot,
+    pub(super) hands: Vec<Hand>,
+    pub(super) connection: Connection,
+    /// How many of the commands that it sees once are still to come.
+    pub(super) once: u32,
+    /// How many calls in a row have not been answered.
+    pub(super) silent: u32,
+    recording: Option<(Recorder, Tape)>,
+}
+
+/// How all connections behave.
+pub(super) fn config() -> Config {
+    let reconnect =
+        Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(5), longest: Duration::from_millis(100) };
+    Config::new().reply_timeout(REPLY).max_frame(MAX_FRAME).connect_timeout(CONNECT).reconnect(reconnect)
+}
+
+impl Session {
+    pub(super) fn new(place: &Place, first: String, is_recorded: bool) -> Result<Self, Error> {
+        let tape = Tape::default();
+        let recorder = is_recorded.then(|| Recorder::new(tape.clone()).expect("a thread can be had"));
+        let sampling = StatusSampling::EveryNth(SAMPLING);
+        let config = config().status_sampling(sampling);
+        let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
+        let monitor: Monitor = config.monitor(place.ports.status)?;
+        observe(&monitor, &place.rate, &place.findings);
+        let client = config.connect(place.ports.commands)?;
+        // So short that a motion that is stopped is soon known to be.
+        let robot = Robot::new(client, monitor).start_grace(Duration::from_millis(60), 3);
+        let mut robot = robot.status_silence(Duration::from_millis(400));
+        // One that ends the robot's waits, and one of which the robot does not know.
+        let (stop, unknown_stop) = (robot.stop_handle(), robot.client().stop_handle());
+        Ok(Self {
+            robot,
+            hands: vec![Hand::new(move || stop.stop()), Hand::new(move || unknown_stop.stop())],
+            connection: Connection::new(first),
+            once: 0,
+            silent: 0,
+            recording: recorder.map(|recorder| (recorder, tape)),
+        })
+    }
+
+    /// Ends it: what it sent, for the account.
+    pub(super) fn end(mut self, place: &Place, tally: &mut Tally) -> Connection {
+        for hand in self.hands.drain(..) {
+            let Some((stops, counts)) = hand.end() else {
+                place.findings.add(format!("arm {}: a stop panicked", place.arm));
+                continue;
+            };
+            self.connection.stops.sent += stops.sent;
+            self.connection.stops.seen += stops.seen;
+            tally.join(&counts);
+        }
+        let statistics = self.robot.monitor().statistics();
+        tally.add("packets", statistics.packets);
+        tally.add("monitors connected anew", statistics.reconnects);
+        // The connections are closed before the recording ends.
+        drop(self.robot);
+        if let Some((recorder, tape)) = self.recording {
+            tally.one("recordings");
+            self.connection.recorded = tape.sent(&recorder).map_err(|finding| place.findings.add(finding)).ok();
+        }
+        self.connection
+    }
+}
+
+/// A file in memory.
+#[derive(Debug, Clone, Default)]
+struct Tape(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Tape {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Tape {
+    /// The requests that were recorded, of a recording that has lost nothing.
+    fn sent(&self, recorder: &Recorder) -> Result<Vec<String>, String> {
+        let report = recorder.finish().map_err(|error| format!("the recorder failed: {error}"))?;
+        let bytes = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let recording = Recording::read(&bytes).map_err(|error| format!("the recording cannot be read: {error}"))?;
+        let entries = u64::try_from(recording.entries.len()).unwrap_or_default();
+        if report.dropped > 0 || report.entries != entries || recording.truncated.is_some() {
+            return Err(format!("a recording has {entries} entries: {report:?}"));
+        }
+        let sent = recording.entries.iter().filter(|entry| entry.port == Port::Command).filter_map(|entry| {
+            if let Event::Sent(message) = &entry.event { message.text().map(str::to_owned) } else { None }
+        });
+        Ok(sent.collect())
+    }
+}

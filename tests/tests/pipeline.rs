@@ -1,0 +1,188 @@
+//! Pipelines: commands that do not wait for one another's replies.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Fault};
+use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::program::RapidRate;
+use jaka_sync::servo::ServoJ;
+use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::{Client, Config, Error, Recorder};
+
+/// Long enough for a busy machine: no test waits that long unless something is wrong.
+const LONG: Duration = Duration::from_secs(60);
+
+fn connected(timeout: Duration) -> (Controller, Client) {
+    let controller = jaka_tests::controller();
+    let client =
+        Config::new().reply_timeout(timeout).connect(controller.command_addr()).expect("the controller listens");
+    (controller, client)
+}
+
+fn output(index: i64) -> SetDigitalOutput {
+    SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::On }
+}
+
+/// A command that the controller refuses outside servo mode.
+fn set_point() -> ServoJ {
+    ServoJ { mode: MoveMode::Relative, joint_position: [0.0; 6].into(), step_count: None }
+}
+
+/// The connection works, and answers belong to their questions.
+fn assert_usable(controller: &Controller, client: &mut Client) {
+    let joints = [1.0, 2.0, 3.0, 4.0, 5.0, 6.5];
+    controller.set_state(|state| state.joint_position = joints.into());
+    assert_eq!(client.get_joint_pos().expect("the connection works").joint_position, joints.into());
+}
+
+#[test]
+fn all_commands_go_out_in_order_and_no_more_than_the_window_is_outstanding() {
+    for window in [0, 1, 2, 7, 64, 1000] {
+        let (controller, mut client) = connected(LONG);
+        let mut pipeline = client.pipeline(window);
+        for index in 0..100 {
+            pipeline.send(&output(index % 8)).expect("the controller has such outputs");
+            assert!((1..=window.max(1)).contains(&pipeline.outstanding()));
+        }
+        assert_eq!(pipeline.finish().expect("nothing was refused"), 100);
+        let requests = controller.requests();
+        assert_eq!(requests.len(), 100);
+        let in_order = |(number, request): (usize, &String)| request.contains(&format!("\"index\":{}", number % 8));
+        assert!(requests.iter().enumerate().all(in_order), "{requests:?}");
+        assert_usable(&controller, &mut client);
+    }
+}
+
+#[test]
+fn commands_that_are_sent_together_go_out_in_order_and_are_recorded_one_by_one() {
+    let file = std::env::temp_dir().join(format!("jaka-pipeline-{}.jsonl", std::process::id()));
+    let recorder = Recorder::create(&file).expect("the folder for temporary files can be written");
+    let controller = jaka_tests::controller();
+    let config = Config::new().recorder(recorder.clone());
+    let mut client = config.connect(controller.command_addr()).expect("the controller listens");
+    let mut pipeline = client.pipeline(16);
+    let outputs: Vec<_> = (0..100).map(|number| output(number % 8)).collect();
+    pipeline.send_all(&outputs).expect("the controller has such outputs");
+    assert_eq!(pipeline.sent(), 100);
+    let wrong = [output(1), output(-1)];
+    assert!(pipeline.send_all(&wrong).expect_err("no output has such a number").is_invalid_argument());
+    assert_eq!(pipeline.sent(), 100);
+    assert_eq!(pipeline.finish().expect("nothing was refused"), 100);
+    let requests = controller.requests();
+    let in_order = |(number, request): (usize, &String)| request.contains(&format!("\"index\":{}", number % 8));
+    assert!(requests.len() == 100 && requests.iter().enumerate().all(in_order), "{requests:?}");
+    assert_usable(&controller, &mut client);
+    drop(client);
+    recorder.finish().expect("the file can be written");
+    let text = std::fs::read_to_string(&file).expect("it was written");
+    assert_eq!(text.lines().filter(|line| line.matches("set_digital_output").count() == 1).count(), 200);
+    std::fs::remove_file(&file).expect("it is ours");
+}
+
+#[test]
+fn a_refusal_is_told_once_by_a_later_call_and_the_rest_goes_on() {
+    let (controller, mut client) = connected(LONG);
+    let mut pipeline = client.pipeline(4);
+    let mut told = Vec::new();
+    for number in 0..20 {
+        let sent = if number == 3 { pipeline.send(&set_point()) } else { pipeline.send(&output(1)) };
+        told.extend(sent.err());
+    }
+    let accepted = pipeline.finish();
+    assert_eq!(told.len(), 1, "{told:?} {accepted:?}");
+    assert_eq!(told[0].refusal().expect("the controller refuses").command, "servo_j");
+    // The call that told of the refusal sent nothing.
+    assert_eq!((accepted.expect("all is told"), controller.requests().len()), (18, 19));
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn what_was_not_told_before_is_told_at_the_end() {
+    let (controller, mut client) = connected(LONG);
+    let mut pipeline = client.pipeline(8);
+    pipeline.send(&set_point()).expect("it is not known yet");
+    assert!(pipeline.finish().expect_err("the controller refuses").is_refused());
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn a_lost_reply_is_told() {
+    let (controller, mut client) = connected(LONG);
+    controller.inject(Fault::Drop);
+    let mut pipeline = client.pipeline(8);
+    pipeline.send(&output(1)).expect("it is not known yet");
+    pipeline.send(&RapidRate { rate: 0.5 }).expect("it is not known yet");
+    let error = pipeline.finish().expect_err("a later command was answered");
+    assert!(matches!(&error, Error::ReplyLost { command, .. } if command == "set_digital_output"), "{error:?}");
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn a_reply_that_is_not_there_in_time_is_a_timeout_and_belongs_to_nobody_later() {
+    let (controller, mut client) = connected(Duration::from_millis(300));
+    controller.inject(Fault::Hold);
+    let mut pipeline = client.pipeline(8);
+    pipeline.send(&output(1)).expect("it is not known yet");
+    let error = pipeline.finish().expect_err("the reply is held back");
+    assert!(error.is_timeout() && error.may_have_run(), "{error:?}");
+    controller.release();
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn answers_that_nobody_waited_for_belong_to_nobody() {
+    let (controller, mut client) = connected(LONG);
+    let mut pipeline = client.pipeline(8);
+    for index in 0..5 {
+        pipeline.send(&output(index)).expect("it is not known yet");
+    }
+    drop(pipeline);
+    client.set_digital_output(&output(6)).expect("the replies before it are dropped");
+    assert_eq!(client.pipeline(1).finish().expect("nothing was sent"), 0);
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn a_broken_connection_is_told_at_once_and_again() {
+    let (controller, mut client) = connected(LONG);
+    controller.inject(Fault::Close);
+    let mut pipeline = client.pipeline(1);
+    pipeline.send(&output(1)).expect("it is not known yet");
+    let error = pipeline.send(&output(2)).expect_err("the controller closes");
+    assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
+    assert!(pipeline.finish().is_err_and(|error| error.is_disconnected()));
+    assert!(client.get_version().is_err_and(|error| error.is_disconnected() && !error.may_have_run()));
+}
+
+#[test]
+fn stops_from_another_thread_get_their_own_replies() {
+    let (controller, mut client) = connected(LONG);
+    let stop = client.stop_handle();
+    let stopping = thread::spawn(move || (0..100).try_for_each(|_| stop.stop()));
+    let mut pipeline = client.pipeline(16);
+    for index in 0..1000 {
+        pipeline.send(&output(index % 8)).expect("nothing is refused");
+    }
+    assert_eq!(pipeline.finish().expect("nothing is refused"), 1000);
+    stopping.join().expect("it does not panic").expect("the controller stops");
+    assert_eq!(controller.requests().len(), 1100);
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn an_answer_that_another_thread_has_read_is_not_waited_for() {
+    let (controller, mut client) = connected(LONG);
+    let stop = client.stop_handle();
+    // The thread of the stop reads both replies at once, and looks at its own.
+    controller.inject(Fault::WithNext);
+    let stopping = thread::spawn(move || stop.stop());
+    assert!(controller.wait_for_requests(1, LONG));
+    let since = Instant::now();
+    let mut pipeline = client.pipeline(8);
+    pipeline.send(&output(1)).expect("it is not known yet");
+    stopping.join().expect("it does not panic").expect("the controller stops");
+    assert_eq!(pipeline.finish().expect("it was accepted"), 1);
+    assert!(since.elapsed() < LONG / 2);
+    assert_usable(&controller, &mut client);
+}

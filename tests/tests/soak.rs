@@ -1,0 +1,18 @@
+//! The short form of the soak: `docs/reliability.md` has the long one.
+//!
+//! One test, alone in its process, so that handles and threads can be counted.
+
+use jaka_tests::soak::{self, Host, Length, Options};
+
+#[test]
+fn what_is_sent_is_what_comes_and_nothing_is_left_behind() {
+    let rounds = 2 * jaka_tests::reliability_times();
+    let options = Options { seed: 7, arms: 3, operations: 80, length: Length::Rounds(rounds) };
+    let summary = soak::run(&options, Host::here(), &mut std::io::stdout()).expect("lines can be written");
+    println!("{summary}");
+    assert_eq!(summary.findings(), Vec::<String>::new());
+    // It is no test of nothing.
+    for what in ["accepted", "refused", "broken off", "connections broken", "recordings", "set-points", "packets"] {
+        assert!(summary.count(what) > 0, "{what}");
+    }
+}
