@@ -851,7 +851,7 @@ pub mod io {
             Ok(())
         }
     }
-    proto::__object_impls!(ExtioModule);
+    proto::__object_impls!(ExtioModule, in_place);
     impl check::Validate for ExtioModule {
         #[allow(unused_variables)]
         fn validate(
@@ -1488,7 +1488,7 @@ pub mod io {
             Ok(())
         }
     }
-    proto::__object_impls!(ExtioState);
+    proto::__object_impls!(ExtioState, in_place);
     impl check::Validate for ExtioState {
         #[allow(unused_variables)]
         fn validate(

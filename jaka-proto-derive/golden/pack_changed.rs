@@ -1547,7 +1547,7 @@ pub mod changed {
             Ok(())
         }
     }
-    proto::__object_impls!(RobotStatus);
+    proto::__object_impls!(RobotStatus, in_place);
     impl check::Validate for RobotStatus {
         #[allow(unused_variables)]
         fn validate(

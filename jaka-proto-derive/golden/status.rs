@@ -1186,7 +1186,7 @@ pub mod status {
             Ok(())
         }
     }
-    proto::__object_impls!(RobotStatus);
+    proto::__object_impls!(RobotStatus, in_place);
     impl check::Validate for RobotStatus {
         #[allow(unused_variables)]
         fn validate(
@@ -1675,7 +1675,7 @@ pub mod status {
             Ok(())
         }
     }
-    proto::__object_impls!(ExtioReport);
+    proto::__object_impls!(ExtioReport, in_place);
     impl check::Validate for ExtioReport {
         #[allow(unused_variables)]
         fn validate(

@@ -219,7 +219,7 @@ pub mod variables {
             Ok(())
         }
     }
-    proto::__object_impls!(UserVariable);
+    proto::__object_impls!(UserVariable, in_place);
     impl check::Validate for UserVariable {
         #[allow(unused_variables)]
         fn validate(

@@ -44,7 +44,8 @@ fn is_used_again(scope: Scope<'_>, fields: &[Field]) -> bool {
 
 /// A struct whose fields stand in a JSON object, and its codec.
 pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
-    object_with(scope, name, docs, fields, &read_fields(fields))
+    let item = object_with(scope, name, docs, fields, &read_fields(fields));
+    quote!(#item proto::__object_impls!(#name);)
 }
 
 /// The same, read in place as well.
@@ -67,7 +68,8 @@ fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &
 
         fn read_fields_into(&mut self, reader: &mut wire::Reader<'_>) -> Result<(), wire::DecodeError> { #read_in_place }
     };
-    object_with(scope, name, docs, fields, &read)
+    let item = object_with(scope, name, docs, fields, &read);
+    quote!(#item proto::__object_impls!(#name, in_place);)
 }
 
 fn read_fields(fields: &[Field]) -> TokenStream {
@@ -98,8 +100,6 @@ fn object_with(
 
             #read
         }
-
-        proto::__object_impls!(#name);
     }
 }
 

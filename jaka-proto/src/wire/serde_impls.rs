@@ -44,11 +44,24 @@ macro_rules! __serde_impls {
     };
 }
 
-/// Implements the traits of a type whose fields stand in a JSON object.
+/// Implements the traits of a type whose fields stand in a JSON object, and which may be read in place.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __object_impls {
     ($type:ident) => {
+        $crate::__object_impls!(@impls $type {});
+    };
+    ($type:ident, in_place) => {
+        $crate::__object_impls!(@impls $type {
+            fn decode_into(
+                &mut self,
+                reader: &mut $crate::wire::Reader<'_>,
+            ) -> ::core::result::Result<(), $crate::wire::DecodeError> {
+                $crate::wire::Fields::read_fields_into(self, reader)
+            }
+        });
+    };
+    (@impls $type:ident { $($in_place:tt)* }) => {
         impl $crate::wire::Encode for $type {
             fn encode(&self, out: &mut $crate::wire::Writer) {
                 out.raw("{");
@@ -64,12 +77,7 @@ macro_rules! __object_impls {
                 $crate::wire::Fields::read_fields(reader)
             }
 
-            fn decode_into(
-                &mut self,
-                reader: &mut $crate::wire::Reader<'_>,
-            ) -> ::core::result::Result<(), $crate::wire::DecodeError> {
-                $crate::wire::Fields::read_fields_into(self, reader)
-            }
+            $($in_place)*
         }
 
         $crate::__serde_impls!($type);
