@@ -201,3 +201,6 @@ impl Drop for Link {
         self.tap.left();
     }
 }
+
+#[cfg(test)]
+mod tests;
