@@ -294,7 +294,7 @@ impl<'a> Transcoder<'a> {
 
     /// Reads an opening bracket and what follows, up to and with `close`; writes only the items and commas.
     fn items(&mut self, close: u8, item: fn(&mut Self) -> Step) -> Result<Items, PythonError> {
-        if self.depth == MAX_DEPTH {
+        if self.depth >= MAX_DEPTH {
             return Err(self.expected("no more than 64 open brackets"));
         }
         self.depth += 1;
