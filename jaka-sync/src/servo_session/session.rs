@@ -155,6 +155,9 @@ impl<'r> ServoSession<'r> {
     /// Calls `next` before each beat, with its time and the newest status, and sends the joints that it gives, until it
     /// breaks.
     ///
+    /// The time is the clock's: beats that were missed are passed over. A motion that follows it then has a long way to the next set-point,
+    /// which may be refused as too fast; one that counts its set-points is delayed instead.
+    ///
     /// # Errors
     /// As [`joints`](Self::joints).
     pub fn run<B>(
