@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::collision::ProtectiveStopStatusReply;
 use jaka_proto::messages::io::GetExtioStatusReply;
-use jaka_proto::messages::kinematics::GetJointPosReply;
+use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply, PowerOn};
 use jaka_proto::messages::program::{GetProgramStateReply, ProgramState};
 use jaka_proto::messages::status::RobotStatus;
@@ -95,6 +95,20 @@ fn numbers_as_strings_and_whole_numbers_as_floats() {
     assert!(decode::<i64>("5.5").is_err());
     assert!(decode::<i64>("1e300").is_err());
     assert!(decode::<i64>("true").is_err());
+}
+
+#[test]
+fn white_space_of_any_kind_and_length() {
+    let template = r#"~{~"joint_pos"~:~[~1~,~"2"~,~3~,~4~,~5~,~6.5~]~,~"new"~:~{~"a"~:~[~]~,~"b"~:~null~}~}~"#;
+    for blank in ["", " ", "  ", "\n", "\t", "\r\n  ", " \n", " \t "] {
+        let text = template.replace('~', blank);
+        let reply: GetJointPosReply = read_payload(GetJointPos::INFO, &text).expect("JSON allows it");
+        assert_eq!(reply.joint_position, [1.0, 2.0, 3.0, 4.0, 5.0, 6.5].into(), "{blank:?}");
+        assert!(Envelope::read(&text).is_ok(), "{blank:?}");
+    }
+    for no_blank in ["\u{1}", "\u{b}", "\u{a0}", " \u{1}"] {
+        assert!(read::<GetJointPosReply>(&template.replace('~', no_blank)).is_err(), "{no_blank:?}");
+    }
 }
 
 #[test]
