@@ -52,6 +52,11 @@ impl<'a> Envelope<'a> {
         Ok(Self { command, code, message: message.unwrap_or_default() })
     }
 
+    /// Whether the reply says that the command was accepted.
+    fn is_accepted(&self) -> bool {
+        self.code.as_ref().is_ok_and(|code| code.is_success())
+    }
+
     /// The refusal that the reply holds, if it holds one.
     pub fn refusal(&self) -> Option<Refusal> {
         let code = self.code.as_ref().ok().filter(|code| !code.is_success())?;
@@ -163,13 +168,10 @@ pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Resul
 /// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
 #[cold]
 fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    if reply.starts_with('(') {
-        return Ok(Reply { envelope: None, payload: Some(read_payload(command, reply)) });
-    }
-    let envelope = Envelope::read(reply)?;
-    let accepted = envelope.code.as_ref().is_ok_and(|code| code.is_success());
+    let envelope = (!reply.starts_with('(')).then(|| Envelope::read(reply)).transpose()?;
+    let accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
     let payload = accepted.then(|| read_payload(command, reply));
-    Ok(Reply { envelope: Some(envelope), payload })
+    Ok(Reply { envelope, payload })
 }
 
 /// Reads the payload of an accepted reply.

@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
-use jaka_proto::wire::{DecodeError, Writer};
+use jaka_proto::wire::{DecodeError, Fields, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
@@ -86,10 +86,15 @@ impl Client {
         timeout: Duration,
     ) -> Result<C::Reply, Error> {
         command.check(self.rules())?;
-        let mut payload = Typed::<C>::NONE;
-        let request = Request { info: C::INFO, gate, write: &mut |out| command.write_request(out), timeout };
+        self.exchange(Request { info: C::INFO, gate, write: &mut |out| command.write_request(out), timeout })
+    }
+
+    /// Generic over the reply alone, which many commands have in common.
+    fn exchange<R: Fields>(&mut self, request: Request<'_>) -> Result<R, Error> {
+        let info = request.info;
+        let mut payload = Typed::new(info);
         let reply = exchange(&self.link, request, &mut self.reply, &mut payload)?;
-        payload.take(reply).map_err(|source| self.link.attach(reply::unexpected(C::INFO.name, source)))
+        payload.take(reply).map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
     }
 
     /// How long the reply to a command may take.

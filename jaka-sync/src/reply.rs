@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use jaka_proto::wire::DecodeError;
-use jaka_proto::{Command, Envelope, read_payload, read_reply};
+use jaka_proto::wire::{DecodeError, Fields};
+use jaka_proto::{CommandInfo, Envelope, read_payload, read_reply};
 
 use crate::{Error, Exchanges};
 
@@ -39,13 +39,18 @@ pub(crate) fn unexpected(command: &str, source: DecodeError) -> Error {
 }
 
 /// What a call makes of the reply that it waits for, in the pass that reads whose reply it is.
-pub(crate) trait Payload: fmt::Debug {
+pub(crate) trait Payload {
     /// Reads a reply as the one that is waited for, whosever it is.
     fn read<'a>(&mut self, text: &'a str) -> Result<Reply<'a>, DecodeError>;
 }
 
+impl fmt::Debug for dyn Payload + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Payload")
+    }
+}
+
 /// The reply's text is all that is asked for.
-#[derive(Debug)]
 pub(crate) struct TextAlone;
 
 impl Payload for TextAlone {
@@ -55,28 +60,27 @@ impl Payload for TextAlone {
 }
 
 /// The payload of the reply that was read last, if the controller accepted the command.
-pub(crate) struct Typed<C: Command>(Option<Result<C::Reply, DecodeError>>);
+pub(crate) struct Typed<R> {
+    info: &'static CommandInfo,
+    payload: Option<Result<R, DecodeError>>,
+}
 
-impl<C: Command> Typed<C> {
-    /// Nothing was read.
-    pub(crate) const NONE: Self = Self(None);
+impl<R: Fields> Typed<R> {
+    /// Nothing was read that answers the command.
+    pub(crate) fn new(info: &'static CommandInfo) -> Self {
+        Self { info, payload: None }
+    }
 
     /// The payload of the reply that was read last, which is `text`.
-    pub(crate) fn take(self, text: &str) -> Result<C::Reply, DecodeError> {
-        self.0.unwrap_or_else(|| read_payload(C::INFO, text))
+    pub(crate) fn take(self, text: &str) -> Result<R, DecodeError> {
+        self.payload.unwrap_or_else(|| read_payload(self.info, text))
     }
 }
 
-impl<C: Command> Payload for Typed<C> {
+impl<R: Fields> Payload for Typed<R> {
     fn read<'a>(&mut self, text: &'a str) -> Result<Reply<'a>, DecodeError> {
-        let reply = read_reply(C::INFO, text)?;
-        self.0 = reply.payload;
+        let reply = read_reply(self.info, text)?;
+        self.payload = reply.payload;
         Ok(reply.envelope.map_or(Reply::Bare, Reply::Json))
-    }
-}
-
-impl<C: Command> fmt::Debug for Typed<C> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "payload of `{}`", C::INFO.name)
     }
 }

@@ -65,9 +65,14 @@ pub(crate) fn read_accepted<R: Fields>(text: &str) -> Option<(Envelope<'_>, R)> 
     let mut reader = Reader::new(text);
     reader.reply.wanted = true;
     let payload = R::read_fields(&mut reader).ok()?;
+    Some((accepted(reader)?, payload))
+}
+
+/// The envelope of an accepted reply that has been read to its end.
+fn accepted(mut reader: Reader<'_>) -> Option<Envelope<'_>> {
     reader.end().ok()?;
     let Slots { command, message, code, .. } = reader.reply;
     let code = code.filter(|code| code.is_success())?;
     let command = command.map(|command| trimmed(command.into()));
-    Some((Envelope { command, code: Ok(code), message: message.unwrap_or_default().into() }, payload))
+    Some(Envelope { command, code: Ok(code), message: message.unwrap_or_default().into() })
 }
