@@ -31,11 +31,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let config = ServoConfig::new().busy_wait(spin);
     let mut session = robot.servo(&config)?;
     let end = Duration::from_secs(seconds);
-    session.run(
-        |time, _status| {
-            if time >= end { ControlFlow::Break(()) } else { ControlFlow::Continue(sine(start, time)) }
-        },
-    )?;
+    // Not by the clock: where this thread gets the processor late, the motion is delayed, and does not jump.
+    let mut times = (0..).map(|set_point| config.period() * set_point).take_while(|time| *time < end);
+    session.run(|_clock, _status| {
+        times.next().map_or(ControlFlow::Break(()), |time| ControlFlow::Continue(sine(start, time)))
+    })?;
     let report = session.finish()?;
     println!(
         "  {} set-points, {} accepted, {} refused, {} unanswered, {} late, at most {} answers outstanding",

@@ -20,6 +20,7 @@ use jaka_proto::{CommandInfo, Ticket};
 
 use self::answer::{Progress, disconnected};
 use self::inbound::Inbound;
+pub(crate) use self::posted::Answers;
 use self::state::{Mode, State};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Error};

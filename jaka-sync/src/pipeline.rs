@@ -120,6 +120,7 @@ impl<'c> Pipeline<'c> {
 
 impl Drop for Pipeline<'_> {
     fn drop(&mut self) {
-        self.client.link().forget_posted();
+        // What became of the others is told by `finish` alone.
+        drop(self.client.link().forget_posted());
     }
 }

@@ -130,6 +130,24 @@ fn a_refusal_is_told_soon_and_servo_mode_is_left() {
 }
 
 #[test]
+fn answers_that_another_call_reads_count_too() {
+    let (controller, mut robot) = ready();
+    let stop = robot.client().stop_handle();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    session.joints_by(STEP).expect("servo mode is on");
+    stop.stop().expect("its reply comes behind that of the set-point");
+    let report = session.finish().expect("the set-point was accepted");
+    assert_eq!((report.cycles, report.accepted, report.unanswered), (1, 1, 0));
+
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+    controller.set_state(|state| state.servo_mode = false);
+    session.joints_by(STEP).expect("its answer has not come");
+    stop.stop().expect("its reply comes behind that of the set-point");
+    let error = session.finish().expect_err("the set-point was refused");
+    assert_eq!(error.refusal().map(|refusal| refusal.code), Some(ErrorCode(-1)));
+}
+
+#[test]
 fn servo_mode_is_left_on_drop_and_on_panic() {
     let (controller, mut robot) = ready();
     let left = r#"{"cmdName":"servo_move","relFlag":0}"#;

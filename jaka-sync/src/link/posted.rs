@@ -107,15 +107,18 @@ impl Link {
         self.lock().posted.outstanding()
     }
 
-    /// Gives up the replies to all posted commands: they belong to nobody when they come.
-    pub(crate) fn forget_posted(&self) {
+    /// Gives up the replies to all posted commands: they belong to nobody when they come. Takes what became of the others, and says
+    /// how many were given up.
+    pub(crate) fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.lock();
-        state.posted.answers = Answers::default();
+        let mut given_up = 0;
         while let Some(debt) = state.posted.outstanding.pop_front() {
+            given_up += 1;
             if let Err(mistrust) = state.ledger.give_up(debt.ticket) {
                 self.break_off(&mut state, Disconnect::Mistrust(mistrust));
             }
         }
+        (self.take_answers(&mut state), given_up)
     }
 
     fn give_up_posted(&self, state: &mut State, ticket: Ticket, timeout: Duration) {

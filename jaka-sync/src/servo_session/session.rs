@@ -12,6 +12,7 @@ use jaka_proto::messages::types::{JointPosition, MoveMode, Pose, Switch};
 
 use super::pace::{CYCLE, Pace};
 use super::{ServoConfig, ServoReport};
+use crate::link::Answers;
 use crate::{Error, Exchanges, Robot, Snapshot};
 
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
@@ -154,6 +155,9 @@ impl<'r> ServoSession<'r> {
     /// Calls `next` before each beat, with its time and the newest status, and sends the joints that it gives, until it
     /// breaks.
     ///
+    /// The time is the clock's: beats that were missed are passed over. A motion that follows it then has a long way to the next set-point,
+    /// which may be refused as too fast; one that counts its set-points is delayed instead.
+    ///
     /// # Errors
     /// As [`joints`](Self::joints).
     pub fn run<B>(
@@ -202,6 +206,11 @@ impl<'r> ServoSession<'r> {
 
     fn take_answers(&mut self, command: &str) -> Result<(), Error> {
         let (answers, checked) = self.robot.client().link().drain(command);
+        self.count(answers);
+        checked
+    }
+
+    fn count(&mut self, answers: Answers) {
         self.report.accepted += answers.accepted;
         for error in answers.failed {
             if matches!(error, Error::ReplyLost { .. }) {
@@ -211,7 +220,6 @@ impl<'r> ServoSession<'r> {
                 self.refusal.get_or_insert(error);
             }
         }
-        checked
     }
 
     /// Waits for the last answers and leaves servo mode.
@@ -249,10 +257,11 @@ impl<'r> ServoSession<'r> {
 
     fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
-        let client = self.robot.client();
-        self.report.unanswered += u64::try_from(client.link().outstanding()).unwrap_or(u64::MAX);
-        client.link().forget_posted();
-        client.call(&ServoMove { servo_mode: Switch::Off })
+        // Another thread that reads may have taken answers in meanwhile.
+        let (answers, unanswered) = self.robot.client().link().forget_posted();
+        self.count(answers);
+        self.report.unanswered += unanswered;
+        self.robot.client().call(&ServoMove { servo_mode: Switch::Off })
     }
 }
 
