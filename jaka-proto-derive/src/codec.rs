@@ -191,7 +191,7 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
         let (text, key) = (&field.name, &field.wire);
         quote!(#name: #name.ok_or_else(|| wire::DecodeError::missing(#text, #key))?)
     });
-    let walk = walk_object(fields, arms, &quote!(skip));
+    let walk = walk_object(fields, arms, &quote!(next_field));
     quote! {
         #(let mut #names = None;)*
         #walk
@@ -199,8 +199,8 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
     }
 }
 
-/// The same over the fields of `self`, whose memory is used again; `other` is what the reader does with other keys' values.
-pub(crate) fn read_object_in_place(fields: &[Field], other: &TokenStream) -> TokenStream {
+/// The same over the fields of `self`, whose memory is used again; `next` is how the reader goes to the next key.
+pub(crate) fn read_object_in_place(fields: &[Field], next: &TokenStream) -> TokenStream {
     let arms = fields.iter().enumerate().map(|(at, field)| {
         let name = ident(&field.name);
         if !field.optional {
@@ -216,7 +216,7 @@ pub(crate) fn read_object_in_place(fields: &[Field], other: &TokenStream) -> Tok
         let (text, key) = (&field.name, &field.wire);
         quote!(keys.required(#at, #text, #key)?;)
     });
-    let walk = walk_object(fields, arms, other);
+    let walk = walk_object(fields, arms, next);
     quote! {
         #walk
         #(#ends)*
@@ -234,14 +234,14 @@ pub(crate) fn in_place(fields: &[Field]) -> bool {
 const MAX_IN_PLACE: usize = 128;
 
 /// Goes through an object, and leaves the value of each known key to its arm.
-fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, other: &TokenStream) -> TokenStream {
+fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, next: &TokenStream) -> TokenStream {
     let keys = fields.iter().map(Field::key);
     quote! {
         let mut keys = reader.begin_fields(&[#(#keys),*])?;
-        while let Some(key) = reader.next_field(&mut keys)? {
+        while let Some(key) = reader.#next(&mut keys)? {
             match key {
                 #(#arms)*
-                _ => reader.#other()?,
+                _ => reader.skip()?,
             }
         }
     }

@@ -40,7 +40,7 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let scope = Scope { spec: &spec, topic: None, elsewhere: sync, wire: &wire };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
-    let read = read_object_in_place(&fields, &quote!(pass));
+    let read = read_object_in_place(&fields, &quote!(next_wanted));
     Ok(quote! {
         #[derive(Debug, Clone, #copy PartialEq, Default)]
         #[allow(unreachable_pub)]

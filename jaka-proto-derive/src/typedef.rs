@@ -62,7 +62,7 @@ fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &
     } else {
         read_fields(fields)
     };
-    let read_in_place = read_object_in_place(fields, &quote!(skip));
+    let read_in_place = read_object_in_place(fields, &quote!(next_field));
     let read = quote! {
         #read
 

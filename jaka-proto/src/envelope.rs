@@ -159,10 +159,10 @@ pub struct Reply<'a, R> {
 /// # Errors
 /// The text is no JSON object, and no Python tuple.
 pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    if let Some((envelope, payload)) = crate::wire::read_accepted(reply) {
-        return Ok(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) });
+    match crate::wire::read_accepted(reply) {
+        Some(reply) => Ok(reply),
+        None => read_closely(command, reply),
     }
-    read_closely(command, reply)
 }
 
 /// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.

@@ -387,11 +387,10 @@ impl Nesting {
             }
             return false;
         }
-        match (byte, self.form) {
-            (b'{', Form::Json) | (b'(', Form::Python) => self.depth += 1,
-            (b'}', Form::Json) | (b')', Form::Python) => self.depth -= 1,
-            (b'"', _) | (b'\'', Form::Python) => self.quote = Some(byte),
-            _ => {}
+        match byte {
+            b'{' | b'(' => self.depth += 1,
+            b'}' | b')' => self.depth -= 1,
+            quote => self.quote = Some(quote),
         }
         self.depth == 0
     }

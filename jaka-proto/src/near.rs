@@ -3,7 +3,7 @@
 use memchr::{memchr2, memchr3};
 
 /// Up to here eight bytes at a time beat a call of `memchr`.
-const NEAR: usize = 32;
+const NEAR: usize = 24;
 
 const ONES: u64 = 0x0101_0101_0101_0101;
 

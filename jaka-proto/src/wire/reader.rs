@@ -13,7 +13,7 @@ use super::decode::whole;
 use super::error::DecodeError;
 use super::number::{self, Scalar};
 use super::{Decode, Fields, Writer};
-use crate::near::first_of;
+use crate::near::{first_of, plain_text};
 
 /// A position in a JSON text.
 #[derive(Debug, Clone)]
@@ -231,6 +231,18 @@ impl<'a> Reader<'a> {
     /// The next value is no string.
     pub fn text(&mut self) -> Result<Cow<'a, str>, DecodeError> {
         if self.peek() == Some(b'"') { self.string("a string") } else { Err(self.unfit("a string")) }
+    }
+
+    /// Reads a string without escapes and control characters, if that is the next value.
+    #[inline]
+    fn usual_text(&mut self) -> Option<&'a str> {
+        self.peek();
+        let (b'"', text) = self.rest().split_first()? else { return None };
+        let start = self.at + 1;
+        let end = start + plain_text(text)?;
+        self.at = end + 1;
+        self.comma = true;
+        self.text.get(start..end)
     }
 
     fn string(&mut self, expected: &'static str) -> Result<Cow<'a, str>, DecodeError> {

@@ -1,9 +1,7 @@
 //! What a reply says beside its payload, taken on the way through it.
 
-use std::borrow::Cow;
-
-use super::{Decode, DecodeError, Reader, trimmed};
-use crate::envelope::{Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE};
+use super::{Decode, DecodeError, Reader};
+use crate::envelope::{Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, Reply};
 use crate::error_code::ErrorCode;
 use crate::wire::Fields;
 
@@ -52,27 +50,20 @@ impl<'a> Reader<'a> {
         eaten
     }
 
+    #[inline]
     fn plain_text(&mut self) -> Result<&'a str, DecodeError> {
-        match self.text()? {
-            Cow::Borrowed(text) => Ok(text),
-            Cow::Owned(text) => Err(DecodeError::unfit("a string without escapes", &text)),
-        }
+        self.usual_text().ok_or_else(|| self.malformed("a string in its usual form"))
     }
 }
 
 /// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
-pub(crate) fn read_accepted<R: Fields>(text: &str) -> Option<(Envelope<'_>, R)> {
+pub(crate) fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
     let mut reader = Reader::new(text);
     reader.reply.wanted = true;
     let payload = R::read_fields(&mut reader).ok()?;
-    Some((accepted(reader)?, payload))
-}
-
-/// The envelope of an accepted reply that has been read to its end.
-fn accepted(mut reader: Reader<'_>) -> Option<Envelope<'_>> {
     reader.end().ok()?;
-    let Slots { command, message, code, .. } = reader.reply;
-    let code = code.filter(|code| code.is_success())?;
-    let command = command.map(|command| trimmed(command.into()));
-    Some(Envelope { command, code: Ok(code), message: message.unwrap_or_default().into() })
+    let code = reader.reply.code.filter(|code| code.is_success())?;
+    let command = reader.reply.command.map(|command| command.trim().into());
+    let message = reader.reply.message.unwrap_or_default().into();
+    Some(Reply { envelope: Some(Envelope { command, code: Ok(code), message }), payload: Some(Ok(payload)) })
 }

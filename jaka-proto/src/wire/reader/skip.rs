@@ -67,6 +67,7 @@ impl Reader<'_> {
     ///
     /// # Errors
     /// The value does not end.
+    #[inline]
     pub fn pass(&mut self) -> Result<(), DecodeError> {
         let end = match self.peek() {
             Some(b'{') => self.behind_brackets(b'{', b'}'),
