@@ -32,8 +32,7 @@ use crate::{Config, Disconnect, Error, Exchanges};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
 ///
-/// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type of your own that implements
-/// [`Decode`], so that no more is decoded than is used.
+/// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type made by [`status_subset!`](crate::status_subset), so that no more is decoded than is used.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -46,7 +45,8 @@ use crate::{Config, Disconnect, Error, Exchanges};
 /// ```
 ///
 /// The reader never falls behind: packets that come faster than they are used are dropped, the newest is kept. Several
-/// monitors can be connected to one controller. Dropping the monitor ends its thread.
+/// monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its thread: while
+/// that connects anew, for up to [`Config::connect_timeout`].
 #[derive(Debug)]
 pub struct Monitor<S = RobotStatus> {
     board: Arc<Board<S>>,
@@ -92,7 +92,7 @@ struct State<S> {
     /// Why the newest packet could not be decoded, until one can.
     unfit: Option<DecodeError>,
     /// The connection, for the monitor to end it.
-    stream: Option<TcpStream>,
+    stream: Option<Arc<TcpStream>>,
     tap: Tap,
     closing: bool,
     /// Threads that wait for a change.
@@ -100,7 +100,7 @@ struct State<S> {
 }
 
 impl<S> Board<S> {
-    fn new(stream: Option<TcpStream>, tap: Tap) -> Self {
+    fn new(stream: Option<Arc<TcpStream>>, tap: Tap) -> Self {
         let state = State {
             latest: None,
             counters: Counters::default(),
@@ -151,11 +151,12 @@ impl Monitor<RobotStatus> {
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = recorder::connect(address, Port::Status, config)?;
-        let failed = |source| Error::Connect { address: address.to_owned(), source };
-        let board = Arc::new(Board::new(Some(stream.try_clone().map_err(failed)?), tap.clone()));
+        let stream = Arc::new(stream);
+        let board = Arc::new(Board::new(Some(Arc::clone(&stream)), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
-        let thread = builder.spawn(move || worker.run((stream, tap))).map_err(failed)?;
+        let thread = builder.spawn(move || worker.run((stream, tap)));
+        let thread = thread.map_err(|source| Error::Connect { address: address.to_owned(), source })?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, thread: Some(thread), timeout, stale_after })
     }
@@ -256,7 +257,7 @@ impl<S> Monitor<S> {
 
     /// Calls `call` with every packet from now on, on the monitor's own thread, until it breaks.
     ///
-    /// Packets wait while it runs, so it should be short; it must not drop the monitor.
+    /// Packets wait while it runs, so it should be short. If it panics, it is not called any more, and the monitor goes on.
     pub fn observe(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
         self.board.lock().observers.add(call);
     }
@@ -308,7 +309,8 @@ impl<S> Drop for Monitor<S> {
             let _ = stream.shutdown(std::net::Shutdown::Both);
         }
         self.board.wake(state);
-        if let Some(thread) = self.thread.take() {
+        // An observer may drop the monitor: the thread that calls it cannot wait for its own end.
+        if let Some(thread) = self.thread.take().filter(|thread| thread.thread().id() != std::thread::current().id()) {
             // A panic there has been reported.
             drop(thread.join());
         }

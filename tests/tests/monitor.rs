@@ -1,6 +1,7 @@
 //! The monitor against the simulator: the newest packet, waiting, queues, losses and reconnection.
 
 use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
@@ -79,6 +80,43 @@ fn observers_are_called_until_they_break() {
     }
     // The sender went with the observer, so the channel ends.
     assert_eq!(receiver.iter().map(f64::to_bits).collect::<Vec<_>>(), [1.0, 2.0, 3.0].map(f64::to_bits));
+}
+
+#[test]
+fn an_observer_that_panics_is_not_called_again_and_the_monitor_goes_on() {
+    let (controller, monitor) = quiet();
+    let (sender, receiver) = std::sync::mpsc::channel();
+    monitor.observe(move |_| {
+        sender.send(()).expect("the test listens");
+        panic!("by the test");
+    });
+    let packets = monitor.subscribe(8);
+    for n in 1..=3 {
+        put(&controller, f64::from(n));
+        packets.next_within(LONG).expect("the packet comes");
+    }
+    assert_eq!(receiver.iter().count(), 1);
+    assert!(monitor.latest().is_ok_and(|latest| latest.is_some()));
+}
+
+#[test]
+fn an_observer_may_drop_the_monitor() {
+    let (controller, monitor) = quiet();
+    let packets = monitor.subscribe(8);
+    let monitor = Arc::new(Mutex::new(Some(monitor)));
+    let held = Arc::clone(&monitor);
+    let observe = |monitor: &Monitor| {
+        monitor.observe(move |_| {
+            held.lock().expect("nobody panics").take();
+            ControlFlow::Continue(())
+        });
+    };
+    observe(monitor.lock().expect("nobody panics").as_ref().expect("it is there"));
+    put(&controller, 1.0);
+    packets.next_within(LONG).expect("the packet comes");
+    // Its thread comes to its end, and ends the subscription.
+    assert!(packets.next_within(LONG).is_none());
+    assert!(monitor.lock().expect("nobody panics").is_none());
 }
 
 #[test]

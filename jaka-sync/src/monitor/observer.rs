@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use super::Snapshot;
@@ -16,9 +17,11 @@ impl<S> Observers<S> {
         self.0.push(Box::new(call));
     }
 
-    /// Calls all of them, and forgets those that break.
+    /// Calls all of them, and forgets those that break or panic.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
-        self.0.retain_mut(|call| call(snapshot).is_continue());
+        // What a panic leaves half done is the call's own, and goes with it.
+        self.0
+            .retain_mut(|call| catch_unwind(AssertUnwindSafe(|| call(snapshot))).is_ok_and(|flow| flow.is_continue()));
     }
 
     /// Takes those that others have been put aside for.

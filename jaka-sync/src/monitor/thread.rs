@@ -35,7 +35,7 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made anew.
-    pub(super) fn run(mut self, connected: (TcpStream, Tap)) {
+    pub(super) fn run(mut self, connected: (Arc<TcpStream>, Tap)) {
         let mut connected = Some(connected);
         while let Some((stream, tap)) = connected.take() {
             self.tap = tap;
@@ -182,7 +182,7 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Connects anew as the policy says; `None` if the monitor has come to its end.
-    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(TcpStream, Tap)> {
+    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(Arc<TcpStream>, Tap)> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
                 break;
@@ -214,14 +214,15 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    fn connected(&self, (stream, tap): (TcpStream, Tap)) -> Option<(TcpStream, Tap)> {
+    fn connected(&self, (stream, tap): (TcpStream, Tap)) -> Option<(Arc<TcpStream>, Tap)> {
         let mut state = self.board.lock();
         if state.closing {
             tap.left();
             return None;
         }
         state.tap = tap.clone();
-        state.stream = stream.try_clone().ok();
+        let stream = Arc::new(stream);
+        state.stream = Some(Arc::clone(&stream));
         state.counters.reconnects += 1;
         Some((stream, tap))
     }
