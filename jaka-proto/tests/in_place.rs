@@ -73,6 +73,21 @@ fn errors_over_a_packet_are_the_same() {
 }
 
 #[test]
+fn memory_of_values_of_any_shape_is_used_again() {
+    let place = |value: &Value| match value {
+        Value::String(text) => text.as_ptr().addr(),
+        Value::Array(list) => list.as_ptr().addr(),
+        other => panic!("{other} has no memory of its own"),
+    };
+    for (before, after) in [(r#""a long text""#, r#""short""#), (r#"[1, "two", 3]"#, "[4, 5]")] {
+        let mut value = Value::decode(&mut Reader::new(before)).expect(before);
+        let memory = place(&value);
+        value.decode_into(&mut Reader::new(after)).expect(after);
+        assert_eq!((&value, place(&value)), (&after.parse().expect(after), memory), "{before}");
+    }
+}
+
+#[test]
 fn a_raw_value_can_become_known_and_raw_again() {
     let mut status = afresh(r#"{"homed": "?"}"#).expect("it is one");
     for (packet, homed) in [("[1]", Typed::Known(vec![true])), ("7", Typed::Raw(Value::from(7)))] {

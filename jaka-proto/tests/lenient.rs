@@ -244,6 +244,7 @@ fn serde_sees_the_json_of_the_wire() {
 #[test]
 fn arrays_of_any_type_have_their_length() {
     assert_eq!(decode::<[String; 2]>("[\"a\", \"b\"]"), Ok(["a".to_owned(), "b".to_owned()]));
+    assert_eq!(decode::<Vec<i64>>("[7, \"-8\", 9.0]"), Ok(vec![7, -8, 9]));
     assert_eq!(decode::<[[i64; 1]; 2]>("[[1], [2]]"), Ok([[1], [2]]));
     let error = |json| decode::<[String; 2]>(json).expect_err(json).to_string();
     assert_eq!(error("[\"a\"]"), "expected an array of 2, found `[\"a\"]`");

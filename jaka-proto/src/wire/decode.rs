@@ -129,11 +129,7 @@ fn unusual_truth(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
         Some(text) if text.eq_ignore_ascii_case("true") => Some(true),
         Some(text) if text.eq_ignore_ascii_case("false") => Some(false),
         Some(text) => whole(&text).and_then(zero_or_one),
-        None => match reader.raw()? {
-            "true" => Some(true),
-            "false" => Some(false),
-            _ => None,
-        },
+        None => None,
     };
     value.ok_or_else(|| unfit(start, "a truth value"))
 }
