@@ -68,6 +68,23 @@ proptest! {
     }
 
     #[test]
+    fn a_run_goes_up_to_what_is_no_usual_number(
+        elements in prop::collection::vec((any::<i32>(), prop::sample::select(vec![",", ", "])), 1..9),
+        behind in prop::sample::select(vec!["]", ",]", ", ]", " ,1", ",  1]", ", \"1\"]", ",1e5]", ", 1"]),
+    ) {
+        let mut text = String::new();
+        for (at, (number, comma)) in elements.iter().enumerate() {
+            text += if at == 0 { "" } else { comma };
+            text += &number.to_string();
+        }
+        let (expected, len) = (elements.iter().map(|(number, _)| f64::from(*number)).collect::<Vec<_>>(), text.len());
+        text += behind;
+        let mut found = Vec::new();
+        prop_assert_eq!(run(text.as_bytes(), |number: f64| found.push(number)), (expected.len(), len), "{}", text);
+        prop_assert_eq!(found, expected, "{}", text);
+    }
+
+    #[test]
     fn eight_bytes_are_eight_digits_or_not(bytes in any::<[u8; 8]>(), digits in 0..100_000_000_u64) {
         let number = std::str::from_utf8(&bytes).ok().filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()));
         prop_assert_eq!(eight_digits(bytes), number.map(|text| text.parse().expect("digits")));
