@@ -37,6 +37,13 @@ proptest! {
     }
 
     #[test]
+    fn whole_numbers_of_up_to_18_digits(value in any::<i64>(), digits in 0..18_u32) {
+        let value = value % 10_i64.pow(digits + 1);
+        let text = format!("{value},");
+        prop_assert_eq!(i64::usual(text.as_bytes()), Some((value, text.len() - 1)));
+    }
+
+    #[test]
     fn any_digits(digits in any::<u64>(), point in 0..21_usize, sign in "-?0{0,3}") {
         let mut text = digits.to_string();
         if point < text.len() {
