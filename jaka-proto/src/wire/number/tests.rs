@@ -101,6 +101,16 @@ proptest! {
 }
 
 #[test]
+fn what_is_usual_is_taken() {
+    for (text, value) in [("0,", false), ("1]", true), ("false", false), ("true,", true)] {
+        assert_eq!(bool::usual(text.as_bytes()), Some((value, text.trim_end_matches([',', ']']).len())), "{text}");
+    }
+    // The longest: 19 digits.
+    assert_eq!(f64::usual(b"-1234567890.123456789,"), Some((-1_234_567_890.123_456_8, 21)));
+    assert_eq!(f64::usual(b"1234567890123456789 "), Some((1_234_567_890_123_456_800.0, 19)));
+}
+
+#[test]
 fn nothing_is_taken_that_goes_on() {
     for text in ["1", "-", "-,", "1e5,", "1.,", ".5,", "1.5", "01x", "1.5.2,", "1-2,", "12345678901234567890,"] {
         assert_eq!(f64::usual(text.as_bytes()), if text == "01x" { Some((1.0, 2)) } else { None }, "{text}");
