@@ -58,11 +58,13 @@ pub struct Robot {
     stops_told: u64,
 }
 
-/// How many stops were asked for through handles, and how many of them have been sent.
+/// The stops that were asked for through handles, by their numbers from 1.
 #[derive(Debug, Default)]
 struct Stops {
+    /// The latest that was asked for.
     begun: AtomicU64,
-    done: AtomicU64,
+    /// The latest that the controller has taken.
+    taken: AtomicU64,
 }
 
 impl Stops {
@@ -196,9 +198,9 @@ impl Robot {
         };
         let mut wait = Wait::new(batch.sent, batch.target, self.grace);
         let mut outcome = self.watch(&mut wait, timeout);
-        // A stop that is on its way has the last word: the arm may be in position because of it.
+        // Where the target is not known, the arm may be in position because of a stop that is on its way.
         let begun = self.stops.begun.load(Ordering::SeqCst);
-        if outcome.is_reached() && begun != self.stops_told {
+        if outcome.is_reached() && batch.target.is_none() && begun != self.stops_told {
             outcome = Outcome::Stopped;
         }
         if matches!(outcome, Outcome::Stopped) {
@@ -220,7 +222,7 @@ impl Robot {
             let heard = self.monitor.last().map(|snapshot| snapshot.number);
             let left = timeout.saturating_sub(since.elapsed());
             let watched = self.monitor.watch(left.min(self.silence), |snapshot| {
-                if self.stops.done.load(Ordering::SeqCst) > self.stops_told {
+                if self.stops.taken.load(Ordering::SeqCst) > self.stops_told {
                     return Some(Outcome::Stopped);
                 }
                 snapshot.and_then(|snapshot| wait.look(snapshot))
@@ -296,7 +298,7 @@ impl Robot {
         Explanation::of(error.refusal()?, status.as_ref().map(|snapshot| &snapshot.status))
     }
 
-    /// A handle that stops the arm from another thread and ends a [`wait`](Self::wait) at once.
+    /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
     pub fn stop_handle(&self) -> RobotStop {
         RobotStop { handle: self.client.stop_handle(), stops: Arc::clone(&self.stops), waker: self.monitor.waker() }
     }
@@ -324,8 +326,8 @@ fn latch_on_stops(monitor: &Monitor, latched: &Arc<Mutex<Option<Outcome>>>) {
     });
 }
 
-/// Stops the arm of a [`Robot`] from another thread, and ends its wait at once. Where it is not waiting, the next motion is
-/// refused until [`Robot::acknowledge`].
+/// Stops the arm of a [`Robot`] from another thread, and ends its wait as soon as the controller has taken the stop. Unless a
+/// [`MotionEnd`] has told of the stop, the next motion is refused until [`Robot::acknowledge`].
 ///
 /// This is no emergency stop; people are protected by the robot's own safety functions alone.
 #[derive(Debug, Clone)]
@@ -339,13 +341,14 @@ impl RobotStop {
     /// Sends `stop_program` (4.23), waits until the controller has taken it, and ends the wait.
     ///
     /// # Errors
-    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on.
+    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on: its wait goes on by the status, and the
+    /// next motion is refused.
     pub fn stop(&self) -> Result<(), Error> {
-        // From here on no motion is said to have reached its target, and none is sent.
-        self.stops.begun.fetch_add(1, Ordering::SeqCst);
-        let stopped = self.handle.stop();
-        self.stops.done.fetch_add(1, Ordering::SeqCst);
+        // From here on no motion is sent.
+        let number = self.stops.begun.fetch_add(1, Ordering::SeqCst) + 1;
+        self.handle.stop()?;
+        self.stops.taken.fetch_max(number, Ordering::SeqCst);
         self.waker.wake();
-        stopped
+        Ok(())
     }
 }

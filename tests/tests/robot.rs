@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::check::{Limits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo};
-use jaka_sim::{Controller, Delays, StatusFault};
+use jaka_sim::{Controller, Delays, Fault, StatusFault};
 use jaka_sync::force::StartTorqSensorPayloadIdentify;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
@@ -135,6 +135,32 @@ fn a_stop_ends_the_wait_at_once() {
     let end = disturbed(&controller, &mut robot, || stop.stop().expect("the controller takes the stop"));
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
     assert!(robot.latch().is_none(), "a stop that was asked for needs no acknowledgement");
+}
+
+#[test]
+fn a_stop_that_fails_ends_no_wait() {
+    let (controller, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let end = disturbed(&controller, &mut robot, || {
+        controller.take_over().expect("the simulator connects to itself");
+        assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
+    });
+    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+}
+
+#[test]
+fn a_stop_that_fails_keeps_the_next_motion_from_being_sent() {
+    let (controller, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call stop_program failed", "cmdName": "stop_program"}"#;
+    controller.inject(Fault::Instead(refusal.to_vec()));
+    stop.stop().expect_err("the controller refuses");
+    let error = robot.run(&to(0.0), LONG).expect_err("somebody wanted the arm to stop");
+    assert!(matches!(&error, Error::NotAcknowledged { outcome } if matches!(**outcome, Outcome::Stopped)));
+    robot.acknowledge();
+    // One that succeeds later ends a wait, whatever became of those before.
+    let end = disturbed(&controller, &mut robot, || stop.stop().expect("the controller takes the stop"));
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
 }
 
 #[test]
