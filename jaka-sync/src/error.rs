@@ -134,7 +134,11 @@ impl Error {
 
     /// True if the connection is of no use any more.
     pub fn is_disconnected(&self) -> bool {
-        matches!(self, Self::Disconnected { .. })
+        match self {
+            Self::Disconnected { .. } => true,
+            Self::ServoModeNotLeft { leaving, .. } => leaving.is_disconnected(),
+            _ => false,
+        }
     }
 
     /// True if a reply or a status packet did not come in time.

@@ -24,6 +24,10 @@ fn each_target_has_a_binary_and_a_corpus() {
     let targets: BTreeSet<_> = TARGETS.iter().map(|target| target.name.to_owned()).collect();
     assert_eq!(names("fuzz/fuzz_targets"), targets);
     assert_eq!(names("tests/corpora"), targets);
+    let manifest = fs::read_to_string(folder("fuzz/Cargo.toml")).expect("it is there");
+    for target in targets {
+        assert!(manifest.contains(&format!("path = \"fuzz_targets/{target}.rs\"")), "fuzz/Cargo.toml has no {target}");
+    }
 }
 
 #[test]

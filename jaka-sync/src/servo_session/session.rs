@@ -94,7 +94,7 @@ impl<'r> ServoSession<'r> {
     ///
     /// # Errors
     /// - [`Error::InvalidArgument`]: a joint would have to move faster than 180 deg/s, which the controller ignores (4.15).
-    ///   Nothing was sent.
+    ///   Nothing was sent. Behind a pose this is not checked: it does not tell where the joints are.
     /// - [`Error::Refused`]: the controller has refused an earlier set-point.
     /// - [`Error::NotAcknowledged`]: a protective or emergency stop. [`Error::Disconnected`]: the connection is lost.
     pub fn joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
