@@ -61,6 +61,13 @@ proptest! {
         check(&format!("{whole}.{fraction}"))?;
     }
 
+    /// Where the quotient by whole numbers has fewest bits to spare.
+    #[test]
+    fn small_numbers_of_18_places(digits in 1_u64 << 53..1 << 57) {
+        let text = format!("0.{digits:018}");
+        prop_assert_eq!(f64::usual(format!("{text},").as_bytes()), Some((text.parse().expect("it is one"), text.len())));
+    }
+
     /// Halves, quarters and so on of whole numbers can lie in the middle as well: they end in fives.
     #[test]
     fn middles_with_a_fraction(whole in 1_u64 << 49..1 << 50, parts in 0..16_u32) {
@@ -104,6 +111,10 @@ proptest! {
 fn what_is_usual_is_taken() {
     for (text, value) in [("0,", false), ("1]", true), ("false", false), ("true,", true)] {
         assert_eq!(bool::usual(text.as_bytes()), Some((value, text.trim_end_matches([',', ']']).len())), "{text}");
+    }
+    // A number ends where something comes that is no part of one, such as the neighbours of the digits.
+    for text in ["7:", "7/"] {
+        assert_eq!((f64::usual(text.as_bytes()), i64::usual(text.as_bytes())), (Some((7.0, 1)), Some((7, 1))), "{text}");
     }
     // The longest: 19 digits.
     assert_eq!(f64::usual(b"-1234567890.123456789,"), Some((-1_234_567_890.123_456_8, 21)));
