@@ -234,6 +234,8 @@ fn bytes_are_moved_and_memory_grows_only_where_room_lacks() {
     framer.push(&frame);
     framer.push(b"{");
     assert_eq!(framer.next_frame(), Ok(Some(frame.as_slice())));
+    framer.make_room(ROOM - framer.end);
+    assert_eq!((framer.start, framer.buffer.len()), (frame.len(), ROOM), "there is just as much room");
     framer.push(&vec![b' '; ROOM - framer.end]);
     assert_eq!((framer.start, framer.buffer.len()), (frame.len(), ROOM), "what comes fits exactly");
     framer.push(b" ");

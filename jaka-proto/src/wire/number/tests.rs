@@ -114,7 +114,11 @@ fn what_is_usual_is_taken() {
     }
     // A number ends where something comes that is no part of one, such as the neighbours of the digits.
     for text in ["7:", "7/"] {
-        assert_eq!((f64::usual(text.as_bytes()), i64::usual(text.as_bytes())), (Some((7.0, 1)), Some((7, 1))), "{text}");
+        assert_eq!(
+            (f64::usual(text.as_bytes()), i64::usual(text.as_bytes())),
+            (Some((7.0, 1)), Some((7, 1))),
+            "{text}"
+        );
     }
     // The longest: 19 digits.
     assert_eq!(f64::usual(b"-1234567890.123456789,"), Some((-1_234_567_890.123_456_8, 21)));
