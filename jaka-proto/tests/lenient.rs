@@ -242,6 +242,25 @@ fn serde_sees_the_json_of_the_wire() {
 }
 
 #[test]
+fn commas_stand_between_elements_and_nowhere_else() {
+    let texts = vec!["a".to_owned(), "b".to_owned()];
+    for json in [r#"["a","b"]"#, r#"["a", "b"]"#, r#"["a",  "b" ]"#, r#"["a" , "b"]"#, "[ \"a\" ,\t\"b\"\n]"] {
+        assert_eq!(decode::<Vec<String>>(json), Ok(texts.clone()), "{json}");
+    }
+    for json in ["[,1]", "[, 1]", "[1,]", "[1, ]", "[1,,2]", "[1,\t,2]", "[1 2]", "[1", "[1,", "[1, "] {
+        assert!(decode::<Vec<i64>>(json).is_err_and(|error| error.is_malformed()), "{json}");
+        let json = json.replace('1', "\"1\"").replace('2', "\"2\"");
+        assert!(decode::<Vec<String>>(&json).is_err_and(|error| error.is_malformed()), "{json}");
+        assert!(Reader::new(&json).skip().is_err_and(|error| error.is_malformed()), "{json}");
+    }
+    for inside in [r#","a":1"#, r#", "a":1"#, r#""a":1,"#, r#""a":1, "#, r#""a":1,,"b":2"#, r#""a":1 "b":2"#] {
+        let json = format!("{{{inside}}}");
+        assert!(Reader::new(&json).skip().is_err_and(|error| error.is_malformed()), "{json}");
+        assert!(read::<GetJointPosReply>(&json).is_err_and(|error| error.is_malformed()), "{json}");
+    }
+}
+
+#[test]
 fn arrays_of_any_type_have_their_length() {
     assert_eq!(decode::<[String; 2]>("[\"a\", \"b\"]"), Ok(["a".to_owned(), "b".to_owned()]));
     assert_eq!(decode::<Vec<i64>>("[7, \"-8\", 9.0]"), Ok(vec![7, -8, 9]));
