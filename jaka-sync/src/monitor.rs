@@ -32,7 +32,8 @@ use crate::{Config, Disconnect, Error, Exchanges};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
 ///
-/// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type made by [`status_subset!`](crate::status_subset), so that no more is decoded than is used.
+/// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type, made by
+/// [`status_subset!`](crate::status_subset) or with a [`Decode`] of your own, so that no more is decoded than is used.
 ///
 /// ```no_run
 /// use std::time::Duration;

@@ -84,6 +84,7 @@ impl Reader<'_> {
         self.find_field(keys)
     }
 
+    /// What both ways of going to the next key have in common.
     #[expect(clippy::inline_always, reason = "a choice of keys out of a packet takes a tenth longer otherwise")]
     #[inline(always)]
     fn find_field(&mut self, keys: &mut Keys) -> Result<Option<usize>, DecodeError> {

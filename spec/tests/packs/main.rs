@@ -1,0 +1,251 @@
+//! Packs: what they add and change, and what users read when one is wrong.
+
+mod unfit;
+
+use expect_test::{Expect, expect};
+use jaka_spec::{Pack, Request, Source, Spec, Type, builtin, load_pack};
+
+fn spec() -> Spec {
+    builtin().expect("the built-in spec is correct")
+}
+
+fn pack(text: &str) -> Pack {
+    let text = format!("title = \"Test\"\n{text}");
+    load_pack(&spec(), Source { path: "newer.toml", text: &text }).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Loads a pack and compares its notes.
+fn notes(text: &str, expected: &Expect) {
+    let lines: Vec<_> = pack(text).notes.iter().map(|note| format!("{note}\n")).collect();
+    expected.assert_eq(&lines.concat());
+}
+
+/// What the module of the pack has: its commands with their methods, and its types.
+fn module(text: &str) -> String {
+    let module = pack(text).module();
+    let commands = module.topic.commands.iter().map(|command| module.method(command));
+    let types = module.topic.types.iter().map(|def| def.name.clone());
+    commands.chain(types).collect::<Vec<_>>().join(" ")
+}
+
+const MOTION_STATE: &str = r#"
+[[command]]
+wire = "get_motion_state"
+effect = "query"
+doc = "Reads how the motion stands."
+
+[[command.reply]]
+wire = "queue"
+type = "int"
+doc = "How many motions are queued."
+"#;
+
+#[test]
+fn a_new_command_is_in_a_topic_of_its_own() {
+    let pack = pack(MOTION_STATE);
+    let spec = &pack.spec;
+    assert_eq!(spec.commands().count(), 83);
+    assert!(spec.command("get_motion_state").is_some());
+    let topic = spec.topics.last().expect("there are topics");
+    assert_eq!((&*topic.name, topic.commands.len(), &*pack.notes), ("newer", 1, &[][..]));
+    assert_eq!(module(MOTION_STATE), "get_motion_state");
+}
+
+#[test]
+fn a_field_is_added_to_a_command() {
+    let text = r#"
+[[extend]]
+target = "joint_move"
+
+[[extend.request]]
+wire = "zone"
+type = "float"
+unit = "mm"
+optional = true
+since = "1.7.1"
+doc = "How far from the target the next motion may begin."
+"#;
+    let pack = pack(text);
+    let command = pack.spec.command("joint_move").expect("the spec has it");
+    let Request::Fields(fields) = &command.request else { panic!("joint_move has fields") };
+    let last = fields.last().expect("it has fields");
+    assert_eq!(
+        (&*last.wire, last.versions.since.as_ref().map(ToString::to_string).as_deref()),
+        ("zone", Some("1.7.1"))
+    );
+    assert_eq!(pack.spec.commands().count(), 82);
+    assert_eq!(module(text), "joint_move_newer");
+}
+
+#[test]
+fn keys_are_added_to_the_status_packet() {
+    let text = r#"
+[[extend]]
+target = "RobotStatus"
+
+[[extend.field]]
+wire = "brake_state"
+type = "int"
+optional = true
+doc = "State of the brakes."
+"#;
+    assert_eq!(module(text), "RobotStatus");
+}
+
+#[test]
+fn what_is_made_of_a_changed_type_changes_with_it() {
+    let text = r#"
+[[extend]]
+target = "MoveMode"
+
+[[extend.value]]
+wire = 7
+name = "Tool"
+doc = "The target counts from the tool."
+"#;
+    assert_eq!(module(text), "joint_move_newer move_l_newer move_c_newer servo_j_newer servo_p_newer MoveMode");
+}
+
+#[test]
+fn a_range_is_widened() {
+    let pack = pack(
+        r#"
+[[override]]
+target = "jog"
+variant = "Continuous"
+request = "jnum"
+max = 6
+"#,
+    );
+    let Some(Request::Choice(choice)) = pack.spec.command("jog").map(|command| &command.request) else {
+        panic!("jog has variants")
+    };
+    let axis = |name: &str| {
+        let variant = choice.variants.iter().find(|variant| variant.name == name).expect("jog has the variant");
+        variant.fields.iter().find(|field| field.wire == "jnum").expect("it has an axis").range
+    };
+    assert_eq!((axis("Continuous").min, axis("Continuous").max), (Some(0.0), Some(6.0)));
+    assert_eq!(axis("Stop").max, Some(5.0));
+}
+
+#[test]
+fn a_limit_is_taken_away_by_infinity() {
+    let pack = pack("[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = inf\n");
+    let Some(Request::Fields(fields)) = pack.spec.command("rapid_rate").map(|command| &command.request) else {
+        panic!("rapid_rate has fields")
+    };
+    assert_eq!((fields[0].range.min, fields[0].range.max), (Some(0.0), None));
+}
+
+#[test]
+fn a_disputed_field_is_settled() {
+    let text = r#"
+[[type]]
+name = "ToolVoltage"
+kind = "enum"
+doc = "Voltage of the tool's output."
+
+[[type.value]]
+wire = 0
+name = "V24"
+doc = "24 V."
+
+[[type.value]]
+wire = 1
+name = "V12"
+doc = "12 V."
+
+[[override]]
+target = "set_tio_vout_param"
+request = "tio_vout_vol"
+type = "ToolVoltage"
+doc = "Voltage of the tool's output."
+settled = "Measured at the tool's connector, firmware 1.7.2."
+"#;
+    let pack = pack(text);
+    let command = pack.spec.command("set_tio_vout_param").expect("the spec has it");
+    let field = command.fields().find(|field| field.wire == "tio_vout_vol").expect("it has a voltage");
+    assert_eq!(field.ty, Type::Named("ToolVoltage".to_owned()));
+    assert!(field.disputed.is_empty());
+    assert_eq!(
+        field.doc,
+        "Voltage of the tool's output.\n\nSettled: Measured at the tool's connector, firmware 1.7.2."
+    );
+    assert_eq!(module(text), "set_tio_vout_param_newer ToolVoltage");
+}
+
+#[test]
+fn packs_add_to_packs() {
+    let first = pack(MOTION_STATE);
+    let text = "title = \"More\"\n[[override]]\ntarget = \"get_motion_state\"\ndeadline_ms = 9000\n";
+    let second = load_pack(&first.spec, Source { path: "more.toml", text }).expect("the pack is correct");
+    let command = second.spec.command("get_motion_state").expect("the first pack has it");
+    assert_eq!(command.deadline.map(|deadline| deadline.as_secs()), Some(9));
+}
+
+#[test]
+fn what_the_spec_has_by_now_is_noted() {
+    notes(
+        r#"
+[[command]]
+wire = "get_joint_pos"
+effect = "query"
+doc = "Reads the joints, in words of its own."
+
+[[command.reply]]
+wire = "joint_pos"
+name = "joint_position"
+type = "JointPosition"
+doc = "Where the joints are."
+
+[[override]]
+target = "rapid_rate"
+request = "rate_value"
+max = 1
+"#,
+        &expect![[r"
+            newer.toml:1:1: this pack no longer changes anything: the spec has all of it, so it can be deleted
+            newer.toml:3:1: command `get_joint_pos`: the spec has the same already; this entry changes nothing and can be deleted
+            newer.toml:14:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+        "]],
+    );
+}
+
+#[test]
+fn a_pack_of_which_the_spec_has_a_part_keeps_the_rest() {
+    notes(
+        &format!("{MOTION_STATE}\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 1\n"),
+        &expect![[r"
+            newer.toml:13:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+        "]],
+    );
+}
+
+#[test]
+fn what_is_settled_by_now_is_noted() {
+    notes(
+        "[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 2\nsettled = \"Tried.\"\n",
+        &expect![[r"
+            newer.toml:2:1: override of `rapid_rate`: `settled` is for a disputed field, and no source disputes this one; it can be deleted
+        "]],
+    );
+}
+
+#[test]
+fn a_pack_loads_when_the_spec_has_taken_it_over() {
+    let text = r#"
+title = "Test"
+
+[[override]]
+target = "set_tio_vout_param"
+request = "tio_vout_vol"
+type = "bool"
+written = [0, 1]
+doc = "Whether the tool has 12 V rather than 24 V."
+settled = "Measured at the tool's connector, firmware 1.7.2."
+"#;
+    let source = Source { path: "newer.toml", text };
+    let first = load_pack(&spec(), source).expect("the pack is correct");
+    let second = load_pack(&first.spec, source).unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(second.notes.len(), 2, "{:?}", second.notes);
+}
