@@ -253,6 +253,10 @@ fn commas_stand_between_elements_and_nowhere_else() {
         assert!(decode::<Vec<String>>(&json).is_err_and(|error| error.is_malformed()), "{json}");
         assert!(Reader::new(&json).skip().is_err_and(|error| error.is_malformed()), "{json}");
     }
+    for json in ["[1,]", "[1, ]", "[1,  ]", "[1,\n]", "[1, \n]", "[\"1\",]", "[\"1\", ]"] {
+        let error = Reader::new(json).skip().expect_err(json).to_string();
+        assert!(error.contains("a value behind the comma"), "{json}: {error}");
+    }
     for inside in [r#","a":1"#, r#", "a":1"#, r#""a":1,"#, r#""a":1, "#, r#""a":1,,"b":2"#, r#""a":1 "b":2"#] {
         let json = format!("{{{inside}}}");
         assert!(Reader::new(&json).skip().is_err_and(|error| error.is_malformed()), "{json}");

@@ -19,6 +19,7 @@ mod session;
 mod summary;
 mod tally;
 
+use std::alloc::System;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::{Arc, mpsc};
@@ -28,6 +29,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::Envelope;
 use jaka_sim::Fault;
 use jaka_sync::program::StopProgram;
+use stats_alloc::StatsAlloc;
 
 use self::arm::{Arm, Done, Place};
 use self::beside::{Findings, Rate};
@@ -50,6 +52,8 @@ pub struct Options {
     pub operations: u32,
     /// When it ends.
     pub length: Length,
+    /// What this process allocates with.
+    pub allocator: &'static StatsAlloc<System>,
 }
 
 /// When a soak ends.
@@ -86,7 +90,7 @@ pub fn run(options: &Options, host: Host, out: &mut impl Write) -> io::Result<Su
         if !round(options, &host, &peak, &mut summary) {
             break;
         }
-        summary.at_rest(resources::memory(), peak.most());
+        summary.at_rest(options.allocator, peak.most());
         let passed = since.elapsed().as_secs() / 60;
         if passed > minutes {
             minutes = passed;

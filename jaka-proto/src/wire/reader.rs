@@ -261,10 +261,6 @@ impl<'a> Reader<'a> {
             }
             escaped = true;
             self.at += 1;
-            if self.at > self.text.len() {
-                self.at = self.text.len();
-                return Err(self.malformed("the end of a string"));
-            }
         }
         self.comma = true;
         let inner = &self.text[start..self.at - 1];

@@ -1,18 +1,15 @@
 //! What came of it.
 
+use std::alloc::System;
 use std::fmt;
 
-use super::resources::{Handles, growth};
+use stats_alloc::StatsAlloc;
+
+use super::resources::{Handles, allocated, resident};
 use super::tally::Tally;
 
-/// How many samples of the memory its trend takes at least.
-const SAMPLES: usize = 10;
-
-/// So many samples at the beginning are left out of the trend, or a fifth of all where that is more.
-const WARM_UP: usize = 12;
-
-/// By how much the memory may grow over the whole time behind the warm-up, in KiB.
-const GROWTH: f64 = 1024.0;
+/// How many bytes more than after the first round may be allocated at rest: the figures themselves take some.
+const GROWTH: u64 = 2048;
 
 /// What came of a soak.
 #[derive(Debug, Clone)]
@@ -24,32 +21,35 @@ pub struct Summary {
     pub(super) findings: Vec<String>,
     /// What was held before the first round, at rest after the last, and at most.
     pub(super) handles: [Handles; 3],
-    /// At rest after each round, in KiB.
-    memory: Vec<u32>,
+    /// Bytes that were allocated at rest after the first round, after the last, and at most.
+    allocated: Option<[u64; 3]>,
 }
 
 impl Summary {
     pub(super) fn new(seed: u64) -> Self {
         let (tally, faults) = (Tally::default(), Tally::default());
         let handles = [Handles::now(), Handles::default(), Handles::default()];
-        Self { seed, rounds: 0, tally, faults, findings: Vec::new(), handles, memory: Vec::new() }
+        Self { seed, rounds: 0, tally, faults, findings: Vec::new(), handles, allocated: None }
     }
 
     /// A round is over, and nothing is connected.
-    pub(super) fn at_rest(&mut self, memory: u32, most: Handles) {
+    pub(super) fn at_rest(&mut self, allocator: &StatsAlloc<System>, most: Handles) {
         let first = self.handles[0];
         let now = first.settle();
         if now != first {
             self.findings.push(format!("after round {} there are {now}, and {first} before the first", self.rounds));
         }
         self.handles = [first, now, most];
-        self.memory.push(memory);
+        let now = allocated(allocator);
+        let [first, _, most] = self.allocated.unwrap_or([now; 3]);
+        self.allocated = Some([first, now, most.max(now)]);
     }
 
     /// All that is wrong; empty if nothing is.
     pub fn findings(&self) -> Vec<String> {
-        let grown = self.growth().filter(|growth| *growth > GROWTH);
-        let grown = grown.map(|growth| format!("the memory has grown by {growth:.0} KiB, and may by {GROWTH} KiB"));
+        let [first, last, _] = self.allocated.unwrap_or_default();
+        let grown =
+            (last > first + GROWTH).then(|| format!("{last} bytes are allocated at last, and {first} at first"));
         self.findings.iter().cloned().chain(grown).collect()
     }
 
@@ -58,19 +58,14 @@ impl Summary {
         self.tally.get(what)
     }
 
-    /// By how much the memory has grown behind the warm-up, in KiB; `None` where the time was too short to tell.
-    fn growth(&self) -> Option<f64> {
-        let samples = self.memory.get(WARM_UP.max(self.memory.len() / 5)..)?;
-        (samples.len() >= SAMPLES).then(|| growth(samples))
-    }
-
     /// The most important figures so far, in a line.
     pub(super) fn line(&self) -> String {
         let figures = ["commands", "accepted", "refused", "timeouts", "connections broken"];
         let figures = figures.map(|what| format!("{} {what}", self.tally.get(what)));
-        let memory = self.memory.last().copied().unwrap_or_default();
-        let (rounds, findings) = (self.rounds, self.findings.len());
-        format!("{rounds} rounds, {}, {memory} KiB, {}, {findings} findings", figures.join(", "), self.handles[1])
+        let [_, allocated, _] = self.allocated.unwrap_or_default();
+        let memory = format!("{allocated} bytes allocated, {} KiB resident", resident());
+        let (rounds, figures, findings) = (self.rounds, figures.join(", "), self.findings.len());
+        format!("{rounds} rounds, {figures}, {memory}, {}, {findings} findings", self.handles[1])
     }
 }
 
@@ -81,13 +76,12 @@ impl fmt::Display for Summary {
         writeln!(f, "faults: {}", self.faults)?;
         let [first, last, most] = self.handles;
         writeln!(f, "held: {first} at first, {last} at last, {most} at most")?;
-        let ends = [self.memory.first(), self.memory.last(), self.memory.iter().max()];
-        let [first, last, most] = ends.map(|kib| kib.copied().unwrap_or_default());
-        writeln!(f, "memory at rest: {first} KiB at first, {last} KiB at last, {most} KiB at most")?;
-        match self.growth() {
-            Some(growth) => writeln!(f, "trend of the memory behind the warm-up: {growth:+.0} of {GROWTH:+} KiB")?,
-            None => writeln!(f, "too short for a trend of the memory")?,
-        }
+        let [first, last, most] = self.allocated.unwrap_or_default();
+        writeln!(
+            f,
+            "allocated at rest: {first} bytes at first, {last} at last, {most} at most; {} KiB resident",
+            resident()
+        )?;
         let findings = self.findings();
         findings.iter().try_for_each(|finding| writeln!(f, "WRONG: {finding}"))?;
         write!(f, "{}", if findings.is_empty() { "nothing is wrong" } else { "something is wrong" })

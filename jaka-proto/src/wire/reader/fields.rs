@@ -108,9 +108,7 @@ impl Reader<'_> {
                 return Ok(Some(keys.names.len()));
             }
             let place = self.unusual_key(keys)?;
-            if place < keys.names.len() {
-                keys.found = place;
-            }
+            keys.found = place;
             return Ok(Some(place));
         }
         Ok(None)

@@ -67,3 +67,41 @@ pub(crate) fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
     let message = reader.reply.message.unwrap_or_default().into();
     Some(Reply { envelope: Some(Envelope { command, code: Ok(code), message }), payload: Some(Ok(payload)) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::read_accepted;
+    use crate::messages::kinematics::GetJointPosReply;
+
+    #[test]
+    fn replies_in_their_usual_form_take_one_pass() {
+        for keys in [
+            r#""errorCode": "0", "errorMsg": "", "joint_pos": [1, 2, 3, 4, 5, 6.5], "cmdName": "get_joint_pos""#,
+            r#""errorCode":"0","errorMsg":"","joint_pos":[1,2,3,4,5,6.5],"cmdName":"get_joint_pos""#,
+            r#""cmdName": "get_joint_pos", "joint_pos": [1, 2, 3, 4, 5, 6.5], "new": [{"errorCode": 7}], "errorCode": 0"#,
+        ] {
+            let text = format!("{{{keys}}}");
+            let reply = read_accepted::<GetJointPosReply>(&text).expect(keys);
+            let envelope = reply.envelope.expect("it has one");
+            assert_eq!((envelope.command.as_deref(), &*envelope.message), (Some("get_joint_pos"), ""), "{keys}");
+            let joints = reply.payload.expect("it is accepted").expect("it decodes").joint_position;
+            assert_eq!(joints, [1.0, 2.0, 3.0, 4.0, 5.0, 6.5].into(), "{keys}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_as_usual_is_left_to_two_passes() {
+        for text in [
+            r#"{"errorCode": "1", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "errorCode": "0", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "errorMsg": "a\n", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "errorMsg": null, "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode" : "0", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "joint_pos": [1, 2, 3, 4, 5]}"#,
+            r#"{"errorCode": "0", "joint_pos": [1, 2, 3, 4, 5, 6]} x"#,
+            r#"{"joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+        ] {
+            assert!(read_accepted::<GetJointPosReply>(text).is_none(), "{text}");
+        }
+    }
+}
