@@ -14,20 +14,38 @@ fn write(index: usize, out: &mut Writer) {
     out.raw(&format!("{{\"cmdName\":\"x\",\"index\":{index},\"pad\":\"{}\"}}", "x".repeat(4000)));
 }
 
+/// A connection whose system holds little, and its other end.
+fn connection(mode: Mode, write_timeout: Option<Duration>) -> (Link, TcpStream) {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    SockRef::from(&listener).set_recv_buffer_size(4096).expect("it can be small");
+    let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    SockRef::from(&stream).set_send_buffer_size(4096).expect("it can be small");
+    stream.set_write_timeout(write_timeout).expect("it is a time");
+    let (server, _) = listener.accept().expect("the client waits");
+    let link = Link::new(stream, Tap::default(), &Config::new());
+    link.switch(&mut link.lock(), mode).expect("the socket is open");
+    (link, server)
+}
+
+/// What the system said where a send failed.
+fn cause(sent: Result<usize, Error>) -> ErrorKind {
+    match sent.expect_err("it cannot be sent") {
+        Error::Disconnected { sent: true, cause, .. } => match &*cause {
+            Disconnect::Write(source) => source.kind(),
+            other => panic!("{other}"),
+        },
+        other => panic!("{other}"),
+    }
+}
+
 #[test]
 fn what_the_system_takes_piece_by_piece_arrives_whole() {
     for mode in [Mode::Blocking, Mode::Nonblocking] {
-        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
-        SockRef::from(&listener).set_recv_buffer_size(4096).expect("it can be small");
-        let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
-        SockRef::from(&stream).set_send_buffer_size(4096).expect("it can be small");
-        let (mut server, _) = listener.accept().expect("the client waits");
+        let (link, mut server) = connection(mode, None);
         let reading = thread::spawn(move || {
             let mut bytes = String::new();
             server.read_to_string(&mut bytes).map(|_| bytes)
         });
-        let link = Link::new(stream, Tap::default(), &Config::new());
-        link.switch(&mut link.lock(), mode).expect("the socket is open");
         assert_eq!(link.post("x", None, COMMANDS, &mut write).expect("it is sent"), COMMANDS);
         drop(link);
         let mut expected = Writer::new();
@@ -35,4 +53,30 @@ fn what_the_system_takes_piece_by_piece_arrives_whole() {
         let arrived = reading.join().expect("the thread does not panic").expect("it is text");
         assert!(arrived == expected.as_str(), "{} of {} bytes", arrived.len(), expected.as_str().len());
     }
+}
+
+#[test]
+fn a_send_waits_for_the_write_timeout_where_the_system_takes_nothing_at_first() {
+    let limit = Duration::from_millis(50);
+    let (link, _server) = connection(Mode::Nonblocking, Some(limit));
+    let full = (0..COMMANDS).find_map(|_| (&link.stream).write(&[b' '; 4096]).err());
+    assert_eq!(full.expect("nobody reads").kind(), ErrorKind::WouldBlock);
+    let since = Instant::now();
+    let kind = cause(link.post("x", None, 1, &mut write));
+    assert!(matches!(kind, ErrorKind::WouldBlock | ErrorKind::TimedOut), "{kind}");
+    assert!(since.elapsed() > limit / 2, "{:?}", since.elapsed());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_cause_of_a_failed_send_is_the_first_one() {
+    let (link, server) = connection(Mode::Nonblocking, None);
+    SockRef::from(&server).set_linger(Some(Duration::ZERO)).expect("the socket is open");
+    drop(server);
+    let since = Instant::now();
+    while link.peer_addr().is_ok() && since.elapsed() < Duration::from_secs(60) {
+        thread::yield_now();
+    }
+    // A second try would say that the pipe is broken.
+    assert_eq!(cause(link.post("x", None, 1, &mut write)), ErrorKind::ConnectionReset);
 }
