@@ -7,8 +7,10 @@ use serde_json::{Map, Number, Value};
 
 mod seeds;
 pub mod soak;
+mod tape;
 
 pub use seeds::seeds;
+pub use tape::{Tape, events, recorded, requests};
 
 /// The project's README, for its example to be compiled.
 #[cfg(doctest)]

@@ -1,16 +1,14 @@
 //! One connection of an arm, with all that stands on it.
 
-use std::io::{self, Write};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use jaka_proto::recording::{Event, Port, Recording};
 use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
 
 use super::account::Connection;
 use super::arm::Place;
 use super::beside::{Hand, observe};
 use super::tally::Tally;
+use crate::{Tape, requests};
 
 /// How long a reply may take. A slow machine is no mistake: then there are more timeouts.
 const REPLY: Duration = Duration::from_millis(150);
@@ -47,7 +45,7 @@ pub(super) fn config() -> Config {
 impl Session {
     pub(super) fn new(place: &Place, first: String, is_recorded: bool) -> Result<Self, Error> {
         let tape = Tape::default();
-        let recorder = is_recorded.then(|| Recorder::new(tape.clone()).expect("a thread can be had"));
+        let recorder = is_recorded.then(|| tape.recorder());
         let sampling = StatusSampling::EveryNth(SAMPLING);
         let config = config().status_sampling(sampling);
         let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
@@ -87,40 +85,9 @@ impl Session {
         drop(self.robot);
         if let Some((recorder, tape)) = self.recording {
             tally.one("recordings");
-            self.connection.recorded = tape.sent(&recorder).map_err(|finding| place.findings.add(finding)).ok();
+            let recording = tape.finish(&recorder).map_err(|finding| place.findings.add(finding));
+            self.connection.recorded = recording.ok().as_ref().map(requests);
         }
         self.connection
-    }
-}
-
-/// A file in memory.
-#[derive(Debug, Clone, Default)]
-struct Tape(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Tape {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
-impl Tape {
-    /// The requests that were recorded, of a recording that has lost nothing.
-    fn sent(&self, recorder: &Recorder) -> Result<Vec<String>, String> {
-        let report = recorder.finish().map_err(|error| format!("the recorder failed: {error}"))?;
-        let bytes = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let recording = Recording::read(&bytes).map_err(|error| format!("the recording cannot be read: {error}"))?;
-        let entries = u64::try_from(recording.entries.len()).unwrap_or_default();
-        if report.dropped > 0 || report.entries != entries || recording.truncated.is_some() {
-            return Err(format!("a recording has {entries} entries: {report:?}"));
-        }
-        let sent = recording.entries.iter().filter(|entry| entry.port == Port::Command).filter_map(|entry| {
-            if let Event::Sent(message) = &entry.event { message.text().map(str::to_owned) } else { None }
-        });
-        Ok(sent.collect())
     }
 }

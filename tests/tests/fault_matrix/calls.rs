@@ -1,15 +1,13 @@
 //! Calls on the command port, each with its reply.
 
-use std::io::{self, Write};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use jaka_proto::recording::{Event, Port, Recording};
 use jaka_sync::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_sync::payload::SetPayload;
 use jaka_sync::program::StopProgram;
-use jaka_sync::{Client, Command, Error, Recorder};
+use jaka_sync::{Client, Command, Error};
+use jaka_tests::{Tape, requests};
 use serde_json::json;
 
 use crate::cell::{Cell, Kind, LIMIT, Next, Seen, position};
@@ -26,7 +24,7 @@ fn command(kind: Kind) -> &'static str {
 
 pub(crate) fn run(cell: &Cell<'_>) -> Seen {
     let tape = Tape::default();
-    let recorder = (cell.kind == Kind::Recorded).then(|| Recorder::new(tape.clone()).expect("a thread can be had"));
+    let recorder = (cell.kind == Kind::Recorded).then(|| tape.recorder());
     let config = recorder.iter().fold(cell.config(), |config, recorder| config.recorder(recorder.clone()));
     let mut client = config.connect(cell.controller.command_addr()).expect("the controller listens");
     cell.strike(command(cell.kind));
@@ -39,7 +37,9 @@ pub(crate) fn run(cell: &Cell<'_>) -> Seen {
         Next::Same => same(cell, &mut client, timeout),
     });
     if let Some(recorder) = recorder {
-        tape.check(cell, &recorder);
+        let sent = requests(&tape.finish(&recorder).expect("memory loses nothing"));
+        let received = cell.controller.requests();
+        assert!(sent.starts_with(&received), "{cell}: recorded {sent:?}, received {received:?}");
     }
     Seen { first, beside: None, next }
 }
@@ -117,39 +117,4 @@ pub(crate) fn run_stop_beside(cell: &Cell<'_>) -> Seen {
     let timeout = cell.patience(cell.then);
     let next = cell.ends(timeout, cell.then, || cell.payload(&mut client, timeout));
     Seen { first, beside: Some(beside), next }
-}
-
-/// A file in memory.
-#[derive(Debug, Clone, Default)]
-struct Tape(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Tape {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
-impl Tape {
-    /// The recording can be read, nothing was dropped, and it has what the controller received.
-    fn check(&self, cell: &Cell<'_>, recorder: &Recorder) {
-        let report = recorder.finish().expect("memory can be written");
-        assert_eq!(report.dropped, 0);
-        let recording = Recording::read(&self.0.lock().unwrap_or_else(PoisonError::into_inner)).expect("it is one");
-        assert_eq!(report.entries, recording.entries.len() as u64);
-        let sent: Vec<_> = recording
-            .entries
-            .iter()
-            .filter_map(|entry| match &entry.event {
-                Event::Sent(message) if entry.port == Port::Command => Some(message.to_string()),
-                _ => None,
-            })
-            .collect();
-        let received = cell.controller.requests();
-        assert!(sent.starts_with(&received), "{cell}: recorded {sent:?}, received {received:?}");
-    }
 }
