@@ -13,6 +13,7 @@ use crate::{Disconnect, Error, Exchanges};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Answer {
     Reply(String),
+    /// A later command was answered: the reply will not come any more.
     Lost,
 }
 
@@ -61,16 +62,7 @@ impl<'s, 'r> Caller<'s, 'r> {
         }
     }
 
-    /// A later command was answered: the caller's own reply, if it is that, will not come any more.
-    pub(super) fn lost(&mut self, ticket: Ticket) -> bool {
-        let own = self.own.as_ref().filter(|own| own.sent.ticket == ticket);
-        if let Some(own) = own {
-            self.outcome = Some(Err(lost(own.sent.command)));
-        }
-        own.is_some()
-    }
-
-    /// Takes an answer that another thread has put aside.
+    /// Takes an answer that was put aside.
     pub(super) fn take(&mut self, answer: Answer) {
         let Some(own) = &mut self.own else { return };
         let command = own.sent.command;

@@ -21,7 +21,7 @@ pub(super) struct State {
     pub(super) sleepers: usize,
     /// Commands whose replies are counted.
     pub(super) posted: Posted,
-    /// Replies read by one thread for another.
+    /// What became of commands that are waited for, as far as their waiters have not looked.
     aside: Vec<(Ticket, Answer)>,
     pub(super) broken: Option<Arc<Disconnect>>,
 }
@@ -58,7 +58,7 @@ impl State {
         let reply = caller.read(text).map_err(Disconnect::NotJson)?;
         let arrival = self.arrived(&reply).map_err(Disconnect::Mistrust)?;
         for ticket in &arrival.lost {
-            if !caller.lost(*ticket) && !self.posted.fail(*ticket, lost) {
+            if !self.posted.fail(*ticket, lost) {
                 self.aside.push((*ticket, Answer::Lost));
             }
         }
