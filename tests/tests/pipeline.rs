@@ -55,6 +55,19 @@ fn all_commands_go_out_in_order_and_no_more_than_the_window_is_outstanding() {
 }
 
 #[test]
+fn a_full_window_is_waited_for_down_to_its_half() {
+    let (controller, mut client) = connected(Duration::from_secs(20));
+    for fault in [Fault::None, Fault::None, Fault::Drop, Fault::Drop] {
+        controller.inject(fault);
+    }
+    let mut pipeline = client.pipeline(4);
+    for index in 0..5 {
+        pipeline.send(&output(index)).expect("two answers make room");
+    }
+    assert_eq!((pipeline.accepted(), pipeline.outstanding()), (2, 3));
+}
+
+#[test]
 fn commands_that_are_sent_together_go_out_in_order_and_are_recorded_one_by_one() {
     let file = std::env::temp_dir().join(format!("jaka-pipeline-{}.jsonl", std::process::id()));
     let recorder = Recorder::create(&file).expect("the folder for temporary files can be written");
