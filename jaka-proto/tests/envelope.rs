@@ -3,7 +3,7 @@
 use jaka_proto::messages::io::{GetExtioStatus, GetExtioStatusReply};
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, Envelope, ErrorCode, Refusal, read_payload, write_refusal, write_reply};
+use jaka_proto::{Command, Envelope, ErrorCode, Refusal, read_payload, read_reply, write_refusal, write_reply};
 
 fn written(write: impl FnOnce(&mut Writer)) -> String {
     let mut out = Writer::new();
@@ -43,6 +43,23 @@ fn only_a_code_other_than_zero_refuses() {
     assert_eq!(refusal(r#"{"cmdName": "jog"}"#), None);
     let refused = Refusal::new("jog", ErrorCode(-1), "not now");
     assert_eq!(refusal(r#"{"errorCode": "-1", "cmdName": "jog", "errorMsg": "not now"}"#), Some(refused));
+}
+
+#[test]
+fn only_an_accepted_reply_has_a_payload() {
+    let joints = r#""joint_pos" : [1, 2, 3, 4, 5, 6]"#;
+    let read = |json: &str| {
+        let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, json).expect("it is an object");
+        assert!(reply.envelope.is_some(), "{json}");
+        reply.payload
+    };
+    let payload = read(&format!(r#"{{"errorCode" : 0, {joints}}}"#)).expect("it is accepted").expect("it fits");
+    assert_eq!(payload.joint_position, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0].into());
+    assert!(matches!(read(r#"{"errorCode" : "0"}"#), Some(Err(_))));
+    assert_eq!(read(&format!(r#"{{"errorCode": "2", {joints}}}"#)), None);
+    assert_eq!(read(&format!("{{{joints}}}")), None);
+    let bare = read_reply::<GetExtioStatusReply>(GetExtioStatus::INFO, "(0, [], {'state': 0})").expect("it is a tuple");
+    assert!(bare.envelope.is_none() && matches!(bare.payload, Some(Ok(_))), "{bare:?}");
 }
 
 #[test]
