@@ -37,6 +37,8 @@ pub enum Mistrust {
         /// `cmdName` of the reply.
         command: String,
     },
+    /// A reply came to a command of which nothing had been sent.
+    Unsent,
     /// A reply names no command, and it is not the refusal of the only command that is owed one.
     Nameless,
     /// A command was not answered in time, after an earlier one of the same name was: the answer may have been its own.
@@ -50,6 +52,7 @@ impl fmt::Display for Mistrust {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unasked { command } => write!(f, "a reply to `{command}` came that nobody is owed"),
+            Self::Unsent => f.write_str("a reply came to a command of which nothing had been sent"),
             Self::Nameless => f.write_str("a reply came that names no command"),
             Self::Ambiguous { command } => {
                 write!(f, "one of two replies to `{command}` is lost, and it cannot be told which")
@@ -61,9 +64,14 @@ impl fmt::Display for Mistrust {
 impl std::error::Error for Mistrust {}
 
 /// The replies that a connection is owed, in the order of the requests.
+///
+/// Each of its steps takes a time that does not grow with the number of replies that are owed.
 #[derive(Debug, Default)]
 pub struct Ledger {
+    /// In the order of their tickets.
     owed: VecDeque<Debt>,
+    /// The names of what is owed, each once.
+    names: Vec<Name>,
     sent: u64,
 }
 
@@ -72,7 +80,15 @@ struct Debt {
     ticket: Ticket,
     command: Cow<'static, str>,
     awaited: bool,
-    /// A reply of this name settled an older debt whose caller had given up; it may have been meant for this one.
+}
+
+/// The commands of one name that are owed a reply.
+#[derive(Debug)]
+struct Name {
+    command: Cow<'static, str>,
+    owed: usize,
+    /// A reply of this name settled a debt whose caller had given up; it may have been meant for one of those that are owed now. As
+    /// long as one of them is owed, this holds for those that are sent behind it, too.
     doubtful: bool,
 }
 
@@ -89,16 +105,33 @@ impl Ledger {
 
     /// True if somebody still waits for this command.
     pub fn awaits(&self, ticket: Ticket) -> bool {
-        self.owed.iter().any(|debt| debt.ticket == ticket && debt.awaited)
+        self.place(ticket).is_some_and(|place| self.owed[place].awaited)
     }
 
     /// A command goes out.
     pub fn sent(&mut self, command: Cow<'static, str>) -> Ticket {
         self.sent += 1;
         let ticket = Ticket(self.sent);
-        let doubtful = self.owed.iter().any(|debt| debt.doubtful && debt.command == command);
-        self.owed.push_back(Debt { ticket, command, awaited: true, doubtful });
+        match self.names.iter_mut().find(|name| name.command == command) {
+            Some(name) => name.owed += 1,
+            None => self.names.push(Name { command: command.clone(), owed: 1, doubtful: false }),
+        }
+        self.owed.push_back(Debt { ticket, command, awaited: true });
         ticket
+    }
+
+    /// The command that was entered last did not go out after all, not even in part.
+    ///
+    /// # Errors
+    /// A reply to it has come already, which nobody was owed; or it is not the last.
+    pub fn withdraw(&mut self, ticket: Ticket) -> Result<(), Mistrust> {
+        if self.owed.back().is_none_or(|debt| debt.ticket != ticket) {
+            return Err(Mistrust::Unsent);
+        }
+        if let Some(debt) = self.owed.pop_back() {
+            self.settled(&debt.command);
+        }
+        Ok(())
     }
 
     /// A reply came that names `command`.
@@ -106,16 +139,38 @@ impl Ledger {
     /// # Errors
     /// Nobody is owed this reply.
     pub fn arrived(&mut self, command: &str) -> Result<Arrival, Mistrust> {
-        let place = self.owed.iter().position(|debt| debt.command == command);
-        let place = place.ok_or_else(|| Mistrust::Unasked { command: command.to_owned() })?;
-        let lost = self.owed.drain(..place).filter(|debt| debt.awaited).map(|debt| debt.ticket).collect();
-        let debt = self.owed.pop_front().ok_or(Mistrust::Nameless)?;
-        if !debt.awaited {
-            for other in self.owed.iter_mut().filter(|other| other.command == debt.command) {
-                other.doubtful = true;
+        if !self.names.iter().any(|name| name.command == command) {
+            return Err(Mistrust::Unasked { command: command.to_owned() });
+        }
+        let mut lost = Vec::new();
+        while let Some(debt) = self.owed.pop_front() {
+            let doubtful = self.settled(&debt.command);
+            if debt.command == command {
+                if let Some(name) = doubtful.filter(|_| !debt.awaited) {
+                    name.doubtful = true;
+                }
+                return Ok(Arrival { ticket: debt.ticket, command: debt.command, awaited: debt.awaited, lost });
+            }
+            if debt.awaited {
+                lost.push(debt.ticket);
             }
         }
-        Ok(Arrival { ticket: debt.ticket, command: debt.command, awaited: debt.awaited, lost })
+        Err(Mistrust::Unasked { command: command.to_owned() })
+    }
+
+    /// Takes a debt off the account of its name; what is left of that account.
+    fn settled(&mut self, command: &str) -> Option<&mut Name> {
+        let place = self.names.iter().position(|name| name.command == command)?;
+        self.names[place].owed -= 1;
+        if self.names[place].owed == 0 {
+            self.names.swap_remove(place);
+            return None;
+        }
+        Some(&mut self.names[place])
+    }
+
+    fn place(&self, ticket: Ticket) -> Option<usize> {
+        self.owed.binary_search_by_key(&ticket, |debt| debt.ticket).ok()
     }
 
     /// A refusal came that names no command, as controllers send for a command they do not know.
@@ -149,18 +204,26 @@ impl Ledger {
         }
     }
 
-    /// A caller gives up: its reply, when it comes, belongs to nobody.
+    /// A caller's deadline has passed: its reply, when it comes, belongs to nobody.
     ///
     /// # Errors
     /// The reply may have come already and settled an older debt of the same name; whatever comes now may be one behind.
     pub fn give_up(&mut self, ticket: Ticket) -> Result<(), Mistrust> {
-        match self.owed.iter_mut().find(|debt| debt.ticket == ticket) {
-            Some(debt) if debt.doubtful => Err(Mistrust::Ambiguous { command: debt.command.clone().into_owned() }),
-            Some(debt) => {
-                debt.awaited = false;
-                Ok(())
-            }
-            None => Ok(()),
+        let Some(place) = self.place(ticket) else { return Ok(()) };
+        let command = &self.owed[place].command;
+        if self.names.iter().any(|name| name.doubtful && name.command == *command) {
+            return Err(Mistrust::Ambiguous { command: command.clone().into_owned() });
+        }
+        self.owed[place].awaited = false;
+        Ok(())
+    }
+
+    /// A caller does not want its reply any more, though there was time for it: when it comes, it belongs to nobody.
+    ///
+    /// This is no evidence that a reply is lost. What is doubtful remains so for those whose deadline passes.
+    pub fn abandon(&mut self, ticket: Ticket) {
+        if let Some(place) = self.place(ticket) {
+            self.owed[place].awaited = false;
         }
     }
 }

@@ -6,6 +6,10 @@
 mod answer;
 mod inbound;
 mod posted;
+#[allow(dead_code, reason = "waits for the end of a motion are to use it")]
+mod question;
+#[allow(dead_code, reason = "servo sessions are to use it")]
+mod reset;
 mod state;
 mod wait;
 
@@ -21,6 +25,8 @@ use jaka_proto::{CommandInfo, Ticket};
 use self::answer::{Progress, disconnected};
 use self::inbound::Inbound;
 pub(crate) use self::posted::Answers;
+#[allow(unused_imports, reason = "waits for the end of a motion are to use it")]
+pub(crate) use self::question::Question;
 use self::state::{Mode, State};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Error};
@@ -28,8 +34,9 @@ use crate::{Config, Disconnect, Error};
 /// One command connection.
 #[derive(Debug)]
 pub(crate) struct Link {
-    stream: TcpStream,
     tap: Tap,
+    /// How long a command may take to go out where nobody says how long its reply may take.
+    reply_timeout: Duration,
     state: Mutex<State>,
     /// Signalled when an answer was put aside, the reader's place became free, or the connection broke.
     turned: Condvar,
@@ -58,12 +65,13 @@ impl Sent<'_> {
 
 impl Link {
     pub(crate) fn new(stream: TcpStream, tap: Tap, config: &Config) -> Self {
-        let state = State::new(Inbound::new(config.max_frame));
-        Self { stream, tap, state: Mutex::new(state), turned: Condvar::new() }
+        let state = State::new(stream, Inbound::new(config.max_frame));
+        Self { tap, reply_timeout: config.reply_timeout, state: Mutex::new(state), turned: Condvar::new() }
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
-        self.stream.peer_addr()
+        let state = self.lock();
+        state.stream.as_ref().map_or_else(|| Err(ErrorKind::NotConnected.into()), |stream| stream.peer_addr())
     }
 
     /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
@@ -151,7 +159,8 @@ impl Link {
 
     /// Writes what is to go out, and waits until the system has taken it.
     fn write(&self, state: &mut State) -> io::Result<()> {
-        let mut stream = &self.stream;
+        let Some(stream) = state.stream.clone() else { return Err(ErrorKind::NotConnected.into()) };
+        let mut stream = &*stream;
         let mut written = 0;
         if state.mode == Mode::Nonblocking {
             match stream.write(state.out.as_str().as_bytes()) {
@@ -160,15 +169,15 @@ impl Link {
                 Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {}
                 Err(error) => return Err(error),
             }
-            self.switch(state, Mode::Blocking)?;
+            Self::switch(state, Mode::Blocking)?;
         }
         stream.write_all(&state.out.as_str().as_bytes()[written..])
     }
 
     /// Has the socket block or not. It must block where somebody reads it.
-    fn switch(&self, state: &mut State, mode: Mode) -> io::Result<()> {
-        if state.mode != mode {
-            self.stream.set_nonblocking(mode == Mode::Nonblocking)?;
+    fn switch(state: &mut State, mode: Mode) -> io::Result<()> {
+        if let Some(stream) = state.stream.as_ref().filter(|_| state.mode != mode) {
+            stream.set_nonblocking(mode == Mode::Nonblocking)?;
             state.mode = mode;
         }
         Ok(())
@@ -176,8 +185,10 @@ impl Link {
 
     /// Breaks the connection for good. The first cause stays.
     fn break_off(&self, state: &mut State, cause: Disconnect) -> Arc<Disconnect> {
-        // An error here means that the socket is closed already.
-        let _ = self.stream.shutdown(Shutdown::Both);
+        if let Some(stream) = &state.stream {
+            // An error here means that the socket is closed already.
+            let _ = stream.shutdown(Shutdown::Both);
+        }
         self.tap.broken(&cause);
         let cause = Arc::clone(state.broken.get_or_insert_with(|| Arc::new(cause)));
         self.wake(state);

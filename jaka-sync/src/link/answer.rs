@@ -5,7 +5,6 @@ use std::sync::Arc;
 use jaka_proto::Ticket;
 use jaka_proto::wire::DecodeError;
 
-use super::Sent;
 use crate::reply::{self, Payload, Reply};
 use crate::{Disconnect, Error, Exchanges};
 
@@ -28,7 +27,8 @@ pub(super) struct Caller<'s, 'r> {
 /// A command that is waited for, and where its reply goes to: its text, and what is made of it.
 #[derive(Debug)]
 struct Own<'s, 'r> {
-    sent: &'s Sent<'s>,
+    ticket: Ticket,
+    command: &'s str,
     text: &'r mut String,
     payload: &'r mut dyn Payload,
 }
@@ -39,9 +39,9 @@ impl<'s, 'r> Caller<'s, 'r> {
         Self { own: None, outcome: None }
     }
 
-    /// It waits for the reply to `sent`, whose text goes to `text`.
-    pub(super) fn new(sent: &'s Sent<'s>, text: &'r mut String, payload: &'r mut dyn Payload) -> Self {
-        Self { own: Some(Own { sent, text, payload }), outcome: None }
+    /// It waits for the reply to a command, whose text goes to `text`.
+    pub(super) fn new(ticket: Ticket, command: &'s str, text: &'r mut String, payload: &'r mut dyn Payload) -> Self {
+        Self { own: Some(Own { ticket, command, text, payload }), outcome: None }
     }
 
     /// Reads a reply, as the caller's own if it waits for one.
@@ -50,7 +50,7 @@ impl<'s, 'r> Caller<'s, 'r> {
     }
 
     pub(super) fn is(&self, ticket: Ticket) -> bool {
-        self.own.as_ref().is_some_and(|own| own.sent.ticket == ticket)
+        self.own.as_ref().is_some_and(|own| own.ticket == ticket)
     }
 
     /// The reply that was read last is the caller's own.
@@ -58,14 +58,14 @@ impl<'s, 'r> Caller<'s, 'r> {
         if let Some(own) = &mut self.own {
             own.text.clear();
             own.text.push_str(text);
-            self.outcome = Some(reply.accepted(own.sent.command));
+            self.outcome = Some(reply.accepted(own.command));
         }
     }
 
     /// Takes an answer that was put aside.
     pub(super) fn take(&mut self, answer: Answer) {
         let Some(own) = &mut self.own else { return };
-        let command = own.sent.command;
+        let command = own.command;
         self.outcome = Some(match answer {
             Answer::Lost => Err(lost(command)),
             Answer::Reply(text) => {

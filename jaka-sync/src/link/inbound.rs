@@ -63,9 +63,10 @@ impl Link {
     pub(super) fn settle_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
             // Nobody else reads, and who writes holds the lock.
-            self.switch(state, Mode::Nonblocking).map_err(Disconnect::Read)?;
+            Self::switch(state, Mode::Nonblocking).map_err(Disconnect::Read)?;
+            let Some(stream) = state.stream.clone() else { return Ok(()) };
             loop {
-                let rest = receive::arrived(&self.stream, &self.tap, &mut inbound.framer);
+                let rest = receive::arrived(&stream, &self.tap, &mut inbound.framer);
                 inbound.settle(&self.tap, state, &mut Caller::nobody())?;
                 if rest? == Rest::Nothing {
                     return Ok(());

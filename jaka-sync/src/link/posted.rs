@@ -39,15 +39,20 @@ impl Posted {
         self.outstanding.push_back(Debt { ticket, command, since: Instant::now() });
     }
 
+    #[allow(dead_code, reason = "servo sessions are to use it")]
+    /// When the oldest command that is outstanding was sent.
+    pub(super) fn oldest(&self) -> Option<Instant> {
+        self.outstanding.front().map(|debt| debt.since)
+    }
+
     pub(super) fn outstanding(&self) -> usize {
         self.outstanding.len()
     }
 
     /// Takes off a command that is outstanding, and says which it was. Most often it is the oldest.
     pub(super) fn settle(&mut self, ticket: Ticket) -> Option<&'static str> {
-        let place = self.outstanding.iter().position(|debt| debt.ticket >= ticket)?;
-        let debt = self.outstanding.get(place).filter(|debt| debt.ticket == ticket)?;
-        let command = debt.command;
+        let place = self.outstanding.binary_search_by_key(&ticket, |debt| debt.ticket).ok()?;
+        let command = self.outstanding[place].command;
         self.outstanding.remove(place);
         Some(command)
     }
@@ -107,16 +112,23 @@ impl Link {
         self.lock().posted.outstanding()
     }
 
-    /// Gives up the replies to all posted commands: they belong to nobody when they come. Takes what became of the others, and says
-    /// how many were given up.
+    #[allow(dead_code, reason = "servo sessions are to use it")]
+    /// For how long the oldest posted command has been outstanding; none if none is.
+    pub(crate) fn oldest_posted(&self) -> Option<Duration> {
+        self.lock().posted.oldest().map(|since| since.elapsed())
+    }
+
+    /// Gives up the replies to all posted commands that have not come: they belong to nobody when they come. Takes what became of the
+    /// others, and says how many were given up.
     pub(crate) fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.lock();
+        if let Err(cause) = self.settle_arrived(&mut state) {
+            self.break_off(&mut state, cause);
+        }
         let mut given_up = 0;
         while let Some(debt) = state.posted.outstanding.pop_front() {
             given_up += 1;
-            if let Err(mistrust) = state.ledger.give_up(debt.ticket) {
-                self.break_off(&mut state, Disconnect::Mistrust(mistrust));
-            }
+            state.ledger.abandon(debt.ticket);
         }
         (self.take_answers(&mut state), given_up)
     }

@@ -1,5 +1,6 @@
 //! What the threads of a connection share.
 
+use std::net::TcpStream;
 use std::sync::Arc;
 
 use jaka_proto::wire::Writer;
@@ -13,6 +14,9 @@ use crate::reply::Reply;
 
 #[derive(Debug)]
 pub(super) struct State {
+    /// The socket; none once the connection was reset. Whoever reads or writes holds a clone only as long as it does, so that
+    /// a reset closes the socket at once.
+    pub(super) stream: Option<Arc<TcpStream>>,
     pub(super) ledger: Ledger,
     pub(super) out: Writer,
     /// The receiving half; none while a thread reads.
@@ -34,8 +38,9 @@ pub(super) enum Mode {
 }
 
 impl State {
-    pub(super) fn new(inbound: Inbound) -> Self {
+    pub(super) fn new(stream: TcpStream, inbound: Inbound) -> Self {
         Self {
+            stream: Some(Arc::new(stream)),
             ledger: Ledger::new(),
             out: Writer::new(),
             inbound: Some(Box::new(inbound)),

@@ -1,3 +1,6 @@
+mod question;
+mod reset;
+
 use std::io::Read;
 use std::net::TcpListener;
 use std::thread;
@@ -14,16 +17,21 @@ fn write(index: usize, out: &mut Writer) {
     out.raw(&format!("{{\"cmdName\":\"x\",\"index\":{index},\"pad\":\"{}\"}}", "x".repeat(4000)));
 }
 
-/// A connection whose system holds little, and its other end.
-fn connection(mode: Mode, write_timeout: Option<Duration>) -> (Link, TcpStream) {
+/// Both ends of a connection: the system holds so much for this end to send, and little for the other to receive.
+fn sockets(send_buffer: usize) -> (TcpStream, TcpStream) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     SockRef::from(&listener).set_recv_buffer_size(4096).expect("it can be small");
     let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
-    SockRef::from(&stream).set_send_buffer_size(4096).expect("it can be small");
-    stream.set_write_timeout(write_timeout).expect("it is a time");
+    SockRef::from(&stream).set_send_buffer_size(send_buffer).expect("it can be set");
     let (server, _) = listener.accept().expect("the client waits");
+    (stream, server)
+}
+
+/// A connection whose system holds little, and its other end.
+fn connection(mode: Mode) -> (Link, TcpStream) {
+    let (stream, server) = sockets(4096);
     let link = Link::new(stream, Tap::default(), &Config::new());
-    link.switch(&mut link.lock(), mode).expect("the socket is open");
+    Link::switch(&mut link.lock(), mode).expect("the socket is open");
     (link, server)
 }
 
@@ -41,7 +49,7 @@ fn cause(sent: Result<usize, Error>) -> ErrorKind {
 #[test]
 fn what_the_system_takes_piece_by_piece_arrives_whole() {
     for mode in [Mode::Blocking, Mode::Nonblocking] {
-        let (link, mut server) = connection(mode, None);
+        let (link, mut server) = connection(mode);
         let reading = thread::spawn(move || {
             let mut bytes = String::new();
             server.read_to_string(&mut bytes).map(|_| bytes)
@@ -58,8 +66,10 @@ fn what_the_system_takes_piece_by_piece_arrives_whole() {
 #[test]
 fn a_send_waits_for_the_write_timeout_where_the_system_takes_nothing_at_first() {
     let limit = Duration::from_millis(50);
-    let (link, _server) = connection(Mode::Nonblocking, Some(limit));
-    let full = (0..COMMANDS).find_map(|_| (&link.stream).write(&[b' '; 4096]).err());
+    let (link, _server) = connection(Mode::Nonblocking);
+    link.lock().stream.as_ref().expect("it is open").set_write_timeout(Some(limit)).expect("it is a time");
+    let stream = link.lock().stream.clone().expect("it is open");
+    let full = (0..COMMANDS).find_map(|_| (&*stream).write(&[b' '; 4096]).err());
     assert_eq!(full.expect("nobody reads").kind(), ErrorKind::WouldBlock);
     let since = Instant::now();
     let kind = cause(link.post("x", None, 1, &mut write));
@@ -70,7 +80,7 @@ fn a_send_waits_for_the_write_timeout_where_the_system_takes_nothing_at_first() 
 #[cfg(target_os = "linux")]
 #[test]
 fn the_cause_of_a_failed_send_is_the_first_one() {
-    let (link, server) = connection(Mode::Nonblocking, None);
+    let (link, server) = connection(Mode::Nonblocking);
     SockRef::from(&server).set_linger(Some(Duration::ZERO)).expect("the socket is open");
     drop(server);
     let since = Instant::now();

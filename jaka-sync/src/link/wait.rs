@@ -14,7 +14,7 @@ impl Link {
     /// Waits for the reply to a command that was sent, puts its text into `text`, and has `payload` read it. A refusal is an
     /// error.
     pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, payload: &mut dyn Payload) -> Result<(), Error> {
-        self.answer(sent, Caller::new(sent, text, payload)).map_err(|error| self.attach(error))
+        self.answer(sent, Caller::new(sent.ticket, sent.command, text, payload)).map_err(|error| self.attach(error))
     }
 
     fn answer(&self, sent: &Sent<'_>, mut caller: Caller<'_, '_>) -> Result<(), Error> {
@@ -44,17 +44,21 @@ impl Link {
         left: Duration,
         caller: &mut Caller<'_, '_>,
     ) -> MutexGuard<'l, State> {
+        let Some(stream) = state.stream.clone() else { return state };
         let Some(mut inbound) = state.inbound.take() else {
+            drop(stream);
             return self.sleep(state, left);
         };
         // What has been read before comes first: it may be all that anybody waits for.
         let mut settled = inbound.settle(&self.tap, &mut state, caller);
         if matches!(settled, Ok(0)) {
-            settled = self.switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
+            settled = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
         }
         if matches!(settled, Ok(0)) {
             drop(state);
-            let read = inbound.read(&self.stream, &self.tap, left);
+            let read = inbound.read(&stream, &self.tap, left);
+            // Before the lock: after a reset this closes the socket.
+            drop(stream);
             state = self.lock();
             settled = inbound.settle(&self.tap, &mut state, caller).and_then(|count| read.map(|_| count));
         }
@@ -67,7 +71,7 @@ impl Link {
         state
     }
 
-    fn sleep<'l>(&'l self, mut state: MutexGuard<'l, State>, left: Duration) -> MutexGuard<'l, State> {
+    pub(super) fn sleep<'l>(&'l self, mut state: MutexGuard<'l, State>, left: Duration) -> MutexGuard<'l, State> {
         state.sleepers += 1;
         let mut state = match self.turned.wait_timeout(state, left) {
             Ok((state, _)) => state,

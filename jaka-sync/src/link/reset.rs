@@ -1,0 +1,40 @@
+//! Breaking a connection so that what is queued is not delivered.
+
+use std::net::Shutdown;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use socket2::SockRef;
+
+use super::Link;
+use crate::Disconnect;
+
+/// How long a thread that was woken may take to leave the socket: far longer than it needs.
+const LEAVING: Duration = Duration::from_secs(1);
+
+impl Link {
+    /// Breaks the connection for good, and has the system discard what it has not sent yet. The first cause stays.
+    ///
+    /// Only the close of the last handle with a linger time of zero discards it, and only while nobody reads: a `shutdown` delivers
+    /// it, and so does a close beside a thread that blocks in a read. So whoever reads is woken, the last to leave closes the socket,
+    /// and this waits for that. What the network or the controller holds cannot be recalled.
+    pub(crate) fn reset(&self, cause: Disconnect) {
+        let mut state = self.lock();
+        if state.broken.is_none() {
+            self.tap.broken(&cause);
+            state.broken = Some(Arc::new(cause));
+        }
+        self.wake(&state);
+        let Some(stream) = state.stream.take() else { return };
+        // An error here means that the socket is closed already.
+        let _ = SockRef::from(&*stream).set_linger(Some(Duration::ZERO));
+        // Wakes whoever reads, and sends nothing.
+        let _ = stream.shutdown(Shutdown::Read);
+        let others = Arc::downgrade(&stream);
+        drop(stream);
+        let since = Instant::now();
+        while others.strong_count() > 0 && since.elapsed() < LEAVING {
+            state = self.sleep(state, LEAVING);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! A command whose reply is polled for.
+
+use std::io::Write as _;
+
+use jaka_proto::Command;
+use jaka_proto::messages::kinematics::GetJointPos;
+use jaka_proto::messages::program::StopProgram;
+
+use super::*;
+use crate::reply::TextAlone;
+
+const LONG: Duration = Duration::from_secs(60);
+
+fn ask(link: &Link) -> Question {
+    link.ask(GetJointPos::INFO, &mut |out| GetJointPos.write_request(out)).expect("it goes out")
+}
+
+fn reply(name: &str, code: u8, message: &str) -> String {
+    format!("{{\"errorCode\":\"{code}\",\"errorMsg\":\"{message}\",\"cmdName\":\"{name}\"}}")
+}
+
+/// Polls as a loop does that looks at other things between.
+fn poll(link: &Link, question: &Question) -> Result<String, Error> {
+    let (since, mut text) = (Instant::now(), String::new());
+    while !link.poll(question, Duration::from_millis(1), &mut text, &mut TextAlone)? {
+        assert!(since.elapsed() < LONG);
+    }
+    Ok(text)
+}
+
+#[test]
+fn a_slice_that_ends_gives_nothing_up() {
+    let (link, mut server) = connection(Mode::Blocking);
+    let question = ask(&link);
+    let mut text = String::new();
+    for _ in 0..5 {
+        let slice = Duration::from_millis(1);
+        assert!(!link.poll(&question, slice, &mut text, &mut TextAlone).expect("it is not answered yet"));
+    }
+    let expected = reply(GetJointPos::INFO.name, 0, "late");
+    server.write_all(expected.as_bytes()).expect("the link reads");
+    assert_eq!(poll(&link, &question).expect("it is answered"), expected);
+    // Its successor of the same name has its own reply, or none.
+    let next = ask(&link);
+    assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextAlone).expect("it is not answered yet"));
+    link.forget(&next);
+    assert!(link.broken().is_none());
+}
+
+#[test]
+fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
+    let (link, mut server) = connection(Mode::Blocking);
+    let question = ask(&link);
+    let stop = |link: &Link| {
+        let info = StopProgram::INFO;
+        let write = &mut |out: &mut Writer| StopProgram.write_request(out);
+        link.send(info.name, Cow::Borrowed(info.name), LONG, None, write).expect("it goes out")
+    };
+    let sent = stop(&link);
+    let replies = [reply(GetJointPos::INFO.name, 2, "busy"), reply(StopProgram::INFO.name, 0, "")].concat();
+    server.write_all(replies.as_bytes()).expect("the link reads");
+    link.wait(&sent, &mut String::new(), &mut TextAlone).expect("the stop is accepted");
+    assert!(poll(&link, &question).expect_err("the query is refused").is_refused());
+    // One that is never answered is told by a later reply.
+    let (question, sent) = (ask(&link), stop(&link));
+    server.write_all(reply(StopProgram::INFO.name, 0, "").as_bytes()).expect("the link reads");
+    link.wait(&sent, &mut String::new(), &mut TextAlone).expect("the stop is accepted");
+    assert!(matches!(poll(&link, &question), Err(Error::ReplyLost { .. })));
+    assert!(link.broken().is_none());
+}
+
+#[test]
+fn the_oldest_posted_command_is_told_by_its_age() {
+    let (link, mut server) = connection(Mode::Blocking);
+    assert_eq!(link.oldest_posted(), None);
+    let before = Instant::now();
+    for _ in 0..2 {
+        link.post("x", None, 1, &mut |_, out| out.raw("{\"cmdName\":\"x\"}")).expect("it goes out");
+    }
+    let age = link.oldest_posted().expect("it is outstanding");
+    assert!(age <= before.elapsed());
+    server.write_all([reply("x", 0, ""), reply("x", 0, "")].concat().as_bytes()).expect("the link reads");
+    let (answers, waited) = link.wait_for_posted(0, LONG);
+    waited.expect("both are answered");
+    assert_eq!((answers.accepted, link.oldest_posted()), (2, None));
+}

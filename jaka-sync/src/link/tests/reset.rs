@@ -1,0 +1,96 @@
+//! A reset: what is queued is not delivered. The witness is a plain socket that reads nothing until the connection is reset.
+
+use std::io::Read;
+use std::sync::Arc;
+
+use super::*;
+use crate::StopHandle;
+use crate::reply::TextAlone;
+
+/// How much is queued for sending, in commands of some 4 KB.
+const QUEUED: usize = 40;
+
+/// What the network between the ends may have taken: the witness's receive buffer, and what its end accounts for it.
+const TAKEN: usize = 64 << 10;
+
+const LONG: Duration = Duration::from_secs(60);
+
+/// A connection with commands that wait for the other end to read, which it does not.
+fn with_a_queue() -> (Arc<Link>, TcpStream) {
+    let (stream, server) = sockets(1 << 20);
+    let link = Arc::new(Link::new(stream, Tap::default(), &Config::new().reply_timeout(LONG)));
+    link.post("x", None, QUEUED, &mut write).expect("the system takes it");
+    (link, server)
+}
+
+/// How many bytes arrive, and how the stream ends.
+fn read_to_end(mut server: TcpStream) -> (usize, io::Result<()>) {
+    server.set_read_timeout(Some(LONG)).expect("it is a time");
+    let mut bytes = Vec::new();
+    let end = server.read_to_end(&mut bytes);
+    (bytes.len(), end.map(drop))
+}
+
+fn assert_discarded(server: TcpStream) {
+    let (arrived, end) = read_to_end(server);
+    assert_eq!(end.expect_err("it is reset").kind(), ErrorKind::ConnectionReset);
+    assert!(arrived < TAKEN, "{arrived} bytes arrived");
+}
+
+fn cause() -> Disconnect {
+    Disconnect::Ended { by: "a test".to_owned() }
+}
+
+#[test]
+fn the_witness_sees_what_an_orderly_end_delivers() {
+    let (link, server) = with_a_queue();
+    link.break_off(&mut link.lock(), cause());
+    drop(link);
+    let (arrived, end) = read_to_end(server);
+    end.expect("the end is orderly");
+    assert!(arrived > QUEUED * 4000, "{arrived} bytes arrived");
+}
+
+#[test]
+fn a_reset_discards_what_is_queued_while_stop_handles_live() {
+    let (link, server) = with_a_queue();
+    let stop = StopHandle::new(Arc::clone(&link), LONG);
+    link.reset(cause());
+    assert_discarded(server);
+    let error = stop.stop().expect_err("the connection is reset");
+    assert!(error.is_disconnected() && !error.may_have_run(), "{error}");
+    assert_eq!(link.broken().expect("it is broken").to_string(), cause().to_string());
+    assert!(link.peer_addr().is_err());
+}
+
+#[test]
+fn a_reset_discards_what_is_queued_beside_a_thread_that_reads() {
+    let (link, server) = with_a_queue();
+    let reading = {
+        let link = Arc::clone(&link);
+        thread::spawn(move || {
+            let sent = link.send("y", Cow::Borrowed("y"), LONG, None, &mut |out| out.raw("{\"cmdName\":\"y\"}"))?;
+            link.wait(&sent, &mut String::new(), &mut TextAlone)
+        })
+    };
+    let since = Instant::now();
+    while link.lock().inbound.is_some() && since.elapsed() < LONG {
+        thread::yield_now();
+    }
+    link.reset(cause());
+    assert_discarded(server);
+    let error = reading.join().expect("it does not panic").expect_err("the connection is reset");
+    assert!(
+        matches!(&error, Error::Disconnected { sent: true, cause, .. } if matches!(**cause, Disconnect::Ended { .. }))
+    );
+    assert!(since.elapsed() < LONG);
+}
+
+#[test]
+fn a_reset_after_an_orderly_end_still_discards_and_the_first_cause_stays() {
+    let (link, server) = with_a_queue();
+    link.break_off(&mut link.lock(), Disconnect::NotUtf8);
+    link.reset(cause());
+    assert_discarded(server);
+    assert!(matches!(*link.broken().expect("it is broken"), Disconnect::NotUtf8));
+}
