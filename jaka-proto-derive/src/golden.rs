@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::codec::Scope;
-use crate::{client, compile_errors, error_codes, pack, request, topic};
+use crate::{client, compile_errors, error_codes, events, pack, request, topic};
 
 fn pretty(tokens: TokenStream) -> String {
     let file = syn::parse2(tokens).expect("the expansion is valid Rust");
@@ -23,6 +23,7 @@ fn messages() {
     }
     expect_file!["../golden/request.rs"].assert_eq(&pretty(request::render(&spec)));
     expect_file!["../golden/error_codes.rs"].assert_eq(&pretty(error_codes::render(&spec)));
+    expect_file!["../golden/events.rs"].assert_eq(&pretty(events::render(&spec)));
 }
 
 #[test]

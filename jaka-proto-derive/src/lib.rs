@@ -9,6 +9,7 @@ mod codec;
 mod command;
 mod docs;
 mod error_codes;
+mod events;
 mod pack;
 mod request;
 mod status_subset;

@@ -5,14 +5,15 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::codec::{Scope, ident};
-use crate::{command, docs, error_codes, request, typedef};
+use crate::{command, docs, error_codes, events, request, typedef};
 
 /// All messages of the spec.
 pub(crate) fn messages(spec: &Spec) -> TokenStream {
     let topics = spec.topics.iter().map(|topic| module(spec, topic));
     let request = request::render(spec);
     let codes = error_codes::render(spec);
-    quote!(#(#topics)* #request #codes)
+    let events = events::render(spec);
+    quote!(#(#topics)* #request #codes #events)
 }
 
 /// The module of one topic; nothing for a topic without types and commands.

@@ -5,6 +5,7 @@ extern crate self as jaka_proto;
 
 pub mod check;
 mod command;
+mod controller_event;
 mod envelope;
 mod error_code;
 mod firmware;
@@ -23,6 +24,7 @@ pub mod messages {
 }
 
 pub use command::{Command, CommandInfo, Effect, Requirement, Visit};
+pub use controller_event::{ControllerEvent, Severity, UnreadableEvent};
 pub use envelope::{Envelope, Refusal, Reply, read_payload, read_reply, write_refusal, write_reply};
 pub use error_code::ErrorCode;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};

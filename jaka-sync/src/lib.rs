@@ -34,7 +34,8 @@ pub use jaka_proto::messages::*;
 pub use jaka_proto::recording;
 #[doc(no_inline)]
 pub use jaka_proto::{
-    Command, CommandInfo, Effect, ErrorCode, FirmwareRange, FirmwareVersion, NotInFirmware, Refusal, Requirement,
+    Command, CommandInfo, ControllerEvent, Effect, ErrorCode, FirmwareRange, FirmwareVersion, NotInFirmware, Refusal,
+    Requirement, Severity, UnreadableEvent,
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };

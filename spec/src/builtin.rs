@@ -27,6 +27,7 @@ pub const BUILTIN: &[Source<'static>] = files![
     "status.toml",
     "types.toml",
     "errors.toml",
+    "events.toml",
 ];
 
 /// Loads the built-in spec.

@@ -22,8 +22,8 @@ pub mod words;
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Example, Field, Range, Refusal, Request, Requirement, Spec, Topic,
-    Type, TypeDef, TypeKind, Variant,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement,
+    Severity, Spec, Topic, Type, TypeDef, TypeKind, Variant,
 };
 pub use names::{to_camel, to_screaming};
 pub use pack::{Module, Pack, load_pack};

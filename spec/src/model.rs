@@ -1,5 +1,6 @@
 //! The spec as plain data, after every check has passed.
 
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
 use crate::envelope::COMMAND_NAME;
@@ -29,6 +30,16 @@ impl Spec {
     /// All error codes, topic by topic.
     pub fn errors(&self) -> impl Iterator<Item = &ErrorCode> {
         self.topics.iter().flat_map(|topic| &topic.errors)
+    }
+
+    /// All events of the controller, topic by topic.
+    pub fn events(&self) -> impl Iterator<Item = &Event> {
+        self.topics.iter().flat_map(|topic| &topic.events)
+    }
+
+    /// The events among which this code is.
+    pub fn event(&self, code: u32) -> Option<&Event> {
+        self.events().find(|event| event.has(code))
     }
 
     /// The command with this `cmdName`.
@@ -73,12 +84,14 @@ pub struct Topic {
     pub commands: Vec<Command>,
     /// Error codes defined in this file.
     pub errors: Vec<ErrorCode>,
+    /// Events of the controller defined in this file.
+    pub events: Vec<Event>,
 }
 
 impl Topic {
-    /// True for a topic without types, commands and error codes.
+    /// True for a topic without types, commands, error codes and events.
     pub fn is_empty(&self) -> bool {
-        self.types.is_empty() && self.commands.is_empty() && self.errors.is_empty()
+        self.types.is_empty() && self.commands.is_empty() && self.errors.is_empty() && self.events.is_empty()
     }
 }
 
@@ -390,6 +403,40 @@ pub struct ErrorCode {
     pub message: Option<String>,
     /// What it means.
     pub doc: String,
+}
+
+/// Events of the controller, as `errcode` tells of them: codes of one severity and, where that is stated, one meaning.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Event {
+    /// How grave they are.
+    pub severity: Severity,
+    /// The codes, in the order of the file. No code is in two events.
+    pub codes: Vec<RangeInclusive<u32>>,
+    /// What they mean: a phrase on one line, without full stop.
+    pub meaning: Option<String>,
+}
+
+impl Event {
+    /// True if the code is one of its codes.
+    pub fn has(&self, code: u32) -> bool {
+        self.codes.iter().any(|range| range.contains(&code))
+    }
+
+    /// Its codes, one by one.
+    pub fn codes(&self) -> impl Iterator<Item = u32> {
+        self.codes.iter().cloned().flatten()
+    }
+}
+
+/// How grave an event is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// Something failed.
+    Error,
+    /// Something may fail, or was not done.
+    Warning,
+    /// Something happened.
+    Information,
 }
 
 /// A refusal in the controller's own words.

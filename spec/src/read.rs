@@ -12,11 +12,13 @@ use crate::resolve::Index;
 use crate::version::Versions;
 
 mod common;
+mod event;
 mod field;
 mod types;
 
 pub(crate) use common::{Unique, required_doc, versions, wire_int};
 use common::{camel_name, doc, keyword, snake_name, word};
+pub(crate) use event::event;
 use field::fields;
 pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field};
 use types::variants;
@@ -28,6 +30,7 @@ pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Repo
         topic.commands = root.items("command", "command").iter().map(|item| command(item, index)).collect();
         topic.types = root.items("type", "type").iter().map(|item| type_def(item, index)).collect();
         topic.errors = root.items("error", "error code").iter().map(|item| error_code(item, index)).collect();
+        topic.events = root.items("event", "event").iter().map(|item| event(item, index)).collect();
     })
 }
 
@@ -49,6 +52,7 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
         commands: Vec::new(),
         types: Vec::new(),
         errors: Vec::new(),
+        events: Vec::new(),
         name,
     };
     body(&root, &mut topic);

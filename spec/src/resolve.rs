@@ -1,6 +1,7 @@
 //! The checks that need all files: references between them, and names that may stand only once.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 
 use crate::item::{Item, Placed};
 use crate::model::{Spec, Type, TypeKind};
@@ -8,7 +9,7 @@ use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming};
 use crate::pack::trait_name;
 use crate::read::Unique;
 use crate::report::{At, Report};
-use crate::words::notation;
+use crate::words::{event_code, notation};
 
 /// What the files define and use, gathered while they are read.
 #[derive(Debug, Default)]
@@ -19,6 +20,8 @@ pub(crate) struct Index<'s> {
     type_names: Unique<'s, String>,
     error_wires: Unique<'s, i64>,
     error_names: Unique<'s, String>,
+    /// Ranges of codes of events by their first code, each with its last one and its place.
+    event_codes: BTreeMap<u32, (u32, At<'s>)>,
     types: BTreeMap<String, Vec<Type>>,
     uses: Vec<TypeUse<'s>>,
     /// The trait with a pack's methods.
@@ -102,6 +105,21 @@ impl<'s> Index<'s> {
         let constant = Placed { at: name.at, value: to_screaming(&name.value) };
         if self.error_names.add(item, "name", name) {
             self.type_names.add(item, "constant", &constant);
+        }
+    }
+
+    /// The codes of an event, none of which another event may have.
+    pub(crate) fn event_codes(&mut self, item: &Item<'_, 's>, codes: &Placed<'s, RangeInclusive<u32>>) {
+        let (first, last) = (*codes.value.start(), *codes.value.end());
+        // Ranges that were added do not overlap, so the last one that begins before the end is the one to look at.
+        match self.event_codes.range(..=last).next_back() {
+            Some((begin, (end, at))) if *end >= first => {
+                let code = event_code(first.max(*begin));
+                item.error(codes.at, &format!("the code {code} is taken already, at {at}"));
+            }
+            _ => {
+                self.event_codes.insert(first, (last, codes.at));
+            }
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Parts of the model in words, for docs and for messages.
 
-use crate::{Effect, Range, Requirement, Type, Versions};
+use std::ops::RangeInclusive;
+
+use crate::{Effect, Range, Requirement, Severity, Type, Versions};
 
 /// The first sentence with its full stop, and all behind it.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -37,6 +39,26 @@ pub fn effect(effect: Effect) -> &'static str {
         Effect::Power => "power",
         Effect::Session => "session",
     }
+}
+
+/// The word of the TOML files.
+pub fn severity(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Information => "information",
+    }
+}
+
+/// The code of an event as the vendor's table has it: `0x0F0034`.
+pub fn event_code(code: u32) -> String {
+    format!("0x{code:06X}")
+}
+
+/// A code, or a range of codes, in the notation of the TOML files: `0x0F0006-0x0F0009`.
+pub fn event_codes(codes: &RangeInclusive<u32>) -> String {
+    let (first, last) = (event_code(*codes.start()), event_code(*codes.end()));
+    if first == last { first } else { format!("{first}-{last}") }
 }
 
 /// `powered, enabled and outside servo mode`; nothing where the robot may be in any state.

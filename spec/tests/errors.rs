@@ -39,8 +39,8 @@ fn syntax_errors_stand_at_their_place_and_do_not_hide_each_other() {
         "title = \"Test\nother = 1\nthird = = 2\n",
         &expect![[r#"
             spec/test.toml:1:14: not valid TOML: invalid basic string, expected `"`
-            spec/test.toml:2:1: unknown key `other`; the keys are command, doc, error, title, type
-            spec/test.toml:3:1: unknown key `third`; the keys are command, doc, error, title, type
+            spec/test.toml:2:1: unknown key `other`; the keys are command, doc, error, event, title, type
+            spec/test.toml:3:1: unknown key `third`; the keys are command, doc, error, event, title, type
             spec/test.toml:3:9: not valid TOML: extra `=`, expected nothing
             spec/test.toml:3:11: not valid TOML: unexpected key or value, expected newline, `#`
         "#]],
@@ -391,7 +391,7 @@ fn errors_of_several_files_come_together() {
     expect![[r"
         spec/a.toml:1:9: `title` is empty
         spec/b.toml:1:1: `title` is missing
-        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, title, type"]]
+        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, event, title, type"]]
     .assert_eq(&errors.to_string());
 }
 

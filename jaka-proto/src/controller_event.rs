@@ -1,0 +1,192 @@
+//! The controller's events: what the code in `errcode` says.
+
+use std::fmt;
+use std::num::NonZeroU32;
+
+use crate::messages::power::GetRobotStateReply;
+use crate::messages::status::RobotStatus;
+use crate::wire::{Decode as _, Reader, Typed};
+
+/// An event of the controller, told by its code in `errcode`: an error, a warning or information.
+///
+/// A code that is not zero does not by itself mean that something is wrong: `0x10f0005` says that the robot is disabled. It
+/// may also be of an event that is over. The severity is looked up in a table made from the vendor's. The set of codes is open:
+/// one that the table does not have has [`Severity::Unknown`].
+///
+/// ```
+/// use jaka_proto::{ControllerEvent, Severity};
+///
+/// let event = ControllerEvent::from_text("0x10f0005")?.expect("the code is not zero");
+/// assert_eq!(event.severity(), Severity::Information);
+/// assert_eq!(event.to_string(), "0x10f0005 (information: the robot is disabled)");
+/// assert_eq!(ControllerEvent::from_text("0x0")?, None);
+/// # Ok::<(), jaka_proto::UnreadableEvent>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ControllerEvent(NonZeroU32);
+
+/// How grave a controller's event is.
+///
+/// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. Whether the arm is
+/// stopped, the other fields of the status packet say. For a program that waits for the end of a motion the rule is: an error
+/// ends the wait; a warning and information are reported and end nothing; an unknown event ends the wait only together with an
+/// arm at rest or a stop that the status packet tells of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Severity {
+    /// Something failed.
+    Error,
+    /// Something may fail, or was not done.
+    Warning,
+    /// Something happened.
+    Information,
+    /// The table does not have the event's code, as with newer firmware. It may be an error.
+    Unknown,
+}
+
+impl ControllerEvent {
+    /// The event of this code; `None` for zero, which says that there is no event.
+    pub const fn new(code: u32) -> Option<Self> {
+        match NonZeroU32::new(code) {
+            Some(code) => Some(Self(code)),
+            None => None,
+        }
+    }
+
+    /// Reads the text of a status packet's `error_code`: a hexadecimal number in any case, with or without `0x`.
+    ///
+    /// `None` for zero and for an empty text, which say that there is no event.
+    ///
+    /// # Errors
+    /// The text is not such a number, or one of more than 32 bits. Whether there is an event is then not known.
+    pub fn from_text(text: &str) -> Result<Option<Self>, UnreadableEvent> {
+        let number = text.trim();
+        let digits = number.strip_prefix("0x").or_else(|| number.strip_prefix("0X"));
+        if number.is_empty() {
+            return Ok(None);
+        }
+        let digits = digits.unwrap_or(number);
+        // Rust's own reading would take a sign too.
+        let is_number = digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+        let code = u32::from_str_radix(digits, 16).ok().filter(|_| is_number);
+        code.map(Self::new).ok_or_else(|| UnreadableEvent::new(text))
+    }
+
+    /// The code, without the form in which the controller wrote it.
+    pub const fn code(self) -> u32 {
+        self.0.get()
+    }
+
+    /// How grave the event is; [`Severity::Unknown`] for a code that the table does not have.
+    pub fn severity(self) -> Severity {
+        find(Self::SEVERITIES, self.code()).unwrap_or(Severity::Unknown)
+    }
+
+    /// What the event means, such as `the robot is disabled`; `None` for events less often met.
+    ///
+    /// The vendor's table, to which the chapter on events in jaka-spec's `REFERENCE.md` links, has all of them.
+    pub fn meaning(self) -> Option<&'static str> {
+        find(Self::MEANINGS, self.code())
+    }
+}
+
+/// What the table says of the range that has the code.
+fn find<T: Copy>(table: &[(u32, u32, T)], code: u32) -> Option<T> {
+    let at = table.partition_point(|(_, last, _)| *last < code);
+    let (first, _, found) = table.get(at)?;
+    (*first <= code).then_some(*found)
+}
+
+/// The code, its severity and its meaning, such as `0x10f0005 (information: the robot is disabled)`.
+impl fmt::Display for ControllerEvent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:#08x} (", self.code())?;
+        match (self.severity(), self.meaning()) {
+            (Severity::Unknown, _) => f.write_str("severity unknown")?,
+            (severity, Some(meaning)) => write!(f, "{severity}: {meaning}")?,
+            (severity, None) => write!(f, "{severity}")?,
+        }
+        f.write_str(")")
+    }
+}
+
+impl fmt::Debug for ControllerEvent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "ControllerEvent({:#08x})", self.code())
+    }
+}
+
+/// `error`, `warning`, `information` or `unknown`.
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+            Self::Information => "information",
+            Self::Unknown => "unknown",
+        })
+    }
+}
+
+/// A code of an event that is not a number, or not one of an event. Whether there is an event is not known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct UnreadableEvent {
+    /// What stands in place of the code, as the controller wrote it.
+    pub text: String,
+}
+
+impl UnreadableEvent {
+    fn new(text: impl Into<String>) -> Self {
+        Self { text: text.into() }
+    }
+}
+
+/// With the text's control characters escaped, and no more of it than 60 characters.
+impl fmt::Display for UnreadableEvent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text: String = self.text.chars().take(60).collect();
+        write!(f, "the event code {text:?} is not a number such as 0x10f0005")
+    }
+}
+
+impl std::error::Error for UnreadableEvent {}
+
+impl RobotStatus {
+    /// The controller's event, from `error_code`; `None` where the packet says that there is none or does not have the field.
+    ///
+    /// # Errors
+    /// `error_code` cannot be read, as [`ControllerEvent::from_text`] says. Whether there is an event is then not known.
+    pub fn event(&self) -> Result<Option<ControllerEvent>, UnreadableEvent> {
+        self.error_code.as_deref().map_or(Ok(None), ControllerEvent::from_text)
+    }
+}
+
+impl GetRobotStateReply {
+    /// The controller's event, from `error_code`; `None` where the reply says that there is none or does not have the field.
+    ///
+    /// Firmware 1.5.14 writes the code as a number. A text is read as in status packets, but one of decimal digits alone, which
+    /// could be meant either way, is not read.
+    ///
+    /// # Errors
+    /// `error_code` cannot be read. Whether there is an event is then not known.
+    pub fn event(&self) -> Result<Option<ControllerEvent>, UnreadableEvent> {
+        match &self.error_code {
+            None => Ok(None),
+            Some(Typed::Known(text)) if is_ambiguous(text) => Err(UnreadableEvent::new(text)),
+            Some(Typed::Known(text)) => ControllerEvent::from_text(text),
+            Some(Typed::Raw(value)) => {
+                let text = value.to_string();
+                let number = value.is_number().then(|| i64::decode(&mut Reader::new(&text)).ok()).flatten();
+                let code = number.and_then(|number| u32::try_from(number).ok());
+                code.map(ControllerEvent::new).ok_or_else(|| UnreadableEvent::new(text))
+            }
+        }
+    }
+}
+
+/// True for decimal digits that are another number if they are taken for hexadecimal ones.
+fn is_ambiguous(text: &str) -> bool {
+    let digits = text.trim();
+    digits.bytes().all(|digit| digit.is_ascii_digit()) && digits.trim_start_matches('0').len() > 1
+}
