@@ -8,7 +8,7 @@ mod seat;
 mod way_out;
 
 use std::io;
-use std::net::{Shutdown, TcpStream};
+use std::net::TcpStream;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 
@@ -19,9 +19,10 @@ use self::line::{Flow, Line};
 pub(crate) use self::rival::Rival;
 pub(crate) use self::seat::Seat;
 use crate::answer::{self, Sequel};
+use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
-use crate::{Takeover, firmware};
+use crate::{Port, Takeover, firmware};
 
 /// Lets clients in until the door is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -39,11 +40,12 @@ pub(crate) fn run(shared: &Arc<Shared>) {
 fn admit(guest: TcpStream, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
     if shared.options.takeover == Takeover::Refuse && shared.seat.is_taken() {
         log::trace!(target: "jaka_sim", "command client refused");
-        return guest.shutdown(Shutdown::Both);
+        Wire::new(guest, Port::Command, &shared.links)?.close();
+        return Ok(());
     }
     vacate(serving, shared);
     log::trace!(target: "jaka_sim", "command client connected");
-    let line = Arc::new(Line::new(guest)?);
+    let line = Arc::new(Line::new(guest, &shared.links)?);
     shared.seat.take(Arc::clone(&line));
     let thread = thread::Builder::new().name("jaka-sim commands".to_owned());
     let (theirs, host) = (Arc::clone(&line), Arc::clone(shared));
@@ -102,7 +104,7 @@ fn shut_down(shared: &Shared) {
 }
 
 fn serve(line: &Line, shared: &Shared) -> Flow {
-    let mut feed = Feed::new(line.stream());
+    let mut feed = Feed::new(line.wire());
     let mut reply = Writer::new();
     loop {
         let mut flow = line.way_out().send_due(|| shared.world().is_at_rest());

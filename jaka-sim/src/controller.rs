@@ -1,6 +1,7 @@
 //! A running controller.
 
 mod faults;
+mod links;
 
 use std::fmt;
 use std::io::{self, ErrorKind};
@@ -11,6 +12,7 @@ use std::time::Duration;
 
 use serde_json::Value;
 
+pub use self::links::Link;
 use crate::door::Door;
 use crate::replay::Stage;
 use crate::shared::Shared;
@@ -187,12 +189,14 @@ impl Controller {
         self.shared.readers.send(bytes);
     }
 
-    /// Closes the connections of the command client and of all status readers. New ones are let in.
+    /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New ones are
+    /// let in.
     pub fn disconnect(&self) {
         settle(&self.shared.command_door);
         settle(&self.shared.status_door);
         self.shared.seat.vacate();
         self.shared.readers.close();
+        self.shared.links.abort();
     }
 
     /// Waits until no command client is connected; false if one still is after `timeout`.
@@ -205,6 +209,7 @@ impl Drop for Controller {
     fn drop(&mut self) {
         close(&self.shared.command_door, self.commands.take());
         close(&self.shared.status_door, self.status.take());
+        self.shared.links.abort();
     }
 }
 

@@ -3,6 +3,7 @@
 mod dice;
 mod display;
 mod each;
+mod link;
 mod parse;
 mod plan;
 mod rename;
@@ -13,6 +14,7 @@ mod words;
 use std::time::Duration;
 
 pub(crate) use self::dice::Dice;
+pub use self::link::{LinkEvent, LinkFault};
 pub use self::plan::FaultPlan;
 pub use self::script::ScriptError;
 pub use self::status::StatusFault;

@@ -25,7 +25,8 @@ Options:
       --firmware SHAPE     shape of packets and replies: document, 1.5.14 or newer [default: document]
       --period MS          milliseconds between two status packets [default: that of the firmware]
       --programs FOLDER    programs to load: files of requests, one a line
-      --faults TEXT        what goes wrong with replies, such as `drop, delay 200ms`; @FILE reads it from a file
+      --faults TEXT        what goes wrong with replies, packets and links, such as `drop, delay 200ms` or
+                           `link both to-client hold after 10s for 5s`; @FILE reads it from a file
       --fast               switch power and enable at once, instead of after some seconds
       --log                print each message that comes and goes
   -h, --help               print this

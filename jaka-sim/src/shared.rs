@@ -11,6 +11,7 @@ use crate::book::Book;
 use crate::clock::{CYCLE, Clock};
 use crate::command_port::{Rival, Seat};
 use crate::door::Door;
+use crate::link::Links;
 use crate::lock::lock;
 use crate::replay::Stage;
 use crate::status_port::Readers;
@@ -30,6 +31,7 @@ pub(crate) struct Shared {
     pub(crate) rival: Rival,
     pub(crate) readers: Readers,
     pub(crate) tape: Tape,
+    pub(crate) links: Arc<Links>,
     /// The replay, in place of the simulated arm.
     pub(crate) stage: Option<Stage>,
     world: Mutex<World>,
@@ -56,6 +58,7 @@ impl Shared {
             rival: Rival::default(),
             readers: Readers::new(options.faults.status_fault().clone()),
             tape: Tape::default(),
+            links: Arc::new(Links::new(options.faults.links())),
             stage: options.replay.as_ref().map(|plan| Stage::new(plan, options.replay_timing)),
             world: Mutex::new(World::new(&options, &book)?),
             book,

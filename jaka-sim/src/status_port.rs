@@ -8,7 +8,7 @@ mod replayed;
 
 use std::collections::VecDeque;
 use std::io;
-use std::net::{Shutdown, TcpStream};
+use std::net::TcpStream;
 use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -16,9 +16,10 @@ use std::time::Duration;
 use self::packet::packet;
 use self::reader::{Letter, Reader};
 use self::replayed::Packets;
-use crate::StatusFault;
+use crate::link::{Links, Wire};
 use crate::lock::lock;
 use crate::shared::Shared;
+use crate::{Port, StatusFault};
 
 /// How many readers there can be, so that no number of connections uses up threads and memory.
 const MAX_READERS: usize = 256;
@@ -38,9 +39,12 @@ fn admit(guest: TcpStream, shared: &Arc<Shared>) -> io::Result<()> {
     log::trace!(target: "jaka_sim", "status reader connected");
     let host = Arc::clone(shared);
     if let Some(stage) = &shared.stage {
-        let Some(script) = stage.next_reader() else { return guest.shutdown(Shutdown::Both) };
+        let Some(script) = stage.next_reader() else {
+            Wire::new(guest, Port::Status, &shared.links)?.close();
+            return Ok(());
+        };
         let packets = Packets::new(script, host.options.period());
-        return shared.readers.add(guest, move |reader| {
+        return shared.readers.add(guest, &shared.links, move |reader| {
             if let Some(stage) = &host.stage {
                 reader.replay(packets, stage);
             }
@@ -48,7 +52,8 @@ fn admit(guest: TcpStream, shared: &Arc<Shared>) -> io::Result<()> {
     }
     // With a stepped clock, packets go out as it is stepped.
     let period = Some(host.options.period()).filter(|_| !host.options.stepped);
-    shared.readers.add(guest, move |reader| reader.run(period, || packet(&host.world().state, host.options.firmware)))
+    let run = move |reader: &Reader| reader.run(period, || packet(&host.world().state, host.options.firmware));
+    shared.readers.add(guest, &shared.links, run)
 }
 
 /// Closes a connection, and waits for its thread.
@@ -129,11 +134,11 @@ impl Readers {
     /// Adds a reader with a thread that does this, and forgets those who have gone.
     ///
     /// Where there are too many, the oldest is dropped. It may have gone too: that is noticed on writing only.
-    fn add(&self, guest: TcpStream, run: impl FnOnce(&Reader) + Send + 'static) -> io::Result<()> {
+    fn add(&self, guest: TcpStream, links: &Arc<Links>, run: impl FnOnce(&Reader) + Send + 'static) -> io::Result<()> {
         let mut room = lock(&self.room);
         room.list.retain(|(_, thread)| !thread.is_finished());
         let oldest = if room.list.len() < MAX_READERS { None } else { room.list.pop_front() };
-        let reader = Arc::new(Reader::new(guest, room.fault.clone())?);
+        let reader = Arc::new(Reader::new(guest, links, room.fault.clone())?);
         let theirs = Arc::clone(&reader);
         let thread = thread::Builder::new().name("jaka-sim status".to_owned()).spawn(move || run(&theirs))?;
         room.list.push_back((reader, thread));

@@ -36,7 +36,8 @@ pub(crate) struct Sim {
     programs: Option<PathBuf>,
     #[command(flatten)]
     spec: SpecArgs,
-    /// What goes wrong with replies, such as `drop, delay 200ms`; @FILE reads it from a file
+    /// What goes wrong with replies, packets and links, such as `drop, delay 200ms` or `link both to-client hold after 10s for 5s`;
+    /// @FILE reads it from a file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
     /// Switch power and enable at once, instead of after some seconds

@@ -1,26 +1,22 @@
-//! Requests off a socket.
+//! Requests off a connection.
 
 use std::fmt;
-use std::io::{self, ErrorKind, Read};
-use std::net::TcpStream;
+use std::io;
 use std::time::Duration;
 
 use jaka_proto::Envelope;
 use jaka_proto::framing::{FrameError, Framer};
 
+use crate::link::{Inbound, Received, Wire};
+
 /// The longest request, in bytes. Real ones have some hundred.
 const MAX_REQUEST: usize = 64 << 10;
 
-/// The least time that a socket can be waited for.
-const LEAST_WAIT: Duration = Duration::from_millis(1);
-
-/// Cuts requests off a socket.
+/// Cuts requests off a connection.
 #[derive(Debug)]
 pub(super) struct Feed<'s> {
-    stream: &'s TcpStream,
+    inbound: Inbound<'s>,
     framer: Framer,
-    /// Whether the socket waits for a time only.
-    hurried: bool,
 }
 
 /// What comes next.
@@ -45,8 +41,8 @@ pub(super) enum Incoming {
 }
 
 impl<'s> Feed<'s> {
-    pub(super) fn new(stream: &'s TcpStream) -> Self {
-        Self { stream, framer: Framer::new(MAX_REQUEST), hurried: false }
+    pub(super) fn new(wire: &'s Wire) -> Self {
+        Self { inbound: Inbound::new(wire), framer: Framer::new(MAX_REQUEST) }
     }
 
     /// Waits for the next request; at most so long, if a time is given.
@@ -61,33 +57,26 @@ impl<'s> Feed<'s> {
                 }
                 Err(_) => return Ok(Next::End),
             }
-            self.set_patience(patience)?;
-            match self.stream.read(self.framer.spare()) {
-                Ok(0) => return Ok(Next::End),
-                Ok(count) => self.framer.filled(count),
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                // Systems differ in what they call it.
-                Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                    return Ok(Next::Silence);
-                }
-                Err(error) => return Err(error),
+            match self.inbound.receive(self.framer.spare(), patience)? {
+                Received::Bytes(count) => self.framer.filled(count),
+                Received::Silence => return Ok(Next::Silence),
+                Received::End => return Ok(Next::End),
             }
         }
     }
 
     /// Takes about as much as a connection's buffers would, up to its end, and says whether that has come.
     pub(super) fn ignore(&mut self) -> io::Result<bool> {
-        self.set_patience(None)?;
-        let most = u64::try_from(MAX_REQUEST).unwrap_or(u64::MAX);
-        Ok(io::copy(&mut self.stream.take(most), &mut io::sink())? < most)
-    }
-
-    fn set_patience(&mut self, patience: Option<Duration>) -> io::Result<()> {
-        if self.hurried || patience.is_some() {
-            self.stream.set_read_timeout(patience.map(|time| time.max(LEAST_WAIT)))?;
+        let mut space = [0; 4096];
+        let mut taken = 0;
+        while taken < MAX_REQUEST {
+            match self.inbound.receive(&mut space, None)? {
+                Received::Bytes(count) => taken += count,
+                Received::Silence => {}
+                Received::End => return Ok(true),
+            }
         }
-        self.hurried = patience.is_some();
-        Ok(())
+        Ok(false)
     }
 }
 

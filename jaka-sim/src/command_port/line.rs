@@ -1,13 +1,13 @@
 //! The connection of a command client.
 
 use std::io;
-use std::net::{Shutdown, TcpStream};
-use std::sync::{Condvar, Mutex};
+use std::net::TcpStream;
+use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
-use socket2::SockRef;
-
 use super::way_out::{Kept, WayOut};
+use crate::Port;
+use crate::link::{Links, Wire};
 use crate::lock::{lock, wait};
 
 /// The connection of a command client.
@@ -15,7 +15,7 @@ use crate::lock::{lock, wait};
 /// One thread reads from it; replies, and what the controller's owner sends, go through [`Line::way_out`].
 #[derive(Debug)]
 pub(crate) struct Line {
-    stream: TcpStream,
+    wire: Arc<Wire>,
     kept: Mutex<Kept>,
     closed: Mutex<bool>,
     changed: Condvar,
@@ -36,24 +36,23 @@ pub(super) enum Flow {
 }
 
 impl Line {
-    pub(super) fn new(stream: TcpStream) -> io::Result<Self> {
-        stream.set_nodelay(true)?;
-        Ok(Self { stream, kept: Mutex::default(), closed: Mutex::default(), changed: Condvar::new() })
+    pub(super) fn new(stream: TcpStream, links: &Arc<Links>) -> io::Result<Self> {
+        let wire = Wire::new(stream, Port::Command, links)?;
+        Ok(Self { wire, kept: Mutex::default(), closed: Mutex::default(), changed: Condvar::new() })
     }
 
-    pub(super) fn stream(&self) -> &TcpStream {
-        &self.stream
+    pub(super) fn wire(&self) -> &Wire {
+        &self.wire
     }
 
     /// Waits for whoever writes.
     pub(crate) fn way_out(&self) -> WayOut<'_> {
-        WayOut::new(&self.stream, lock(&self.kept))
+        WayOut::new(&self.wire, lock(&self.kept))
     }
 
-    /// Ends the connection, and wakes who reads from it or writes to it.
+    /// Ends the connection, as its link lets it, and wakes who reads from it or writes to it.
     pub(crate) fn close(&self) {
-        // An error says that it has ended already.
-        self.stream.shutdown(Shutdown::Both).ok();
+        self.wire.close();
         *lock(&self.closed) = true;
         self.changed.notify_all();
     }
@@ -69,8 +68,6 @@ impl Line {
 
     /// Has the connection reset when it is dropped. It must not be closed before.
     pub(super) fn reset_on_drop(&self) {
-        if let Err(error) = SockRef::from(&self.stream).set_linger(Some(Duration::ZERO)) {
-            log::trace!(target: "jaka_sim", "the connection cannot be reset: {error}");
-        }
+        self.wire.reset_on_drop();
     }
 }

@@ -17,7 +17,7 @@ use crate::tape::Tape;
 /// Plays the next connection of the recording, message by message.
 pub(super) fn serve(line: &Line, stage: &Stage, shared: &Shared) -> Flow {
     let Some(script) = stage.next_commands() else { return Flow::Close };
-    let feed = Feed::new(line.stream());
+    let feed = Feed::new(line.wire());
     let mut player = Player { line, stage, shared, feed, since: (Instant::now(), Duration::ZERO), came: 0 };
     let end = player.play(&script);
     // Status packets wait no longer for requests that will not come.

@@ -1,14 +1,14 @@
 //! The way out of a connection, and what waits on it.
 
 use std::collections::VecDeque;
-use std::io::{self, Write};
-use std::net::TcpStream;
-use std::sync::MutexGuard;
+use std::io;
+use std::sync::{Arc, MutexGuard};
 use std::time::{Duration, Instant};
 
 use super::line::Flow;
 use crate::answer::Sequel;
 use crate::fault::Fault;
+use crate::link::Wire;
 
 /// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
 const MAX_LATE: usize = 10_000;
@@ -54,13 +54,13 @@ impl Due {
 /// The right to write on a connection.
 #[derive(Debug)]
 pub(crate) struct WayOut<'l> {
-    stream: &'l TcpStream,
+    wire: &'l Arc<Wire>,
     kept: MutexGuard<'l, Kept>,
 }
 
 impl<'l> WayOut<'l> {
-    pub(super) fn new(stream: &'l TcpStream, kept: MutexGuard<'l, Kept>) -> Self {
-        Self { stream, kept }
+    pub(super) fn new(wire: &'l Arc<Wire>, kept: MutexGuard<'l, Kept>) -> Self {
+        Self { wire, kept }
     }
 
     /// Sends a reply, with what is wrong with it, or lets it wait.
@@ -117,8 +117,7 @@ impl<'l> WayOut<'l> {
             return Ok(());
         }
         log::trace!(target: "jaka_sim", "sends {}", String::from_utf8_lossy(bytes));
-        self.stream.write_all(bytes)?;
-        self.stream.flush()
+        self.wire.send(bytes)
     }
 
     fn put_off(&mut self, late: Late) -> Flow {

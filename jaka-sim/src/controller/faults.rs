@@ -25,7 +25,7 @@ impl Controller {
 
     /// Takes back all faults of replies to come, also those of the [`FaultPlan`](crate::FaultPlan).
     ///
-    /// What is kept back already stays so, and so does the fault of the status port.
+    /// What is kept back already stays so, and so do the faults of the status port and of the links.
     pub fn clear_faults(&self) {
         self.shared.faults().clear();
     }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::words::{Name, Quoted};
-use super::{Fault, FaultPlan, StatusFault};
+use super::words::{BOTH, Name, Quoted};
+use super::{Fault, FaultPlan, LinkEvent, LinkFault, StatusFault};
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -49,6 +49,31 @@ impl fmt::Display for StatusFault {
     }
 }
 
+impl fmt::Display for LinkFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => f.write_str("none"),
+            Self::Hold => f.write_str("hold"),
+            Self::Delay(time) => write!(f, "delay {time:?}"),
+            Self::Slow(per_second) => write!(f, "slow {per_second}"),
+            Self::Cut => f.write_str("cut"),
+        }
+    }
+}
+
+/// A line of a script.
+impl fmt::Display for LinkEvent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let port = self.port.map_or_else(|| BOTH.to_owned(), |port| port.to_string());
+        let direction = self.direction.map_or_else(|| BOTH.to_owned(), |direction| direction.to_string());
+        write!(f, "link {port} {direction} {}", self.fault)?;
+        if !self.after.is_zero() {
+            write!(f, " after {:?}", self.after)?;
+        }
+        self.lasting.map_or(Ok(()), |time| write!(f, " for {time:?}"))
+    }
+}
+
 impl fmt::Display for FaultPlan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut lines = Vec::new();
@@ -66,6 +91,7 @@ impl fmt::Display for FaultPlan {
         if self.status != StatusFault::None {
             lines.push(format!("status {}", self.status));
         }
+        lines.extend(self.links.iter().map(LinkEvent::to_string));
         f.write_str(&lines.join("\n"))
     }
 }

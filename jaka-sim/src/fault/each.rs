@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_proto::Command;
 use jaka_proto::messages::payload::GetPayload;
 
-use super::{Fault, StatusFault};
+use super::{Fault, LinkFault, StatusFault};
 
 /// A value of each variant. An enum with a variant that is not listed does not compile.
 macro_rules! one_of_each {
@@ -68,5 +68,12 @@ impl StatusFault {
             Instead(b"{}".to_vec()),
             CloseAfter(100),
         ]
+    }
+}
+
+impl LinkFault {
+    /// One fault of each kind, [`None`](Self::None) first, for tests that go through all of them.
+    pub fn one_of_each() -> Vec<Self> {
+        one_of_each![None, Hold, Delay(Duration::from_millis(80)), Slow(20_000), Cut]
     }
 }

@@ -3,8 +3,9 @@
 use std::str::FromStr;
 use std::time::Duration;
 
-use super::words::Word;
-use super::{Fault, ScriptError, StatusFault};
+use super::words::{BOTH, Word};
+use super::{Fault, LinkEvent, LinkFault, ScriptError, StatusFault};
+use crate::{Direction, Port};
 
 /// The units of time, and how many of them are a second.
 const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 1e9), ("s", 1.0)];
@@ -42,7 +43,7 @@ impl<'w, 's> Args<'w, 's> {
             "close-after" => Fault::CloseAfter(self.count()?),
             "reset" => Fault::Reset,
             "takeover" => Fault::Takeover,
-            "for" | "random" | "always" | "status" => return Err(self.unfit("this can only begin a line")),
+            "for" | "random" | "always" | "status" | "link" => return Err(self.unfit("this can only begin a line")),
             _ => return Err(self.unfit("there is no such fault")),
         })
     }
@@ -59,6 +60,42 @@ impl<'w, 's> Args<'w, 's> {
             "close-after" => StatusFault::CloseAfter(self.count()?),
             _ => return Err(self.unfit("the status port has no such fault")),
         })
+    }
+
+    pub(super) fn link_fault(&mut self) -> Result<LinkFault, ScriptError> {
+        Ok(match self.word("a fault of a link")?.text {
+            "none" => LinkFault::None,
+            "hold" => LinkFault::Hold,
+            "delay" => LinkFault::Delay(self.time()?),
+            "slow" => LinkFault::Slow(self.number("a number of bytes a second")?),
+            "cut" => LinkFault::Cut,
+            _ => return Err(self.unfit("a link has no such fault")),
+        })
+    }
+
+    /// A link, its fault, and when it is so, as `status to-client hold after 10s for 5s`.
+    pub(super) fn link_event(&mut self) -> Result<LinkEvent, ScriptError> {
+        let port = self.one_of(Port::ALL, "`command`, `status` or `both`")?;
+        let direction = self.one_of(Direction::ALL, "`to-controller`, `to-client` or `both`")?;
+        let mut event = LinkEvent { port, direction, ..LinkEvent::new(self.link_fault()?) };
+        if self.is_next("after") {
+            event = event.after(self.skip().time()?);
+        }
+        if self.is_next("for") {
+            event = event.lasting(self.skip().time()?);
+        }
+        Ok(event)
+    }
+
+    /// One of these by its name; `None` for both.
+    fn one_of<T: ToString>(&mut self, items: [T; 2], what: &str) -> Result<Option<T>, ScriptError> {
+        let word = self.word(what)?;
+        let found = items.into_iter().find(|item| item.to_string() == word.text);
+        if found.is_some() || word.text == BOTH { Ok(found) } else { Err(word.error(format!("here must be {what}"))) }
+    }
+
+    fn is_next(&self, text: &str) -> bool {
+        self.rest.first().is_some_and(|word| word.text == text)
     }
 
     /// Reads the word that says what the line is.

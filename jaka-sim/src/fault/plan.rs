@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::{Dice, Fault, StatusFault};
+use super::{Dice, Fault, LinkEvent, StatusFault};
 
 /// Which replies have which faults, as a script or by chance.
 ///
@@ -35,6 +35,8 @@ use super::{Dice, Fault, StatusFault};
 /// random 7 1/20 drop, reset        # one in twenty of all others, with the seed 7
 /// always twice                     # all others
 /// status slow 2s                   # the status port
+/// link status to-client delay 80ms # the way of its packets; `link both both hold` is for all that passes
+/// link command both hold after 9s for 5s
 /// # "##;
 /// # assert!(text.parse::<FaultPlan>().is_ok_and(|plan| plan.to_string().parse() == Ok(plan)));
 /// ```
@@ -48,6 +50,7 @@ pub struct FaultPlan {
     pub(super) seed: Option<u64>,
     pub(super) always: Option<Fault>,
     pub(super) status: StatusFault,
+    pub(super) links: Vec<LinkEvent>,
     /// What has been drawn from the seed so far.
     dice: Option<Dice>,
 }
@@ -119,6 +122,14 @@ impl FaultPlan {
         self
     }
 
+    /// Adds what goes wrong with links: a [`LinkFault`](crate::LinkFault), which is for all of them from the start, or a
+    /// [`LinkEvent`], which says for which, and when. Where several are for one link, the last that has begun holds.
+    #[must_use]
+    pub fn link(mut self, event: impl Into<LinkEvent>) -> Self {
+        self.links.push(event.into());
+        self
+    }
+
     /// The seed of what happens by chance.
     pub fn seed(&self) -> Option<u64> {
         self.seed
@@ -126,6 +137,10 @@ impl FaultPlan {
 
     pub(crate) fn status_fault(&self) -> &StatusFault {
         &self.status
+    }
+
+    pub(crate) fn links(&self) -> &[LinkEvent] {
+        &self.links
     }
 
     pub(super) fn set_seed(&mut self, seed: u64) {
@@ -147,7 +162,7 @@ impl FaultPlan {
 
     /// Takes back all that concerns replies.
     pub(crate) fn clear(&mut self) {
-        *self = Self::new().status(self.status.clone());
+        *self = Self { status: self.status.clone(), links: std::mem::take(&mut self.links), ..Self::new() };
     }
 
     /// What is wrong with the next reply, which is to this command, where it is to one.

@@ -6,9 +6,9 @@ use std::str::FromStr;
 
 use super::parse::Args;
 use super::words::{self, Word};
-use super::{Fault, FaultPlan, StatusFault};
+use super::{Fault, FaultPlan, LinkFault, StatusFault};
 
-/// What is wrong with the text of a [`FaultPlan`], a [`Fault`] or a [`StatusFault`], and where.
+/// What is wrong with the text of a [`FaultPlan`], a [`Fault`], a [`StatusFault`] or a [`LinkFault`], and where.
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -77,6 +77,7 @@ impl FaultPlan {
                 *self = std::mem::take(self).one_in(one_in, faults(args)?);
             }
             Some("always") => self.inject_always(one(args.skip(), Args::fault)?),
+            Some("link") => self.links.push(one(args.skip(), Args::link_event)?),
             Some("status") => self.status = one(args.skip(), Args::status_fault)?,
             _ => self.script.extend(faults(args)?),
         }
@@ -144,5 +145,17 @@ impl FromStr for StatusFault {
     /// A word does not fit, or one is missing.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
         one(&mut Args::new(&all_words(text)?), Args::status_fault)
+    }
+}
+
+impl FromStr for LinkFault {
+    type Err = ScriptError;
+
+    /// Reads the text form of a fault.
+    ///
+    /// # Errors
+    /// A word does not fit, or one is missing.
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
+        one(&mut Args::new(&all_words(text)?), Args::link_fault)
     }
 }

@@ -7,6 +7,9 @@ use super::ScriptError;
 /// What ends a word, beside white space.
 const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
 
+/// The word for both ports, and for both directions.
+pub(super) const BOTH: &str = "both";
+
 /// A word, as it is written and as it is meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Word<'s> {

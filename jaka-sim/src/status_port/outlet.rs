@@ -1,11 +1,12 @@
 //! What comes of packets on their way to a reader.
 
-use std::io::{self, ErrorKind, Write};
-use std::net::TcpStream;
+use std::io::{self, ErrorKind};
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::StatusFault;
 use crate::fault::garbage;
+use crate::link::Wire;
 
 /// The least time between two packets.
 pub(super) const LEAST_PERIOD: Duration = Duration::from_millis(1);
@@ -13,7 +14,7 @@ pub(super) const LEAST_PERIOD: Duration = Duration::from_millis(1);
 /// The way of packets to a reader, with what is wrong with it.
 #[derive(Debug)]
 pub(super) struct Outlet<'s> {
-    stream: &'s TcpStream,
+    wire: &'s Arc<Wire>,
     fault: StatusFault,
     /// Packets and bytes of them since the fault was set.
     packets: u64,
@@ -27,8 +28,8 @@ pub(super) fn period(fault: &StatusFault, usual: Duration) -> Duration {
 }
 
 impl<'s> Outlet<'s> {
-    pub(super) fn new(stream: &'s TcpStream, fault: StatusFault) -> Self {
-        Self { stream, fault, packets: 0, bytes: 0 }
+    pub(super) fn new(wire: &'s Arc<Wire>, fault: StatusFault) -> Self {
+        Self { wire, fault, packets: 0, bytes: 0 }
     }
 
     pub(super) fn fault(&self) -> &StatusFault {
@@ -37,7 +38,7 @@ impl<'s> Outlet<'s> {
 
     /// Writes bytes as they are.
     pub(super) fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.stream.write_all(bytes)
+        self.wire.send(bytes)
     }
 
     /// Writes a packet, or what becomes of it. An error says that the connection ends.
@@ -45,22 +46,22 @@ impl<'s> Outlet<'s> {
         self.packets = self.packets.wrapping_add(1);
         match self.fault {
             StatusFault::Silent => Ok(()),
-            StatusFault::Pieces(size) => packet.chunks(size.max(1)).try_for_each(|piece| self.stream.write_all(piece)),
+            StatusFault::Pieces(size) => packet.chunks(size.max(1)).try_for_each(|piece| self.wire.send(piece)),
             StatusFault::Garbage { bytes, seed } => {
                 let noise = garbage(bytes, seed.wrapping_add(self.packets));
-                self.stream.write_all(&[&noise, packet].concat())
+                self.wire.send(&[&noise, packet].concat())
             }
-            StatusFault::Cut(count) => self.stream.write_all(&packet[..packet.len().min(count)]),
-            StatusFault::Instead(ref bytes) => self.stream.write_all(bytes),
+            StatusFault::Cut(count) => self.wire.send(&packet[..packet.len().min(count)]),
+            StatusFault::Instead(ref bytes) => self.wire.send(bytes),
             StatusFault::CloseAfter(count) => self.send_up_to(count, packet),
-            StatusFault::None | StatusFault::Slow(_) => self.stream.write_all(packet),
+            StatusFault::None | StatusFault::Slow(_) => self.wire.send(packet),
         }
     }
 
     fn send_up_to(&mut self, count: usize, packet: &[u8]) -> io::Result<()> {
         let left = count.saturating_sub(self.bytes);
         let part = &packet[..packet.len().min(left)];
-        self.stream.write_all(part)?;
+        self.wire.send(part)?;
         self.bytes += part.len();
         if self.bytes < count { Ok(()) } else { Err(io::Error::new(ErrorKind::ConnectionAborted, "closed by a fault")) }
     }

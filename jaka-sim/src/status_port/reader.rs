@@ -3,16 +3,17 @@
 use std::collections::VecDeque;
 use std::io;
 use std::mem;
-use std::net::{Shutdown, TcpStream};
+use std::net::TcpStream;
 use std::ops::ControlFlow;
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
 use super::outlet::{Outlet, period};
 use super::replayed::{Packets, Turn};
-use crate::StatusFault;
+use crate::link::{Links, Wire};
 use crate::lock::{lock, wait};
 use crate::replay::Stage;
+use crate::{Port, StatusFault};
 
 /// How long the connection of a reader may be full. It holds packets of many seconds.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -20,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// One reader, who gets packets in time and letters in between.
 #[derive(Debug)]
 pub(super) struct Reader {
-    stream: TcpStream,
+    wire: Arc<Wire>,
     mail: Mutex<Mail>,
     changed: Condvar,
 }
@@ -56,11 +57,11 @@ enum Job {
 }
 
 impl Reader {
-    pub(super) fn new(stream: TcpStream, fault: StatusFault) -> io::Result<Self> {
-        stream.set_nodelay(true)?;
+    pub(super) fn new(stream: TcpStream, links: &Arc<Links>, fault: StatusFault) -> io::Result<Self> {
         stream.set_write_timeout(Some(PATIENCE))?;
+        let wire = Wire::new(stream, Port::Status, links)?;
         let mail = Mail { fault: Some(fault), ..Mail::default() };
-        Ok(Self { stream, mail: Mutex::new(mail), changed: Condvar::new() })
+        Ok(Self { wire, mail: Mutex::new(mail), changed: Condvar::new() })
     }
 
     /// Writes a packet at once, and then one each period, if there is one, until the connection ends.
@@ -100,13 +101,13 @@ impl Reader {
 
     fn first_outlet(&self) -> Outlet<'_> {
         let fault = lock(&self.mail).fault.take();
-        Outlet::new(&self.stream, fault.unwrap_or_default())
+        Outlet::new(&self.wire, fault.unwrap_or_default())
     }
 
     /// Does what is not a packet in its turn.
     fn do_job<'s>(&'s self, job: Job, outlet: &mut Outlet<'s>) -> io::Result<ControlFlow<()>> {
         match job {
-            Job::Fault(fault) => *outlet = Outlet::new(&self.stream, fault),
+            Job::Fault(fault) => *outlet = Outlet::new(&self.wire, fault),
             Job::Letter(letter) => {
                 match letter {
                     Letter::Packet(packet) => outlet.send_packet(&packet)?,
@@ -188,13 +189,13 @@ impl Reader {
         drop(wait(&self.changed, lock(&self.mail), Duration::MAX, done));
     }
 
-    /// Ends the connection, and wakes the thread.
+    /// Ends the connection, as its link lets it, and wakes the thread.
     pub(super) fn close(&self) {
         let mut mail = lock(&self.mail);
         mail.closed = true;
         mail.letters.clear();
         self.changed.notify_all();
-        // An error says that it has ended already.
-        self.stream.shutdown(Shutdown::Both).ok();
+        drop(mail);
+        self.wire.close();
     }
 }

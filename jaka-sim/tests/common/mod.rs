@@ -84,6 +84,16 @@ impl Peer {
         rest
     }
 
+    /// How many bytes come before the end of the connection, counted by a thread.
+    pub(crate) fn read_to_end_in_parallel(&mut self) -> std::thread::JoinHandle<usize> {
+        let mut stream = self.stream.try_clone().expect("a socket can be cloned");
+        std::thread::spawn(move || {
+            let mut rest = Vec::new();
+            stream.read_to_end(&mut rest).ok();
+            rest.len()
+        })
+    }
+
     /// Asserts that nothing has come: a later exchange is answered first.
     pub(crate) fn assert_quiet(&mut self) {
         let reply = self.call("get_version");

@@ -1,0 +1,109 @@
+//! What can be wrong with the way between a port and its clients.
+
+use std::time::Duration;
+
+use crate::{Direction, Port};
+
+/// Something wrong with a link: what passes between a port and its clients in one direction, and when.
+///
+/// [`Controller::link`](crate::Controller::link) sets it on a running controller, and [`FaultPlan::link`] from the start. It
+/// concerns the connections that are open and those to come, until another fault is set. Times are real times, also with a
+/// stepped clock. A link has no message boundaries: it concerns bytes, and the end of a connection behind them.
+///
+/// Connecting itself is up to the system, and succeeds on a link on which nothing passes.
+///
+/// [`FaultPlan::link`]: crate::FaultPlan::link
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum LinkFault {
+    /// Nothing: what is sent passes at once, and so does all that is held. `none` in a script.
+    #[default]
+    None,
+    /// Nothing passes until another fault is set. `hold` in a script.
+    ///
+    /// To the client: what the controller sends waits, and then arrives as it was sent: old status packets, replies of long ago.
+    /// When 16 MiB wait, the controller ends the connection; the client gets these, and then the end.
+    ///
+    /// To the controller: requests are neither read nor carried out, nor is the end of the connection noticed. The systems'
+    /// buffers go on taking what the client sends, some hundred kilobytes, and acknowledge it.
+    Hold,
+    /// Each byte arrives so much later, in order, and as many at a time as without. `delay 800ms` in a script.
+    ///
+    /// Requests are carried out, and answered, so much later.
+    Delay(Duration),
+    /// So many bytes pass in a second, and at least one. `slow 9600` in a script.
+    ///
+    /// What has been held goes on at this pace, and so does all that follows, until another fault is set.
+    Slow(u64),
+    /// Nothing passes ever again, as with a pulled cable: no byte, no end of the connection, no reset. `cut` in a script.
+    ///
+    /// A connection that has been cut stays so, and so does one that is made meanwhile. When another fault is set, it is for the
+    /// connections that follow.
+    Cut,
+}
+
+/// A [`LinkFault`] of a [`FaultPlan`](crate::FaultPlan): on which links, and when.
+///
+/// Without more it is for both ports and both directions, and from the start of the controller on.
+///
+/// ```
+/// use std::time::Duration;
+///
+/// use jaka_sim::{FaultPlan, LinkEvent, LinkFault, Port};
+///
+/// let stall = LinkEvent::new(LinkFault::Hold).port(Port::Status).to_client();
+/// let plan = FaultPlan::new().link(stall.after(Duration::from_secs(10)).lasting(Duration::from_secs(5)));
+/// assert_eq!(plan.to_string(), "link status to-client hold after 10s for 5s");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[must_use = "an event does nothing without a plan"]
+pub struct LinkEvent {
+    pub(crate) port: Option<Port>,
+    pub(crate) direction: Option<Direction>,
+    pub(crate) fault: LinkFault,
+    pub(crate) after: Duration,
+    pub(crate) lasting: Option<Duration>,
+}
+
+impl LinkEvent {
+    /// A fault of both ports in both directions, from the start of the controller on.
+    pub fn new(fault: LinkFault) -> Self {
+        Self { port: None, direction: None, fault, after: Duration::ZERO, lasting: None }
+    }
+
+    /// Is for one port alone.
+    pub fn port(self, port: Port) -> Self {
+        Self { port: Some(port), ..self }
+    }
+
+    /// Is for one direction alone.
+    pub fn direction(self, direction: Direction) -> Self {
+        Self { direction: Some(direction), ..self }
+    }
+
+    /// Is for what clients receive alone.
+    pub fn to_client(self) -> Self {
+        self.direction(Direction::ToClient)
+    }
+
+    /// Is for what clients send alone.
+    pub fn to_controller(self) -> Self {
+        self.direction(Direction::ToController)
+    }
+
+    /// Begins so long after the start of the controller, in real time.
+    pub fn after(self, time: Duration) -> Self {
+        Self { after: time, ..self }
+    }
+
+    /// Ends so long after it began, in real time: then the links are as they should be. Nothing else ends it if not set.
+    pub fn lasting(self, time: Duration) -> Self {
+        Self { lasting: Some(time), ..self }
+    }
+}
+
+impl From<LinkFault> for LinkEvent {
+    fn from(fault: LinkFault) -> Self {
+        Self::new(fault)
+    }
+}

@@ -1,0 +1,175 @@
+//! What a client sends, behind whatever is wrong with its link.
+
+use std::collections::VecDeque;
+use std::io::{self, ErrorKind, Read};
+use std::time::{Duration, Instant};
+
+use super::queue::Pace;
+use super::state::shorter;
+use super::{Direction, Wire};
+use crate::fault::LinkFault;
+
+/// The least time that a socket can be waited for.
+const LEAST_WAIT: Duration = Duration::from_millis(1);
+
+/// How long a socket is waited for at most while something else is due: a link can change meanwhile.
+const MOST_WAIT: Duration = Duration::from_millis(10);
+
+/// How many bytes may be on their way on a slow link. The client's system keeps what is more.
+const MOST: usize = 4 << 20;
+
+/// Reads from a connection, as its link lets it.
+#[derive(Debug)]
+pub(crate) struct Inbound<'w> {
+    wire: &'w Wire,
+    /// What has come off the socket and not arrived yet. Nothing but the end is empty.
+    waiting: VecDeque<(Instant, Vec<u8>)>,
+    bytes: usize,
+    /// Whether the end has come off the socket.
+    ended: bool,
+    pace: Pace,
+    /// Whether the socket waits for a time only.
+    hurried: bool,
+}
+
+/// What has arrived.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Received {
+    Bytes(usize),
+    /// Nothing in time.
+    Silence,
+    End,
+}
+
+/// What to do next where something is, or has been, wrong.
+#[derive(Debug, PartialEq, Eq)]
+enum Turn {
+    /// Something arrives; at most so many bytes of it.
+    Take(usize),
+    /// Waits for the socket; at most so long, if a time is given.
+    Read(Option<Duration>),
+    /// Waits for a change of the link; at most so long, if a time is given.
+    Wait(Option<Duration>),
+}
+
+impl<'w> Inbound<'w> {
+    pub(crate) fn new(wire: &'w Wire) -> Self {
+        Self { wire, waiting: VecDeque::new(), bytes: 0, ended: false, pace: Pace::default(), hurried: false }
+    }
+
+    /// Waits for bytes; at most so long, if a time is given.
+    pub(crate) fn receive(&mut self, space: &mut [u8], patience: Option<Duration>) -> io::Result<Received> {
+        let links = self.wire.links();
+        if !links.are_used() {
+            let received = self.read(space, patience)?;
+            // A fault that has begun while this waited is for what has come.
+            if !links.are_used() || received == Received::Silence {
+                return Ok(received);
+            }
+            self.keep(received, space);
+        }
+        self.receive_late(space, patience)
+    }
+
+    fn receive_late(&mut self, space: &mut [u8], patience: Option<Duration>) -> io::Result<Received> {
+        let deadline = patience.and_then(|time| Instant::now().checked_add(time));
+        let left = || deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
+        let links = self.wire.links();
+        loop {
+            if self.wire.is_closed() {
+                return Ok(Received::End);
+            }
+            let mut state = links.state();
+            let (fault, stays) = self.wire.fault(&mut state, Direction::ToController);
+            match self.next(fault) {
+                Turn::Take(most) => {
+                    let received = self.take(space, most);
+                    if let (LinkFault::Slow(per_second), Received::Bytes(count)) = (fault, received) {
+                        self.pace.passed(count, per_second);
+                    }
+                    return Ok(received);
+                }
+                _ if left() == Some(Duration::ZERO) => return Ok(Received::Silence),
+                Turn::Wait(time) => drop(links.wait(state, shorter(shorter(time, stays), left()))),
+                Turn::Read(time) => {
+                    drop(state);
+                    let received = self.read(space, shorter(time, left())).unwrap_or_else(|error| {
+                        log::trace!(target: "jaka_sim", "client lost behind its link: {error}");
+                        Received::End
+                    });
+                    self.keep(received, space);
+                }
+            }
+        }
+    }
+
+    fn next(&self, fault: LinkFault) -> Turn {
+        let first = self.waiting.front().map(|(came, _)| came.elapsed());
+        match (fault, first) {
+            (LinkFault::Hold | LinkFault::Cut, _) => Turn::Wait(None),
+            (_, None) => Turn::Read(None),
+            (LinkFault::None, Some(_)) => Turn::Take(usize::MAX),
+            (LinkFault::Delay(time), Some(age)) => match time.saturating_sub(age) {
+                Duration::ZERO => Turn::Take(usize::MAX),
+                left if self.ended || self.bytes >= MOST => Turn::Wait(Some(left)),
+                left => Turn::Read(Some(left.min(MOST_WAIT))),
+            },
+            (LinkFault::Slow(per_second), Some(_)) => {
+                self.pace.left().map_or(Turn::Take(Pace::portion(per_second)), |left| Turn::Wait(Some(left)))
+            }
+        }
+    }
+
+    fn keep(&mut self, received: Received, space: &[u8]) {
+        match received {
+            Received::Bytes(count) => {
+                self.bytes += count;
+                self.waiting.push_back((Instant::now(), space[..count].to_vec()));
+            }
+            Received::End => {
+                self.ended = true;
+                self.waiting.push_back((Instant::now(), Vec::new()));
+            }
+            Received::Silence => {}
+        }
+    }
+
+    /// Lets the first of what waits arrive.
+    fn take(&mut self, space: &mut [u8], most: usize) -> Received {
+        let Some((came, mut bytes)) = self.waiting.pop_front() else { return Received::Silence };
+        if bytes.is_empty() {
+            return Received::End;
+        }
+        let count = bytes.len().min(space.len()).min(most);
+        space[..count].copy_from_slice(&bytes[..count]);
+        self.bytes -= count;
+        if count < bytes.len() {
+            self.waiting.push_front((came, bytes.split_off(count)));
+        }
+        Received::Bytes(count)
+    }
+
+    fn read(&mut self, space: &mut [u8], patience: Option<Duration>) -> io::Result<Received> {
+        self.set_patience(patience)?;
+        loop {
+            return match self.wire.stream().read(space) {
+                Ok(0) => Ok(Received::End),
+                Ok(count) => Ok(Received::Bytes(count)),
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+                // Systems differ in what they call it.
+                Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+                    Ok(Received::Silence)
+                }
+                Err(error) => Err(error),
+            };
+        }
+    }
+
+    fn set_patience(&mut self, patience: Option<Duration>) -> io::Result<()> {
+        if self.hurried || patience.is_some() {
+            self.wire.stream().set_read_timeout(patience.map(|time| time.max(LEAST_WAIT)))?;
+        }
+        self.hurried = patience.is_some();
+        Ok(())
+    }
+}

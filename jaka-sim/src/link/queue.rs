@@ -1,0 +1,247 @@
+//! What waits to be sent on a connection.
+
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
+
+use crate::fault::LinkFault;
+
+/// How many bytes may wait.
+const MOST: usize = 16 << 20;
+
+/// What waits to be sent, in order.
+#[derive(Debug, Default)]
+pub(super) struct Queue {
+    /// What was sent when.
+    writes: VecDeque<(Instant, Vec<u8>)>,
+    bytes: usize,
+    /// What becomes of the connection behind the last byte.
+    end: Option<(Instant, End)>,
+    pace: Pace,
+    /// Whether a thread sends what waits.
+    pub(super) has_sender: bool,
+    /// Whether that thread is about to write.
+    is_sending: bool,
+    fate: Fate,
+}
+
+/// What has become of a connection.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Fate {
+    #[default]
+    Open,
+    /// Nothing more can be written.
+    Lost,
+    /// It ends at once, whatever is wrong with its link.
+    Aborted,
+}
+
+/// How a connection ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    Close,
+    /// As dropping the socket does: by a reset, where that has been set.
+    Drop,
+}
+
+/// What the thread that sends does next.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Turn {
+    Send(Vec<u8>),
+    /// Waits for a change; at most so long, if a time is given.
+    Wait(Option<Duration>),
+    End(End),
+}
+
+impl Queue {
+    /// Whether all has been sent that was to be.
+    pub(super) fn is_idle(&self) -> bool {
+        self.writes.is_empty() && !self.is_sending
+    }
+
+    /// Whether the connection takes nothing more.
+    pub(super) fn is_over(&self) -> bool {
+        self.fate != Fate::Open || self.end.is_some()
+    }
+
+    /// Adds bytes; false where there are too many.
+    pub(super) fn push(&mut self, bytes: &[u8]) -> bool {
+        if self.bytes.saturating_add(bytes.len()) > MOST {
+            return false;
+        }
+        self.bytes += bytes.len();
+        self.writes.push_back((Instant::now(), bytes.to_vec()));
+        true
+    }
+
+    /// Says what becomes of the connection, unless it has been said.
+    pub(super) fn end(&mut self, end: End) {
+        self.end.get_or_insert((Instant::now(), end));
+    }
+
+    /// Nothing more can be written.
+    pub(super) fn lose(&mut self) {
+        self.fate = Fate::Lost;
+        self.clear();
+    }
+
+    /// Ends the connection at once.
+    pub(super) fn abort(&mut self) {
+        self.fate = Fate::Aborted;
+        self.clear();
+    }
+
+    pub(super) fn is_aborted(&self) -> bool {
+        self.fate == Fate::Aborted
+    }
+
+    fn clear(&mut self) {
+        self.writes.clear();
+        self.bytes = 0;
+    }
+
+    /// What to do next on a link with this fault.
+    pub(super) fn next(&mut self, fault: LinkFault) -> Turn {
+        self.is_sending = false;
+        match self.end {
+            _ if self.is_aborted() => return Turn::End(End::Close),
+            Some((_, end)) if self.fate == Fate::Lost => return Turn::End(end),
+            _ => {}
+        }
+        let turn = match fault {
+            LinkFault::None => self.take(usize::MAX),
+            LinkFault::Hold => Turn::Wait(None),
+            LinkFault::Delay(time) => self.take_delayed(time),
+            LinkFault::Slow(per_second) => self.take_slowly(per_second),
+            LinkFault::Cut => {
+                self.clear();
+                Turn::Wait(None)
+            }
+        };
+        self.is_sending = matches!(turn, Turn::Send(_));
+        turn
+    }
+
+    /// The next write, or as much of it.
+    fn take(&mut self, most: usize) -> Turn {
+        let Some((sent, mut bytes)) = self.writes.pop_front() else {
+            return self.end.map_or(Turn::Wait(None), |(_, end)| Turn::End(end));
+        };
+        if bytes.len() > most {
+            let rest = bytes.split_off(most);
+            self.writes.push_front((sent, rest));
+        }
+        self.bytes -= bytes.len();
+        Turn::Send(bytes)
+    }
+
+    fn take_delayed(&mut self, time: Duration) -> Turn {
+        let sent = self.writes.front().map(|(sent, _)| *sent).or(self.end.map(|(sent, _)| sent));
+        let Some(sent) = sent else { return Turn::Wait(None) };
+        match time.saturating_sub(sent.elapsed()) {
+            Duration::ZERO => self.take(usize::MAX),
+            left => Turn::Wait(Some(left)),
+        }
+    }
+
+    fn take_slowly(&mut self, per_second: u64) -> Turn {
+        if let Some(left) = self.pace.left() {
+            return Turn::Wait(Some(left));
+        }
+        let turn = self.take(Pace::portion(per_second));
+        if let Turn::Send(bytes) = &turn {
+            self.pace.passed(bytes.len(), per_second);
+        }
+        turn
+    }
+}
+
+/// The pace of a slow link.
+#[derive(Debug, Default)]
+pub(super) struct Pace {
+    free_at: Option<Instant>,
+}
+
+impl Pace {
+    /// How much may be late for the pace to be kept by hurrying.
+    const SLACK: Duration = Duration::from_millis(100);
+
+    /// How many bytes pass at once: those of 10 ms, or a single one.
+    pub(super) fn portion(per_second: u64) -> usize {
+        usize::try_from(per_second / 100).unwrap_or(usize::MAX).max(1)
+    }
+
+    /// How long nothing more passes; `None` where something does.
+    pub(super) fn left(&self) -> Option<Duration> {
+        let left = self.free_at?.saturating_duration_since(Instant::now());
+        (!left.is_zero()).then_some(left)
+    }
+
+    /// So many bytes have passed.
+    pub(super) fn passed(&mut self, bytes: usize, per_second: u64) {
+        let now = Instant::now();
+        let from = self.free_at.filter(|free_at| now.duration_since(*free_at) < Self::SLACK).unwrap_or(now);
+        let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
+        let nanos = bytes.saturating_mul(1_000_000_000) / per_second.max(1);
+        self.free_at = from.checked_add(Duration::from_nanos(nanos));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn queue() -> Queue {
+        let mut queue = Queue::default();
+        assert!(queue.push(b"one") && queue.push(b"two"));
+        queue
+    }
+
+    #[test]
+    fn the_end_comes_behind_the_bytes() {
+        let mut queue = queue();
+        queue.end(End::Drop);
+        queue.end(End::Close);
+        assert_eq!(queue.next(LinkFault::Hold), Turn::Wait(None));
+        assert_eq!(queue.next(LinkFault::None), Turn::Send(b"one".to_vec()));
+        assert!(!queue.is_idle());
+        assert_eq!(queue.next(LinkFault::None), Turn::Send(b"two".to_vec()));
+        // Written only when the thread comes for more.
+        assert!(!queue.is_idle());
+        assert_eq!(queue.next(LinkFault::Hold), Turn::Wait(None));
+        assert!(queue.is_idle());
+        assert_eq!(queue.next(LinkFault::None), Turn::End(End::Drop));
+    }
+
+    #[test]
+    fn a_delay_counts_from_when_each_was_sent() {
+        let mut queue = queue();
+        assert!(matches!(queue.next(LinkFault::Delay(Duration::from_secs(60))), Turn::Wait(Some(_))));
+        assert_eq!(queue.next(LinkFault::Delay(Duration::ZERO)), Turn::Send(b"one".to_vec()));
+    }
+
+    #[test]
+    fn a_slow_link_lets_a_portion_pass() {
+        let mut queue = queue();
+        assert_eq!(queue.next(LinkFault::Slow(200)), Turn::Send(b"on".to_vec()));
+        let Turn::Wait(Some(left)) = queue.next(LinkFault::Slow(200)) else { panic!("nothing passes for 10 ms") };
+        assert!(left <= Duration::from_millis(10));
+        assert_eq!(queue.next(LinkFault::None), Turn::Send(b"e".to_vec()));
+    }
+
+    #[test]
+    fn what_is_cut_is_gone() {
+        let mut queue = queue();
+        queue.end(End::Close);
+        assert_eq!(queue.next(LinkFault::Cut), Turn::Wait(None));
+        assert!(queue.is_idle());
+        queue.abort();
+        assert_eq!(queue.next(LinkFault::Cut), Turn::End(End::Close));
+    }
+
+    #[test]
+    fn what_waits_is_bounded() {
+        let mut queue = Queue::default();
+        let bytes = vec![0; 1 << 20];
+        assert_eq!((0..100).filter(|_| queue.push(&bytes)).count(), 16);
+    }
+}

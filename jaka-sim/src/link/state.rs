@@ -1,0 +1,189 @@
+//! What is wrong with each link, and who waits for it to change.
+
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, Weak};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use super::wire::Wire;
+use super::{Direction, Port};
+use crate::fault::{LinkEvent, LinkFault};
+use crate::lock::{lock, wait};
+
+/// How many connections may wait behind a fault to end. The oldest ends at once where there are more.
+const MOST_SENDERS: usize = 512;
+
+/// The links of a controller.
+///
+/// Locks are taken in this order: `state`, a wire's queue.
+#[derive(Debug, Default)]
+pub(crate) struct Links {
+    /// Whether any link has ever had a fault.
+    used: AtomicBool,
+    state: Mutex<State>,
+    changed: Condvar,
+    senders: Mutex<VecDeque<Sender>>,
+}
+
+/// A thread that sends what has waited, and the connection on which it does.
+type Sender = (Weak<Wire>, JoinHandle<()>);
+
+/// The faults of each port in each direction.
+#[derive(Debug, Default)]
+pub(super) struct State {
+    ways: [[Way; 2]; 2],
+}
+
+/// One port in one direction.
+#[derive(Debug, Default)]
+pub(super) struct Way {
+    fault: LinkFault,
+    /// How many times it has been cut. A connection that is older than the last of these is cut.
+    cuts: u64,
+    /// What is to follow, in order.
+    schedule: VecDeque<(Instant, LinkFault)>,
+}
+
+impl Links {
+    /// The links of a controller that starts now.
+    pub(crate) fn new(events: &[LinkEvent]) -> Self {
+        let mut state = State::default();
+        let start = Instant::now();
+        for event in events {
+            state.schedule(event, start);
+        }
+        state.ways.iter_mut().flatten().for_each(|way| way.catch_up(start));
+        Self { used: AtomicBool::new(!events.is_empty()), state: Mutex::new(state), ..Self::default() }
+    }
+
+    /// Sets what is wrong with these links from now on, and forgets what was to follow.
+    pub(crate) fn set(&self, port: Option<Port>, direction: Option<Direction>, fault: LinkFault) {
+        let mut state = lock(&self.state);
+        if fault != LinkFault::None {
+            self.used.store(true, Ordering::SeqCst);
+        }
+        state.each(port, direction, |way| {
+            way.schedule.clear();
+            way.set(fault);
+        });
+        drop(state);
+        self.changed.notify_all();
+    }
+
+    /// Whether any link has ever had a fault.
+    pub(super) fn are_used(&self) -> bool {
+        self.used.load(Ordering::SeqCst)
+    }
+
+    pub(super) fn state(&self) -> MutexGuard<'_, State> {
+        lock(&self.state)
+    }
+
+    /// Waits for a change, or so long.
+    pub(super) fn wait<'l>(&'l self, state: MutexGuard<'l, State>, time: Option<Duration>) -> MutexGuard<'l, State> {
+        let mut waited = false;
+        wait(&self.changed, state, time.unwrap_or(Duration::MAX), |_| std::mem::replace(&mut waited, true))
+    }
+
+    /// Has all who wait look at their link again.
+    pub(super) fn notify(&self) {
+        drop(self.state());
+        self.changed.notify_all();
+    }
+
+    pub(super) fn add_sender(&self, sender: Sender) {
+        let mut senders = lock(&self.senders);
+        senders.retain(|(_, thread)| !thread.is_finished());
+        senders.push_back(sender);
+        let oldest = if senders.len() > MOST_SENDERS { senders.pop_front() } else { None };
+        drop(senders);
+        if let Some((wire, _)) = oldest {
+            wire.upgrade().inspect(|wire| wire.abort());
+        }
+    }
+
+    /// Ends all connections on which something waits, and waits for their threads.
+    pub(crate) fn abort(&self) {
+        let senders = std::mem::take(&mut *lock(&self.senders));
+        for (wire, _) in &senders {
+            wire.upgrade().inspect(|wire| wire.abort());
+        }
+        for (_, thread) in senders {
+            // A panic there has been reported, and concerns one connection.
+            drop(thread.join());
+        }
+    }
+}
+
+impl State {
+    fn schedule(&mut self, event: &LinkEvent, start: Instant) {
+        let Some(begin) = start.checked_add(event.after) else { return };
+        let end = event.lasting.and_then(|time| begin.checked_add(time));
+        self.each(event.port, event.direction, |way| {
+            way.schedule.push_back((begin, event.fault));
+            way.schedule.extend(end.map(|end| (end, LinkFault::None)));
+            // What is said later holds where both are for one moment.
+            way.schedule.make_contiguous().sort_by_key(|(at, _)| *at);
+        });
+    }
+
+    fn each(&mut self, port: Option<Port>, direction: Option<Direction>, mut change: impl FnMut(&mut Way)) {
+        for each_port in Port::ALL.into_iter().filter(|each| port.is_none_or(|port| port == *each)) {
+            for each_way in Direction::ALL.into_iter().filter(|each| direction.is_none_or(|way| way == *each)) {
+                change(self.way(each_port, each_way));
+            }
+        }
+    }
+
+    /// The link of a port in a direction, as it is now.
+    pub(super) fn now(&mut self, port: Port, direction: Direction) -> &mut Way {
+        let way = self.way(port, direction);
+        way.catch_up(Instant::now());
+        way
+    }
+
+    fn way(&mut self, port: Port, direction: Direction) -> &mut Way {
+        &mut self.ways[port as usize][direction as usize]
+    }
+}
+
+impl Way {
+    fn set(&mut self, fault: LinkFault) {
+        self.fault = fault;
+        if fault == LinkFault::Cut {
+            self.cuts += 1;
+        }
+    }
+
+    fn catch_up(&mut self, now: Instant) {
+        while self.schedule.front().is_some_and(|(at, _)| *at <= now) {
+            if let Some((_, fault)) = self.schedule.pop_front() {
+                self.set(fault);
+            }
+        }
+    }
+
+    /// What a connection that is made now remembers, to know whether it has been cut.
+    pub(super) fn birth(&self) -> u64 {
+        if self.fault == LinkFault::Cut { self.cuts.saturating_sub(1) } else { self.cuts }
+    }
+
+    /// What is wrong for a connection of this birth.
+    pub(super) fn fault(&self, birth: u64) -> LinkFault {
+        if self.cuts > birth { LinkFault::Cut } else { self.fault }
+    }
+
+    /// How long it stays as it is, if that is known.
+    pub(super) fn stays_for(&self) -> Option<Duration> {
+        self.schedule.front().map(|(at, _)| at.saturating_duration_since(Instant::now()))
+    }
+}
+
+/// The shorter of two times, of which none is the longest.
+pub(super) fn shorter(a: Option<Duration>, b: Option<Duration>) -> Option<Duration> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}

@@ -1,0 +1,181 @@
+//! A connection, behind whatever is wrong with its link.
+
+use std::io::{self, ErrorKind, Write};
+use std::net::{Shutdown, TcpStream};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard};
+use std::thread;
+use std::time::Duration;
+
+use socket2::SockRef;
+
+use super::queue::{End, Queue, Turn};
+use super::state::{Links, State, shorter};
+use super::{Direction, Port};
+use crate::fault::LinkFault;
+use crate::lock::lock;
+
+/// A connection, behind whatever is wrong with its link.
+///
+/// One thread writes at a time, and one reads: by [`Inbound`](super::Inbound).
+#[derive(Debug)]
+pub(crate) struct Wire {
+    stream: TcpStream,
+    port: Port,
+    links: Arc<Links>,
+    /// What the links had gone through when this was connected, by direction.
+    births: [u64; 2],
+    closed: AtomicBool,
+    queue: Mutex<Queue>,
+}
+
+impl Wire {
+    pub(crate) fn new(stream: TcpStream, port: Port, links: &Arc<Links>) -> io::Result<Arc<Self>> {
+        stream.set_nodelay(true)?;
+        let births = if links.are_used() {
+            let mut state = links.state();
+            Direction::ALL.map(|direction| state.now(port, direction).birth())
+        } else {
+            [0; 2]
+        };
+        let (links, closed) = (Arc::clone(links), AtomicBool::new(false));
+        Ok(Arc::new(Self { stream, port, links, births, closed, queue: Mutex::default() }))
+    }
+
+    pub(crate) fn stream(&self) -> &TcpStream {
+        &self.stream
+    }
+
+    pub(super) fn links(&self) -> &Links {
+        &self.links
+    }
+
+    /// Whether the controller has ended the connection. The client may not know yet.
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::SeqCst)
+    }
+
+    /// What is wrong in a direction, and how long it stays so if that is known.
+    pub(super) fn fault(&self, state: &mut State, direction: Direction) -> (LinkFault, Option<Duration>) {
+        let way = state.now(self.port, direction);
+        (way.fault(self.births[direction as usize]), way.stays_for())
+    }
+
+    /// Writes bytes, or lets them wait where something is wrong.
+    pub(crate) fn send(self: &Arc<Self>, bytes: &[u8]) -> io::Result<()> {
+        if self.links.are_used() && self.put_off(bytes)? {
+            return Ok(());
+        }
+        (&self.stream).write_all(bytes)
+    }
+
+    /// Lets bytes wait; false where they can be written at once.
+    fn put_off(self: &Arc<Self>, bytes: &[u8]) -> io::Result<bool> {
+        let mut state = self.links.state();
+        let (fault, _) = self.fault(&mut state, Direction::ToClient);
+        let mut queue = lock(&self.queue);
+        if queue.is_over() {
+            return Err(ErrorKind::BrokenPipe.into());
+        }
+        match fault {
+            LinkFault::None if queue.is_idle() => return Ok(false),
+            LinkFault::Cut => return Ok(true),
+            _ => {}
+        }
+        if !queue.push(bytes) {
+            return Err(io::Error::new(ErrorKind::StorageFull, "too much waits on a link that is held up"));
+        }
+        drop(state);
+        self.have_sender(queue)?;
+        self.links.notify();
+        Ok(true)
+    }
+
+    /// Has a thread send what waits. The state of the links must not be locked: another connection may have to end for this.
+    fn have_sender(self: &Arc<Self>, mut queue: MutexGuard<'_, Queue>) -> io::Result<()> {
+        if !queue.has_sender {
+            let this = Arc::clone(self);
+            let thread = thread::Builder::new().name("jaka-sim link".to_owned()).spawn(move || this.send_all())?;
+            queue.has_sender = true;
+            drop(queue);
+            self.links.add_sender((Arc::downgrade(self), thread));
+        }
+        Ok(())
+    }
+
+    /// Sends what waits, to the end of the connection.
+    fn send_all(&self) {
+        let mut state = self.links.state();
+        loop {
+            let (fault, stays) = self.fault(&mut state, Direction::ToClient);
+            let turn = lock(&self.queue).next(fault);
+            match turn {
+                Turn::Send(bytes) => {
+                    drop(state);
+                    if let Err(error) = (&self.stream).write_all(&bytes) {
+                        log::trace!(target: "jaka_sim", "client lost behind its link: {error}");
+                        lock(&self.queue).lose();
+                    }
+                    state = self.links.state();
+                }
+                Turn::Wait(time) => state = self.links.wait(state, shorter(time, stays)),
+                Turn::End(End::Close) => return self.shut_down(Shutdown::Both),
+                Turn::End(End::Drop) => return,
+            }
+        }
+    }
+
+    /// Ends the connection; the client sees it when its link lets it pass. Wakes who reads.
+    pub(crate) fn close(self: &Arc<Self>) {
+        self.closed.store(true, Ordering::SeqCst);
+        if !self.end_later(End::Close) {
+            self.shut_down(Shutdown::Both);
+        }
+        if self.links.are_used() {
+            self.links.notify();
+        }
+    }
+
+    /// Has the connection reset when the last one drops it, and not before its link lets that pass. It must not be closed
+    /// before.
+    pub(crate) fn reset_on_drop(self: &Arc<Self>) {
+        if let Err(error) = SockRef::from(&self.stream).set_linger(Some(Duration::ZERO)) {
+            log::trace!(target: "jaka_sim", "the connection cannot be reset: {error}");
+        }
+        self.closed.store(true, Ordering::SeqCst);
+        if self.end_later(End::Drop) {
+            self.links.notify();
+        }
+    }
+
+    /// Leaves the end to the thread that sends; false where there is none, and nothing to wait for.
+    fn end_later(self: &Arc<Self>, end: End) -> bool {
+        if !self.links.are_used() {
+            return false;
+        }
+        let mut state = self.links.state();
+        let (fault, _) = self.fault(&mut state, Direction::ToClient);
+        let mut queue = lock(&self.queue);
+        if queue.is_aborted() || (fault == LinkFault::None && !queue.has_sender) {
+            return false;
+        }
+        queue.end(end);
+        // To the client, this is as if nothing had been done.
+        self.shut_down(Shutdown::Read);
+        drop(state);
+        self.have_sender(queue).is_ok()
+    }
+
+    /// Ends the connection at once, whatever is wrong with its link.
+    pub(crate) fn abort(&self) {
+        self.closed.store(true, Ordering::SeqCst);
+        lock(&self.queue).abort();
+        self.shut_down(Shutdown::Both);
+        self.links.notify();
+    }
+
+    fn shut_down(&self, how: Shutdown) {
+        // An error says that it has ended already.
+        self.stream.shutdown(how).ok();
+    }
+}

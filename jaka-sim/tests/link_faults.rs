@@ -1,0 +1,445 @@
+//! Links that stall, delay and cut, as plain sockets see them.
+
+mod common;
+
+use std::io::{ErrorKind, Read};
+use std::time::{Duration, Instant};
+
+use common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use jaka_sim::{Controller, Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, Takeover};
+
+/// How long nothing comes where nothing must come. A test that waits too short passes, and never fails by chance.
+const QUIET: Duration = Duration::from_millis(40);
+const DELAY: Duration = Duration::from_millis(150);
+
+/// A controller that sends no packets but those asked for, with a client at each port that has had a message.
+fn connected() -> (Controller, Peer, Peer) {
+    let controller = fresh();
+    let (mut commands, mut status) = (Peer::commands(&controller), Peer::status(&controller));
+    assert_accepted(&commands.call("get_version"), "get_version");
+    status.receive();
+    (controller, commands, status)
+}
+
+/// True if neither bytes nor an end come.
+fn is_quiet(peer: &Peer) -> bool {
+    peer.stream.set_read_timeout(Some(QUIET)).expect("a timeout can be set");
+    let peeked = peer.stream.peek(&mut [0]);
+    peer.stream.set_read_timeout(Some(LIMIT)).expect("a timeout can be set");
+    peeked.is_err_and(|error| matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut))
+}
+
+/// Has something pass on a port: a request and its reply, or a packet.
+fn pass(controller: &Controller, port: Port, peer: &mut Peer) {
+    match port {
+        Port::Command => peer.send(request("get_version")),
+        Port::Status => controller.publish(),
+    }
+}
+
+fn assert_passed(port: Port, peer: &mut Peer) {
+    let message = json(&peer.receive());
+    match port {
+        Port::Command => assert_accepted(&message, "get_version"),
+        Port::Status => assert!(message["len"].is_number(), "{message}"),
+    }
+}
+
+/// Whether something waits, as the client of a port sees it, with a fault in this direction.
+fn holds_up(port: Port, direction: Direction) -> bool {
+    // Nothing goes from the readers of status packets to the controller.
+    port == Port::Command || direction == Direction::ToClient
+}
+
+#[test]
+fn each_fault_of_each_link_is_for_that_link() {
+    for fault in LinkFault::one_of_each() {
+        for port in Port::ALL {
+            for direction in Direction::ALL {
+                let (controller, commands, status) = connected();
+                let [mut peer, mut other] = match port {
+                    Port::Command => [commands, status],
+                    Port::Status => [status, commands],
+                };
+                let other_port = if port == Port::Command { Port::Status } else { Port::Command };
+                let began = Instant::now();
+                controller.link(port).direction(direction).set(fault);
+                pass(&controller, port, &mut peer);
+                pass(&controller, other_port, &mut other);
+                assert_passed(other_port, &mut other);
+                match fault {
+                    _ if !holds_up(port, direction) => assert_passed(port, &mut peer),
+                    LinkFault::Hold => {
+                        assert!(is_quiet(&peer), "{port} {direction} {fault}");
+                        controller.links().release();
+                        assert_passed(port, &mut peer);
+                    }
+                    LinkFault::Cut => {
+                        assert!(is_quiet(&peer), "{port} {direction} {fault}");
+                        controller.links().release();
+                        assert!(is_quiet(&peer), "{port} {direction} {fault}");
+                    }
+                    LinkFault::Delay(time) => {
+                        assert_passed(port, &mut peer);
+                        assert!(began.elapsed() >= time, "{port} {direction} {fault}");
+                    }
+                    _ => assert_passed(port, &mut peer),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_was_held_arrives_as_it_was_sent() {
+    let (controller, mut commands, mut status) = connected();
+    controller.links().hold();
+    let mut sent = Vec::new();
+    for message in ["first", "second", "third"] {
+        controller.set_state(|state| message.clone_into(&mut state.error_message));
+        controller.publish();
+        sent.push(message);
+    }
+    commands.send(request("power_on"));
+    assert!(is_quiet(&status) && is_quiet(&commands));
+    // Neither carried out nor seen.
+    assert!(!controller.state().powered);
+    assert_eq!(controller.requests().len(), 1);
+    controller.links().release();
+    for message in sent {
+        assert_eq!(json(&status.receive())["errmsg"], *message);
+    }
+    assert_accepted(&json(&commands.receive()), "power_on");
+    assert!(controller.state().powered);
+}
+
+#[test]
+fn held_requests_are_carried_out_in_order() {
+    let (controller, mut commands, _status) = connected();
+    controller.link(Port::Command).to_controller().hold();
+    let names = ["power_on", "enable_robot", "disable_robot", "get_version"];
+    for name in names {
+        commands.send(request(name));
+    }
+    assert!(is_quiet(&commands));
+    controller.link(Port::Command).release();
+    for name in names {
+        assert_accepted(&json(&commands.receive()), name);
+    }
+    assert_eq!(controller.requests()[1..], names.map(request));
+}
+
+#[test]
+fn replies_are_held_and_requests_are_carried_out() {
+    let (controller, mut commands, _status) = connected();
+    controller.link(Port::Command).to_client().hold();
+    commands.send(request("power_on"));
+    assert!(controller.wait_for_requests(2, LIMIT));
+    assert!(controller.state().powered);
+    // Unasked bytes go behind, and a fault of a reply is one on a link, too.
+    controller.inject(Fault::Nameless);
+    commands.send(request("get_version"));
+    assert!(controller.wait_for_requests(3, LIMIT));
+    controller.send(b"{}").expect("a client is connected");
+    assert!(is_quiet(&commands));
+    controller.link(Port::Command).release();
+    assert_accepted(&json(&commands.receive()), "power_on");
+    assert!(json(&commands.receive())["cmdName"].is_null());
+    assert_eq!(commands.receive(), "{}");
+}
+
+#[test]
+fn a_late_reply_comes_although_requests_are_held() {
+    let (controller, mut commands, _status) = connected();
+    controller.inject(Fault::Delay(DELAY));
+    commands.send(request("get_payload"));
+    assert!(controller.wait_for_requests(2, LIMIT));
+    controller.link(Port::Command).to_controller().hold();
+    commands.send(request("power_on"));
+    assert_accepted(&json(&commands.receive()), "get_payload");
+    assert!(is_quiet(&commands));
+    assert!(!controller.state().powered);
+}
+
+#[test]
+fn a_delay_lets_as_much_pass() {
+    for direction in Direction::ALL {
+        let (controller, mut commands, _status) = connected();
+        controller.link(Port::Command).direction(direction).delay(DELAY);
+        let began = Instant::now();
+        // Those that come one by one would take 30 s.
+        for _ in 0..200 {
+            commands.send(request("get_version"));
+        }
+        for _ in 0..200 {
+            assert_accepted(&json(&commands.receive()), "get_version");
+        }
+        assert!((DELAY..LIMIT).contains(&began.elapsed()), "{:?}", began.elapsed());
+    }
+}
+
+#[test]
+fn a_delayed_packet_shows_what_has_been() {
+    let (controller, _commands, mut status) = connected();
+    controller.link(Port::Status).to_client().delay(DELAY);
+    let began = Instant::now();
+    controller.publish();
+    controller.set_state(|state| state.powered = true);
+    controller.publish();
+    assert_eq!(json(&status.receive())["powered_on"], json("0"));
+    assert_eq!(json(&status.receive())["powered_on"], json("1"));
+    assert!(began.elapsed() >= DELAY);
+}
+
+#[test]
+fn a_change_is_for_what_is_under_way() {
+    for direction in Direction::ALL {
+        let (controller, mut commands, _status) = connected();
+        let link = controller.link(Port::Command).direction(direction);
+        link.delay(Duration::from_secs(3600));
+        commands.send(request("get_version"));
+        assert!(is_quiet(&commands));
+        link.delay(Duration::ZERO);
+        assert_accepted(&json(&commands.receive()), "get_version");
+        link.delay(Duration::MAX);
+        commands.send(request("get_version"));
+        assert!(is_quiet(&commands));
+        link.release();
+        assert_accepted(&json(&commands.receive()), "get_version");
+        assert_accepted(&commands.call("get_version"), "get_version");
+    }
+}
+
+#[test]
+fn what_was_held_may_go_on_slowly() {
+    let pace = 20_000_u32;
+    let (controller, mut commands, mut status) = connected();
+    controller.links().hold();
+    for _ in 0..3 {
+        controller.publish();
+    }
+    let requests = request("get_version").repeat(20);
+    commands.send(&requests);
+    let began = Instant::now();
+    controller.links().slow(pace.into());
+    let mut bytes: usize = [(); 3].map(|()| status.receive().len()).iter().sum();
+    // A portion of 10 ms goes first.
+    let least = |bytes: usize| {
+        let bytes = u32::try_from(bytes).expect("there are few");
+        Duration::from_secs_f64(f64::from(bytes) / f64::from(pace) - 0.011)
+    };
+    assert!(began.elapsed() >= least(bytes), "{bytes} bytes in {:?}", began.elapsed());
+    bytes = (0..20).map(|_| commands.receive().len()).sum();
+    assert!(began.elapsed() >= least(bytes.max(requests.len())), "{bytes} bytes in {:?}", began.elapsed());
+    controller.links().release();
+    assert_accepted(&commands.call("get_version"), "get_version");
+}
+
+#[test]
+fn a_cut_connection_shows_no_end() {
+    // Whatever the controller does with it, but close all by its owner.
+    let ends: [fn(&Controller); 3] = [
+        |controller| drop(Peer::commands(controller)),
+        |controller| controller.take_over().expect("loopback has ports"),
+        |controller| {
+            controller.inject_always(Fault::Reset);
+            assert!(controller.send(b"{}").is_ok());
+        },
+    ];
+    for end in ends {
+        let (controller, mut commands, status) = connected();
+        controller.links().to_client().cut();
+        end(&controller);
+        commands.send(request("get_version"));
+        assert!(is_quiet(&commands) && is_quiet(&status));
+        controller.links().release();
+        controller.clear_faults();
+        assert!(is_quiet(&commands) && is_quiet(&status));
+        // A connection that is made now is not cut.
+        assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
+        controller.disconnect();
+        commands.read_to_end();
+    }
+}
+
+#[test]
+fn a_connection_that_is_made_while_the_link_is_cut_stays_cut() {
+    let controller = fresh();
+    controller.links().cut();
+    let (mut commands, status) = (Peer::commands(&controller), Peer::status(&controller));
+    commands.send(request("power_on"));
+    assert!(is_quiet(&commands) && is_quiet(&status));
+    controller.links().release();
+    commands.send(request("power_on"));
+    assert!(is_quiet(&commands) && is_quiet(&status));
+    assert!(!controller.state().powered);
+}
+
+#[test]
+fn new_connections_are_held_as_well() {
+    let controller = fresh();
+    controller.links().hold();
+    let (mut commands, mut status) = (Peer::commands(&controller), Peer::status(&controller));
+    commands.send(request("get_version"));
+    assert!(is_quiet(&commands) && is_quiet(&status));
+    controller.links().release();
+    assert_passed(Port::Command, &mut commands);
+    assert_passed(Port::Status, &mut status);
+}
+
+#[test]
+fn the_end_of_a_connection_is_held_behind_its_last_bytes() {
+    let (controller, mut commands, _status) = connected();
+    controller.link(Port::Command).to_client().hold();
+    commands.send(request("quit"));
+    // The controller is done with it, and the client does not know.
+    assert!(controller.wait_for_disconnect(LIMIT));
+    assert!(is_quiet(&commands));
+    controller.links().release();
+    assert_accepted(&json(&commands.receive()), "quit");
+    assert_eq!(commands.read_to_end(), b"");
+
+    let (controller, mut commands, _status) = connected();
+    controller.link(Port::Command).to_client().hold();
+    let mut newcomer = Peer::commands(&controller);
+    newcomer.send(request("get_version"));
+    assert!(controller.wait_for_requests(2, LIMIT));
+    assert!(is_quiet(&commands));
+    controller.links().release();
+    assert_eq!(commands.read_to_end(), b"");
+    assert_passed(Port::Command, &mut newcomer);
+}
+
+#[test]
+fn a_reset_is_held_too() {
+    let (controller, mut commands, _status) = connected();
+    controller.link(Port::Command).to_client().hold();
+    controller.inject(Fault::Reset);
+    commands.send(request("get_version"));
+    assert!(controller.wait_for_disconnect(LIMIT));
+    assert!(is_quiet(&commands));
+    controller.links().release();
+    let error = commands.stream.read(&mut [0]).expect_err("the reset is an error");
+    assert_eq!(error.kind(), ErrorKind::ConnectionReset);
+}
+
+#[test]
+fn a_refused_newcomer_does_not_know_while_the_link_is_held() {
+    let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
+    let mut commands = Peer::commands(&controller);
+    assert_accepted(&commands.call("get_version"), "get_version");
+    controller.link(Port::Command).hold();
+    let mut newcomer = Peer::commands(&controller);
+    assert!(is_quiet(&newcomer));
+    controller.links().release();
+    assert_eq!(newcomer.read_to_end(), b"");
+    assert_accepted(&commands.call("get_version"), "get_version");
+}
+
+#[test]
+fn the_end_of_a_client_is_held_and_delayed_too() {
+    let (controller, commands, _status) = connected();
+    controller.link(Port::Command).to_controller().hold();
+    drop(commands);
+    assert!(!controller.wait_for_disconnect(QUIET));
+    controller.links().release();
+    assert!(controller.wait_for_disconnect(LIMIT));
+
+    let (controller, mut commands, _status) = connected();
+    controller.link(Port::Command).to_controller().delay(DELAY);
+    let began = Instant::now();
+    commands.send(request("power_on"));
+    drop(commands);
+    assert!(controller.wait_for_disconnect(LIMIT));
+    assert!(began.elapsed() >= DELAY);
+    assert!(controller.state().powered);
+}
+
+#[test]
+fn a_half_open_connection_obeys_its_link() {
+    let (controller, mut commands, _status) = connected();
+    controller.inject(Fault::HalfOpen);
+    commands.send(request("get_version"));
+    assert!(controller.wait_for_requests(2, LIMIT));
+    controller.link(Port::Command).hold();
+    drop(commands);
+    assert!(!controller.wait_for_disconnect(QUIET));
+    controller.links().release();
+    assert!(controller.wait_for_disconnect(LIMIT));
+}
+
+#[test]
+fn nobody_waits_for_a_link() {
+    let faults = [LinkFault::Hold, LinkFault::Cut, LinkFault::Delay(Duration::MAX), LinkFault::Slow(0)];
+    let ends: [fn(Controller); 2] = [drop, |controller| controller.disconnect()];
+    for fault in faults {
+        for end in ends {
+            let (controller, mut commands, mut status) = connected();
+            controller.links().set(fault);
+            commands.send(request("get_version").repeat(10));
+            controller.publish();
+            controller.send_status(&vec![b' '; 100_000]);
+            controller.send(&vec![b' '; 100_000]).expect("a client is connected");
+            let began = Instant::now();
+            end(controller);
+            commands.read_to_end();
+            status.read_to_end();
+            assert!(began.elapsed() < LIMIT);
+        }
+    }
+}
+
+#[test]
+fn too_much_that_waits_ends_the_connection() {
+    const MIB: usize = 1 << 20;
+    let (controller, mut commands, mut status) = connected();
+    controller.links().to_client().hold();
+    for _ in 0..20 {
+        controller.send_status(&vec![b' '; MIB]);
+    }
+    let sent = (0..20).filter(|_| controller.send(&vec![b' '; MIB]).is_ok()).count();
+    assert_eq!(sent, 16);
+    assert!(is_quiet(&commands) && is_quiet(&status));
+    controller.links().release();
+    let [commands, status] = [&mut commands, &mut status].map(Peer::read_to_end_in_parallel);
+    assert_eq!(status.join().expect("no panic"), 16 * MIB);
+    controller.disconnect();
+    assert_eq!(commands.join().expect("no panic"), 16 * MIB);
+}
+
+#[test]
+fn a_plan_may_begin_with_a_fault_and_end_it() {
+    let plan = "link status to-client hold; link command both delay 150ms for 3600s";
+    let controller =
+        Controller::builder().faults(plan.parse().expect("it is a plan")).start().expect("there are ports");
+    let (mut commands, mut status) = (Peer::commands(&controller), Peer::status(&controller));
+    let began = Instant::now();
+    assert_accepted(&commands.call("get_version"), "get_version");
+    // There and back.
+    assert!(began.elapsed() >= DELAY * 2);
+    assert!(is_quiet(&status));
+    controller.links().release();
+    assert_passed(Port::Status, &mut status);
+    assert_accepted(&commands.call("get_version"), "get_version");
+}
+
+#[test]
+fn a_planned_fault_has_its_time() {
+    let hold = LinkEvent::new(LinkFault::Hold).port(Port::Status).lasting(DELAY);
+    let cut = LinkEvent::new(LinkFault::Cut).port(Port::Status).to_client().after(DELAY * 2);
+    let plan = FaultPlan::new().link(hold).link(cut);
+    let began = Instant::now();
+    let builder = Controller::builder().faults(plan).status_period(Duration::from_millis(10));
+    let controller = builder.start().expect("loopback has ports");
+    let mut status = Peer::status(&controller);
+    assert_passed(Port::Status, &mut status);
+    assert!(began.elapsed() >= DELAY);
+    let mut is_cut = false;
+    while !is_cut && began.elapsed() < LIMIT {
+        is_cut = is_quiet(&status);
+        if !is_cut {
+            status.receive();
+        }
+    }
+    assert!(is_cut);
+}
