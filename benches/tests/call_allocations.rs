@@ -2,6 +2,7 @@
 
 use std::net::{SocketAddr, TcpListener};
 use std::thread;
+use std::time::Duration;
 
 use allocation_counter::measure;
 use jaka_benches::system::canned;
@@ -58,7 +59,7 @@ fn a_set_point_allocates_nothing_but_room_for_how_late_it_was() {
     let mut pipeline = robot.client().pipeline(100);
     (0..100).try_for_each(|_| pipeline.send(&set_point())).expect("it answers");
     pipeline.finish().expect("it answers");
-    let mut session = robot.servo(&ServoConfig::new()).expect("it answers");
+    let mut session = robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30))).expect("it answers");
     let mut send = |count| (0..count).try_for_each(|_| session.joints_by([0.0; 6])).expect("it answers");
     // The report's list has room for 128 then.
     send(65);

@@ -90,6 +90,46 @@ pub enum Error {
         /// The last messages, where they were recorded.
         exchanges: Exchanges,
     },
+    /// Status packets came, and none said in time what was waited for.
+    StateTimeout {
+        /// How long was waited.
+        after: Duration,
+        /// How many packets came meanwhile.
+        packets: u64,
+        /// What the last one says of the arm; none for a type of the user's own.
+        says: Option<String>,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
+    },
+    /// A motion was not sent, since it is not known whether the robot is stopped. See to the status port, or, for a program that
+    /// must do without it, [`Robot::move_without_status`](crate::Robot::move_without_status).
+    StatusUnknown {
+        /// Why it is not known, and what helps.
+        problem: crate::StatusProblem,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
+    },
+    /// The robot is in a state that keeps it from doing what was asked. Nothing that moves the arm was sent.
+    NotReady {
+        /// Which state, and what helps.
+        explanation: crate::Explanation,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
+    },
+    /// So many set-points of a servo session were not answered. No set-point goes out any more.
+    SetPointsUnanswered {
+        /// How many.
+        count: usize,
+        /// For how long the oldest of them had not been answered.
+        oldest: Duration,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
+    },
+    /// A set-point was not sent: its servo session has ended.
+    SessionEnded {
+        /// Why it has ended.
+        because: String,
+    },
     /// No status packet came in time. The stream can still be used.
     StatusTimeout {
         /// How long was waited.
@@ -103,10 +143,11 @@ pub enum Error {
         /// What happened.
         outcome: Box<crate::Outcome>,
     },
-    /// A servo session failed, and leaving servo mode failed too: the arm may still be in servo mode.
+    /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the connection is
+    /// broken ([`is_disconnected`](Error::is_disconnected)), no stop can be sent on it either.
     ServoModeNotLeft {
-        /// What failed in the session.
-        first: Box<Error>,
+        /// What failed in the session before; none where only leaving did.
+        first: Option<Box<Error>>,
         /// Why servo mode could not be left.
         leaving: Box<Error>,
     },
@@ -126,6 +167,7 @@ impl Error {
             Self::Timeout { .. }
             | Self::ReplyLost { .. }
             | Self::UnexpectedReply { .. }
+            | Self::SetPointsUnanswered { .. }
             | Self::ServoModeNotLeft { .. } => true,
             Self::Disconnected { sent, .. } => *sent,
             _ => false,
@@ -141,9 +183,9 @@ impl Error {
         }
     }
 
-    /// True if a reply or a status packet did not come in time.
+    /// True if a reply, a status packet or a state did not come in time.
     pub fn is_timeout(&self) -> bool {
-        matches!(self, Self::Timeout { .. } | Self::StatusTimeout { .. })
+        matches!(self, Self::Timeout { .. } | Self::StatusTimeout { .. } | Self::StateTimeout { .. })
     }
 
     /// True if the controller refused the command.
@@ -187,6 +229,10 @@ impl Error {
             | Self::UnexpectedReply { exchanges, .. }
             | Self::Disconnected { exchanges, .. }
             | Self::StatusTimeout { exchanges, .. }
+            | Self::StateTimeout { exchanges, .. }
+            | Self::StatusUnknown { exchanges, .. }
+            | Self::NotReady { exchanges, .. }
+            | Self::SetPointsUnanswered { exchanges, .. }
             | Self::UnexpectedStatus { exchanges, .. } => exchanges.entries(),
             Self::ServoModeNotLeft { leaving, .. } => leaving.exchanges(),
             _ => &[],
@@ -203,6 +249,10 @@ impl Error {
             | Self::UnexpectedReply { exchanges, .. }
             | Self::Disconnected { exchanges, .. }
             | Self::StatusTimeout { exchanges, .. }
+            | Self::StateTimeout { exchanges, .. }
+            | Self::StatusUnknown { exchanges, .. }
+            | Self::NotReady { exchanges, .. }
+            | Self::SetPointsUnanswered { exchanges, .. }
             | Self::UnexpectedStatus { exchanges, .. } => Some(exchanges),
             _ => None,
         }
@@ -232,10 +282,27 @@ impl Error {
                 write!(f, "the connection broke during `{command}`, which may have run")
             }
             Self::ServoModeNotLeft { first, leaving } => {
-                write!(f, "{first}; and servo mode could not be left: {leaving}")
+                if let Some(first) = first {
+                    write!(f, "{first}; and ")?;
+                }
+                write!(f, "servo mode may be on, since it is not known that it was left: {leaving}")?;
+                if leaving.is_disconnected() { f.write_str("; no stop can be sent on this connection") } else { Ok(()) }
             }
+            Self::StateTimeout { after, packets, says, .. } => {
+                write!(f, "the state did not come within {after:?}, in {packets} status packets")?;
+                says.as_ref().map_or(Ok(()), |says| write!(f, "; the last one says: {says}"))
+            }
+            Self::StatusUnknown { problem, .. } => {
+                write!(f, "nothing was sent that moves the arm, since its state is not known: {problem}")
+            }
+            Self::NotReady { explanation, .. } => write!(f, "the robot cannot do this now: {explanation}"),
+            Self::SetPointsUnanswered { count, oldest, .. } => write!(
+                f,
+                "{count} set-points were not answered, the oldest for {oldest:.1?}, so no more are sent and the session has ended"
+            ),
+            Self::SessionEnded { because } => write!(f, "not sent: the servo session has ended, since {because}"),
             Self::NotAcknowledged { outcome } => {
-                write!(f, "the motion was not sent, until what happened is acknowledged: {outcome}")
+                write!(f, "nothing is sent that moves the arm, until `acknowledge` says that somebody has looked: {outcome}")
             }
             Self::StatusTimeout { after, .. } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
@@ -299,6 +366,12 @@ pub enum Disconnect {
     NotJson(DecodeError),
     /// A reply came, or failed to come, in a way that leaves in doubt whose the next ones are.
     Mistrust(Mistrust),
+    /// This side reset the connection, so that the system does not send what it had queued: set-points of a servo session and the
+    /// end of servo mode were not answered.
+    Reset {
+        /// How many set-points were not answered.
+        unanswered: u64,
+    },
     /// A command that ends the session was carried out.
     Ended {
         /// `cmdName` of the command.
@@ -325,6 +398,11 @@ impl fmt::Display for Disconnect {
             Self::NotUtf8 => f.write_str("a message came that is no UTF-8"),
             Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
             Self::Mistrust(mistrust) => mistrust.fmt(f),
+            Self::Reset { unanswered } => write!(
+                f,
+                "the connection was reset: {unanswered} set-points and the end of servo mode were not answered, \
+                 and those that the system had not sent yet are discarded; others may still move the arm"
+            ),
             Self::Ended { by } => write!(f, "`{by}` ended the session"),
         }
     }

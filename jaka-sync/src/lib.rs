@@ -42,7 +42,7 @@ pub use jaka_proto::{
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use pipeline::Pipeline;
 pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling, Track};
-pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop};
+pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop, StatusProblem, Target};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;

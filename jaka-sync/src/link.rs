@@ -6,9 +6,7 @@
 mod answer;
 mod inbound;
 mod posted;
-#[allow(dead_code, reason = "waits for the end of a motion are to use it")]
 mod question;
-#[allow(dead_code, reason = "servo sessions are to use it")]
 mod reset;
 mod state;
 mod wait;
@@ -19,13 +17,13 @@ use std::net::{Shutdown, SocketAddr, TcpStream};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
+use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
 use jaka_proto::wire::Writer;
-use jaka_proto::{CommandInfo, Ticket};
+use jaka_proto::{Command, CommandInfo, Ticket};
 
 use self::answer::{Progress, disconnected};
 use self::inbound::Inbound;
 pub(crate) use self::posted::Answers;
-#[allow(unused_imports, reason = "waits for the end of a motion are to use it")]
 pub(crate) use self::question::Question;
 use self::state::{Mode, State};
 use crate::recorder::Tap;
@@ -41,6 +39,10 @@ pub(crate) struct Link {
     /// Signalled when an answer was put aside, the reader's place became free, or the connection broke.
     turned: Condvar,
 }
+
+/// What changes the frames to which poses refer.
+const FRAME_COMMANDS: [&str; 4] =
+    [SetToolId::INFO.name, SetUserId::INFO.name, SetToolOffsets::INFO.name, SetUserOffsets::INFO.name];
 
 /// Asked under the lock under which a command goes out, as the last thing before it does: an error keeps it back. What another
 /// thread sends meanwhile goes out behind it, or has gone out before.
@@ -82,6 +84,17 @@ impl Link {
     /// What broke the connection, if something did.
     pub(crate) fn broken(&self) -> Option<Arc<Disconnect>> {
         self.lock().broken.clone()
+    }
+
+    /// Fails where the connection is broken, for a command that is not sent.
+    pub(crate) fn check_open(&self, command: &str) -> Result<(), Error> {
+        let broken = self.broken();
+        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, Progress::NotSent, cause))))
+    }
+
+    /// How often commands have gone out that change what poses refer to.
+    pub(crate) fn frame_changes(&self) -> u64 {
+        self.lock().frame_changes
     }
 
     /// The same error, with the last messages where they are recorded.
@@ -154,6 +167,7 @@ impl Link {
         let request = &state.out.as_str()[start..];
         log::trace!(target: "jaka_sync::wire", "-> {request}");
         self.tap.sent(request);
+        state.frame_changes += u64::from(FRAME_COMMANDS.contains(&&*owed));
         state.ledger.sent(owed)
     }
 

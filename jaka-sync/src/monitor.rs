@@ -9,6 +9,7 @@ mod thread;
 #[cfg(all(test, shuttle))]
 mod interleavings;
 
+use std::any::Any;
 use std::fmt::Display;
 use std::net::TcpStream;
 use std::ops::ControlFlow;
@@ -28,7 +29,7 @@ use self::subscription::Queue;
 pub use self::subscription::Subscription;
 use crate::recorder::{self, Tap};
 use crate::sync::{Condvar, Mutex, MutexGuard};
-use crate::{Config, Disconnect, Error, Exchanges};
+use crate::{Config, Disconnect, Error, Exchanges, StatusProblem};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
 ///
@@ -66,6 +67,8 @@ pub struct Snapshot<S = RobotStatus> {
     pub received: Instant,
     /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped or did not fit.
     pub number: u64,
+    /// SHIM
+    pub unfit: Vec<DecodeError>,
 }
 
 impl<S> Snapshot<S> {
@@ -96,6 +99,8 @@ struct State<S> {
     stream: Option<Arc<TcpStream>>,
     tap: Tap,
     closing: bool,
+    /// True while the connection is lost and is being made again.
+    reconnecting: bool,
     /// Threads that wait for a change.
     sleepers: usize,
 }
@@ -112,6 +117,7 @@ impl<S> Board<S> {
             stream,
             tap,
             closing: false,
+            reconnecting: false,
             sleepers: 0,
         };
         Self { state: Mutex::new(state), changed: Condvar::new() }
@@ -163,7 +169,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     }
 }
 
-impl<S> Monitor<S> {
+impl<S: 'static> Monitor<S> {
     /// The newest packet, if one has come.
     ///
     /// # Errors
@@ -177,6 +183,27 @@ impl<S> Monitor<S> {
     /// The newest packet, however old, and also after the connection has ended.
     pub fn last(&self) -> Option<Arc<Snapshot<S>>> {
         self.board.lock().latest.clone()
+    }
+
+    /// The newest packet, if the connection is there and the packet is fresh.
+    pub(crate) fn current(&self) -> Result<Arc<Snapshot<S>>, StatusProblem> {
+        let state = self.board.lock();
+        if let Some(cause) = state.ended.clone() {
+            return Err(StatusProblem::Ended { cause });
+        }
+        if state.reconnecting {
+            return Err(StatusProblem::Reconnecting);
+        }
+        if let Some(source) = state.unfit.clone() {
+            return Err(StatusProblem::Unreadable { source });
+        }
+        let latest = state.latest.clone().ok_or(StatusProblem::Missing)?;
+        let age = latest.age();
+        if age > self.stale_after { Err(StatusProblem::Stale { age }) } else { Ok(latest) }
+    }
+
+    pub(crate) fn stale_after(&self) -> Duration {
+        self.stale_after
     }
 
     /// True if no packet has come for longer than [`Config::stale_after`].
@@ -196,8 +223,8 @@ impl<S> Monitor<S> {
     /// Waits until a packet says what `wanted` asks for; the newest one counts, unless it is stale.
     ///
     /// # Errors
-    /// [`Error::StatusTimeout`] after `timeout`, [`Error::UnexpectedStatus`] if packets came by then but did not fit;
-    /// [`Error::Disconnected`] if the connection has ended.
+    /// After `timeout` [`Error::StateTimeout`] if packets came and said something else, [`Error::UnexpectedStatus`] if they could not
+    /// be read, [`Error::StatusTimeout`] if none came. [`Error::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
@@ -235,13 +262,25 @@ impl<S> Monitor<S> {
 
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
         ended(&self.board.lock())?;
-        let found = self.watch(timeout, |latest| latest.filter(|latest| wanted(latest)).cloned())?;
-        found.ok_or_else(|| {
-            let (state, exchanges) = (self.board.lock(), Exchanges::default());
-            state.tap.attach(match state.unfit.clone() {
-                Some(source) => Error::UnexpectedStatus { source, exchanges },
-                None => Error::StatusTimeout { after: timeout, exchanges },
-            })
+        let before = self.statistics().packets;
+        let mut was_seen = false;
+        let found = self.watch(timeout, |latest| {
+            was_seen |= latest.is_some();
+            latest.filter(|latest| wanted(latest)).cloned()
+        })?;
+        found.ok_or_else(|| self.not_in_time(timeout, before, was_seen))
+    }
+
+    /// The error for a state that did not come, or for packets that did not.
+    fn not_in_time(&self, after: Duration, before: u64, was_seen: bool) -> Error {
+        let (packets, exchanges) = (self.statistics().packets.saturating_sub(before), Exchanges::default());
+        let state = self.board.lock();
+        state.tap.attach(match (state.unfit.clone(), &state.latest) {
+            (Some(source), _) => Error::UnexpectedStatus { source, exchanges },
+            (None, Some(last)) if packets > 0 || was_seen && last.age() <= self.stale_after => {
+                Error::StateTimeout { after, packets, says: in_words(&last.status), exchanges }
+            }
+            _ => Error::StatusTimeout { after, exchanges },
         })
     }
 
@@ -291,6 +330,22 @@ impl<S> Waker<S> {
         // With the lock, so that nobody is between looking and waiting.
         self.board.wake(self.board.lock());
     }
+}
+
+/// What a status packet says of the arm, in words; nothing for a choice of fields of the user's own.
+pub(crate) fn in_words<S: 'static>(status: &S) -> Option<String> {
+    let status = (status as &dyn Any).downcast_ref::<RobotStatus>()?;
+    let says = |holds: Option<bool>, yes: &str, no: &str| holds.map(|holds| if holds { yes } else { no }.to_owned());
+    let code = status.error_code.as_ref().map(|code| format!("code {code}"));
+    let parts = [
+        says(status.powered_on, "powered", "not powered"),
+        says(status.enabled, "enabled", "not enabled"),
+        says(status.in_position, "in position", "not in position"),
+        status.emergency_stop.filter(|pressed| *pressed).map(|_| "emergency stop".to_owned()),
+        status.protective_stop.filter(|stopped| *stopped).map(|_| "protective stop".to_owned()),
+        code,
+    ];
+    Some(parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
 }
 
 fn ended<S>(state: &State<S>) -> Result<(), Error> {

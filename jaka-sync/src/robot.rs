@@ -1,25 +1,35 @@
 //! A client and a monitor together: motions that are waited for.
 
+mod batch;
 mod explain;
 mod motion;
 mod outcome;
+mod position;
+mod power;
+mod readiness;
+mod stops;
+mod target;
+mod trouble;
 mod wait;
+mod watch;
 
 use std::fmt::Display;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::messages::types::JointPosition;
-
+use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
 pub use self::motion::Motion;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
+use self::position::Query;
+pub use self::readiness::StatusProblem;
+pub use self::stops::RobotStop;
+use self::stops::Stops;
+pub use self::target::Target;
+use self::target::Goal;
 use self::wait::{Grace, Wait};
-use crate::monitor::Waker;
-use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession, StopHandle};
+use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
 ///
@@ -41,44 +51,29 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession, StopHandl
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// After a protective stop, an emergency stop or a lost connection, motions are refused until
-/// [`acknowledge`](Self::acknowledge) is called: somebody should have looked first. Nothing is ever sent again, or enabled
-/// again, on its own.
+/// That a motion has ended is not believed of a status packet, which cannot show its age: when packets say that the arm is in
+/// position, the controller is asked where it is (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), as a rule once a motion.
+///
+/// After a protective stop, an emergency stop or a silent status port, motions are refused until
+/// [`acknowledge`](Self::acknowledge) is called: somebody should have looked first. They are refused also while the status is
+/// stale, missing or unreadable ([`Error::StatusUnknown`]). Nothing is ever sent again, or enabled again, on its own.
 #[derive(Debug)]
 pub struct Robot {
     client: Client,
     monitor: Arc<Monitor>,
     grace: Grace,
     silence: Duration,
+    moves_without_status: bool,
     /// What must be acknowledged before the arm moves again. The monitor's thread sets it, too.
     latched: Arc<Mutex<Option<Outcome>>>,
     batch: Option<Batch>,
+    /// How often frames had been changed when the last motion was sent.
+    frame_changes: u64,
+    /// The query that has not been answered.
+    query: Option<Query>,
     stops: Arc<Stops>,
     /// The stops that this robot's program has been told of.
     stops_told: u64,
-}
-
-/// The stops that were asked for through handles, by their numbers from 1.
-#[derive(Debug, Default)]
-struct Stops {
-    /// The latest that was asked for.
-    begun: AtomicU64,
-    /// The latest that the controller has taken.
-    taken: AtomicU64,
-}
-
-impl Stops {
-    /// A stop, if one was asked for beyond those that were told of.
-    fn asked_since(&self, told: u64) -> Option<Outcome> {
-        (self.begun.load(Ordering::SeqCst) != told).then_some(Outcome::Stopped)
-    }
-}
-
-/// Motions that were accepted and have not been waited for.
-#[derive(Debug, Clone, Copy)]
-struct Batch {
-    sent: Instant,
-    target: Option<JointPosition>,
 }
 
 impl Robot {
@@ -105,18 +100,22 @@ impl Robot {
             monitor,
             grace,
             silence: Duration::from_secs(2),
+            moves_without_status: false,
             latched,
             batch: None,
+            frame_changes: 0,
+            query: None,
             stops: Arc::default(),
             stops_told: 0,
         }
     }
 
-    /// Sets how long the arm may take to begin a motion, and how many packets must have come by then. 0.4 s and three by
-    /// default.
+    /// Sets for how long the arm must be seen at rest, and how many packets must say so, where one answer of the controller does
+    /// not tell that the motion has ended: for several motions in a queue, a motion that ends where it began, an arm that stops
+    /// before its target. 0.4 s and three by default.
     ///
-    /// If the arm has not left its position within that, the motion is taken to have had no length, or, where its target is
-    /// known and the arm is not there, to have been stopped.
+    /// It is also how long the arm may take to begin: if it has not left its position by then, the motion is taken to have had no
+    /// length, or, where its target is known and the arm is not there, to have been stopped.
     #[must_use]
     pub fn start_grace(mut self, time: Duration, packets: u32) -> Self {
         self.grace = Grace { time, packets: packets.max(1) };
@@ -127,6 +126,15 @@ impl Robot {
     #[must_use]
     pub fn status_silence(mut self, time: Duration) -> Self {
         self.silence = time;
+        self
+    }
+
+    /// Sends motions and set-points also while the status is stale, missing or unreadable.
+    ///
+    /// A stop that the status would show is not seen then. For programs that see to the robot's state by other means.
+    #[must_use]
+    pub fn move_without_status(mut self) -> Self {
+        self.moves_without_status = true;
         self
     }
 
@@ -142,25 +150,6 @@ impl Robot {
         &self.monitor
     }
 
-    /// Powers and enables the arm, each step when the status says that the one before is done.
-    ///
-    /// # Errors
-    /// As [`Client::call`]; [`Error::StatusTimeout`] if the status does not follow in time.
-    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
-        let since = Instant::now();
-        let left = || timeout.saturating_sub(since.elapsed());
-        let now = self.monitor.wait_until(|_| true, left())?;
-        if now.status.powered_on != Some(true) {
-            self.client.power_on()?;
-            self.monitor.wait_until(|status| status.powered_on == Some(true), left())?;
-        }
-        if now.status.enabled != Some(true) {
-            self.client.enable_robot()?;
-            self.monitor.wait_until(|status| status.enabled == Some(true), left())?;
-        }
-        Ok(())
-    }
-
     /// Sends a motion and waits for its end.
     ///
     /// # Errors
@@ -174,38 +163,67 @@ impl Robot {
 
     /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
     ///
+    /// Where a motion by an offset is the first, the controller is asked before where the arm is.
+    ///
     /// # Errors
-    /// As [`Client::call`]; [`Error::NotAcknowledged`] after a stop or a lost connection. Nothing was sent then.
+    /// As [`Client::call`]. Nothing was sent after [`Error::NotAcknowledged`] (a stop or a silent status has not been
+    /// acknowledged) and [`Error::StatusUnknown`] (the status is stale, missing or unreadable).
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO))
     }
 
     fn send<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<(), Error> {
+        let since = Instant::now();
+        self.client.link().check_open(M::INFO.name)?;
         self.check_latch()?;
+        let begin = self.begin(motion, timeout)?;
         let gate = self.gate();
-        self.client.call_through(Some(&gate), motion, timeout).map_err(|error| self.explained(error))?;
-        // Packets that came before the reply may be older than the motion.
-        let sent = Instant::now();
-        self.batch = Some(Batch { sent, target: motion.target() });
+        let sent = self.client.call_through(Some(&gate), motion, timeout.saturating_sub(since.elapsed()));
+        self.frame_changes = begin.frames.changes;
+        match sent {
+            Ok(()) => self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin),
+            Err(error) => {
+                // It may be waited for all the same.
+                if error.may_have_run() {
+                    self.accepted(Goal::Unknown, begin);
+                }
+                return Err(self.explained(error));
+            }
+        }
         Ok(())
     }
 
-    /// Waits for the end of all motions that were started; at once, with [`Outcome::Reached`], if there are none.
+    /// What is known of the arm before a motion.
+    fn begin<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<Begin, Error> {
+        let Some(newest) = self.known_status()? else {
+            return Ok(Begin::default());
+        };
+        let mut begin = Begin::new(&newest.status, Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes));
+        if let Some(quantity) = motion.target().start_quantity().filter(|_| self.batch.is_none() && begin.at_rest) {
+            begin.start = self.place(quantity, timeout)?;
+            begin.place = begin.start;
+        }
+        Ok(begin)
+    }
+
+    fn accepted(&mut self, goal: Goal, begin: Begin) {
+        // Packets that came before the reply may be older than the motion.
+        let now = Instant::now();
+        self.batch = Some(match self.batch.take() {
+            Some(batch) => batch.then(now, goal, begin),
+            None => Batch::new(now, goal, begin),
+        });
+    }
+
+    /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none.
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
         let since = Instant::now();
         let Some(batch) = self.batch.take() else {
-            return MotionEnd { outcome: Outcome::Reached, waited: Duration::ZERO, packets: Vec::new() };
+            let (waited, packets) = (Duration::ZERO, Vec::new());
+            return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None };
         };
-        let mut wait = Wait::new(batch.sent, batch.target, self.grace);
-        let mut outcome = self.watch(&mut wait, timeout);
-        // Where the target is not known, the arm may be in position because of a stop that is on its way.
-        let begun = self.stops.begun.load(Ordering::SeqCst);
-        if outcome.is_reached() && batch.target.is_none() && begun != self.stops_told {
-            outcome = Outcome::Stopped;
-        }
-        if matches!(outcome, Outcome::Stopped) {
-            self.stops_told = begun;
-        }
+        let mut wait = Wait::new(batch.clone(), self.client.link().frame_changes(), self.grace);
+        let outcome = self.watch(&mut wait, timeout);
         if outcome.latches() {
             lock(&self.latched).get_or_insert_with(|| outcome.clone());
         }
@@ -213,51 +231,24 @@ impl Robot {
             // The motions may go on: they can be waited for again.
             self.batch = Some(batch);
         }
-        MotionEnd { outcome, waited: since.elapsed(), packets: wait.packets.into() }
-    }
-
-    fn watch(&self, wait: &mut Wait, timeout: Duration) -> Outcome {
-        let since = Instant::now();
-        loop {
-            let heard = self.monitor.last().map(|snapshot| snapshot.number);
-            let left = timeout.saturating_sub(since.elapsed());
-            let watched = self.monitor.watch(left.min(self.silence), |snapshot| {
-                if self.stops.taken.load(Ordering::SeqCst) > self.stops_told {
-                    return Some(Outcome::Stopped);
-                }
-                snapshot.and_then(|snapshot| wait.look(snapshot))
-            });
-            match watched {
-                Ok(Some(outcome)) => return outcome,
-                Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect() },
-                Ok(None) if since.elapsed() >= timeout => return Outcome::Deadline,
-                Ok(None) if self.monitor.last().map(|snapshot| snapshot.number) == heard => {
-                    return Outcome::StatusLost { cause: None };
-                }
-                Ok(None) => {}
-            }
-        }
+        MotionEnd { outcome, waited: since.elapsed(), packets: wait.packets.into(), not_answered: wait.failure }
     }
 
     /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
     ///
     /// # Errors
-    /// As [`Client::call`]; [`Error::NotAcknowledged`] after a stop or a lost connection; [`Error::StatusTimeout`] if the
-    /// controller does not enter servo mode in time.
+    /// As [`ServoSession`] says at "Entering".
     pub fn servo(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
-        self.check_latch()?;
         ServoSession::enter(self, config)
+    }
+
+    /// True if motions were accepted that have not been waited for.
+    pub(crate) fn has_motions(&self) -> bool {
+        self.batch.is_some()
     }
 
     pub(crate) fn check_latch(&self) -> Result<(), Error> {
         not_latched(self.latch())
-    }
-
-    /// Keeps back what would move the arm behind a stop: one that has begun by the time of the write is on the wire before it,
-    /// or will be sent behind it.
-    pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<> {
-        let (latched, stops, told) = (Arc::clone(&self.latched), Arc::clone(&self.stops), self.stops_told);
-        move || not_latched(lock(&latched).clone().or_else(|| stops.asked_since(told)))
     }
 
     /// What must be acknowledged before the arm moves again, if something must.
@@ -265,42 +256,20 @@ impl Robot {
     /// A stop latches whenever a packet shows it, also between motions; one that was asked for through a [`RobotStop`] where
     /// no [`MotionEnd`] has told of it.
     pub fn latch(&self) -> Option<Outcome> {
-        let cause = self.client.disconnect().or_else(|| self.monitor.disconnect());
-        let mut latched = lock(&self.latched);
-        if latched.is_none() {
-            *latched = cause.map(|cause| Outcome::StatusLost { cause: Some(cause) });
-        }
-        latched.clone().or_else(|| self.stops.asked_since(self.stops_told))
+        lock(&self.latched).clone().or_else(|| self.stops.pending(self.stops_told))
     }
 
-    /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving.
+    /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving. A stop that is on its
+    /// way still does.
     pub fn acknowledge(&mut self) {
         *lock(&self.latched) = None;
-        self.stops_told = self.stops.begun.load(Ordering::SeqCst);
+        self.stops_told = self.stops.begun();
         self.batch = None;
-    }
-
-    /// The same error, with the reason for a refusal where the status tells it.
-    fn explained(&self, error: Error) -> Error {
-        match (self.explain(&error), error) {
-            (Some(explanation), Error::Refused { refusal, exchanges }) => {
-                Error::RefusedBecause { refusal, explanation, exchanges }
-            }
-            (_, error) => error,
-        }
-    }
-
-    /// Why the controller refused a command of the [`client`](Self::client), as far as the status tells, and what helps.
-    ///
-    /// Motions of the robot itself are explained in their error: [`Error::RefusedBecause`].
-    pub fn explain(&self, error: &Error) -> Option<Explanation> {
-        let status = self.monitor.last();
-        Explanation::of(error.refusal()?, status.as_ref().map(|snapshot| &snapshot.status))
     }
 
     /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
     pub fn stop_handle(&self) -> RobotStop {
-        RobotStop { handle: self.client.stop_handle(), stops: Arc::clone(&self.stops), waker: self.monitor.waker() }
+        RobotStop::new(self.client.stop_handle(), Arc::clone(&self.stops), self.monitor.waker())
     }
 }
 
@@ -319,36 +288,9 @@ fn latch_on_stops(monitor: &Monitor, latched: &Arc<Mutex<Option<Outcome>>>) {
         let Some(latched) = latched.upgrade() else {
             return ControlFlow::Break(());
         };
-        if let Some(stop) = wait::trouble(&snapshot.status).filter(Outcome::latches) {
+        if let Some(stop) = trouble::stop(&snapshot.status) {
             lock(&latched).get_or_insert(stop);
         }
         ControlFlow::Continue(())
     });
-}
-
-/// Stops the arm of a [`Robot`] from another thread, and ends its wait as soon as the controller has taken the stop. Unless a
-/// [`MotionEnd`] has told of the stop, the next motion is refused until [`Robot::acknowledge`].
-///
-/// This is no emergency stop; people are protected by the robot's own safety functions alone.
-#[derive(Debug, Clone)]
-pub struct RobotStop {
-    handle: StopHandle,
-    stops: Arc<Stops>,
-    waker: Waker<RobotStatus>,
-}
-
-impl RobotStop {
-    /// Sends `stop_program` (4.23), waits until the controller has taken it, and ends the wait.
-    ///
-    /// # Errors
-    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on: its wait goes on by the status, and the
-    /// next motion is refused.
-    pub fn stop(&self) -> Result<(), Error> {
-        // From here on no motion is sent.
-        let number = self.stops.begun.fetch_add(1, Ordering::SeqCst) + 1;
-        self.handle.stop()?;
-        self.stops.taken.fetch_max(number, Ordering::SeqCst);
-        self.waker.wake();
-        Ok(())
-    }
 }

@@ -1,5 +1,7 @@
 //! Servo mode: set-points at the controller's own pace.
 
+mod enter;
+mod leave;
 mod pace;
 mod report;
 mod session;
@@ -18,11 +20,24 @@ pub struct ServoConfig {
     pub(crate) filter: Option<SetServoMoveFilter>,
     pub(crate) enter_timeout: Duration,
     pub(crate) busy_wait: Duration,
+    pub(crate) max_unanswered: Duration,
 }
+
+/// The longest servo period, in controller cycles.
+const MOST_STEPS: u32 = 12;
+
+/// So many set-points may be unanswered however long their period is: answers take their time.
+const FEWEST_UNANSWERED: usize = 3;
 
 impl Default for ServoConfig {
     fn default() -> Self {
-        Self { step_count: 1, filter: None, enter_timeout: Duration::from_secs(5), busy_wait: Duration::ZERO }
+        Self {
+            step_count: 1,
+            filter: None,
+            enter_timeout: Duration::from_secs(5),
+            busy_wait: Duration::ZERO,
+            max_unanswered: Duration::from_millis(100),
+        }
     }
 }
 
@@ -32,7 +47,10 @@ impl ServoConfig {
         Self::default()
     }
 
-    /// Sets the servo period to so many controller cycles of 8 ms; 1 by default, and at least.
+    /// Sets the servo period to so many controller cycles of 8 ms: 1 by default and at least, 12 at most, which [`Robot::servo`]
+    /// checks.
+    ///
+    /// [`Robot::servo`]: crate::Robot::servo
     #[must_use]
     pub fn step_count(mut self, cycles: u32) -> Self {
         self.step_count = cycles.max(1);
@@ -59,6 +77,21 @@ impl ServoConfig {
     pub fn busy_wait(mut self, time: Duration) -> Self {
         self.busy_wait = time;
         self
+    }
+
+    /// Sets how much may be unanswered, as the time that these set-points take: 100 ms by default, and three set-points at least.
+    ///
+    /// Then the session ends. It is also as much as the arm may still move where the link stalls.
+    #[must_use]
+    pub fn max_unanswered(mut self, time: Duration) -> Self {
+        self.max_unanswered = time;
+        self
+    }
+
+    /// How many set-points may be unanswered.
+    pub(crate) fn most_unanswered(&self) -> usize {
+        let count = self.max_unanswered.as_nanos() / self.period().as_nanos();
+        usize::try_from(count).unwrap_or(usize::MAX).max(FEWEST_UNANSWERED)
     }
 
     /// The time between two set-points.

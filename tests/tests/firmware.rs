@@ -6,16 +6,15 @@ use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
 use jaka_sim::{Controller, Fault};
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, Config, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Robot};
+use jaka_sync::{Client, Config, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Robot, Target};
 use serde_json::json;
 
 jaka_sync::pack!("data/fan.toml");
 
 /// So that a robot can wait for it.
 impl Motion for SetFan {
-    fn target(&self) -> Option<JointPosition> {
-        None
+    fn target(&self) -> Target {
+        Target::Unknown
     }
 }
 

@@ -46,7 +46,10 @@ fn motions_end_in_time_whatever_is_wrong_with_their_reply() {
         match result {
             // Accepted: then the motion is what the status says.
             Ok(end) => {
-                assert!(end.outcome.is_reached(), "{fault}: {:?}", end.outcome);
+                // What is left of the fault may break the connection when the position is asked for.
+                let is_broken = end.not_answered.as_ref().is_some_and(Error::is_disconnected);
+                let expected = if is_broken { matches!(end.outcome, Outcome::AtRest) } else { end.outcome.is_reached() };
+                assert!(expected, "{fault}: {end:?}");
                 assert!((controller.state().joint_position.0[0] - 3.0).abs() < 1e-6, "{fault}");
             }
             // Not known to be accepted: then it may have run, and the error says so.
@@ -86,7 +89,7 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
 fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
     for fault in Fault::one_of_each() {
         let (controller, mut robot) = ready();
-        let mut session = robot.servo(&ServoConfig::new()).expect("the arm is enabled");
+        let mut session = robot.servo(&ServoConfig::new().max_unanswered(SLACK)).expect("the arm is enabled");
         controller.inject_for("servo_j", fault.clone());
         let since = Instant::now();
         let failed = (0..20).find_map(|_| session.joints_by([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]).err());

@@ -29,7 +29,7 @@ fn connect(robot: Addresses) -> Result<Robot, jaka_sync::Error> {
 }
 
 fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
-    let mut session = robot.servo(&ServoConfig::new())?;
+    let mut session = robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
     while session.time() < time {
         session.joints_by([0.0; 6])?;
     }

@@ -45,7 +45,7 @@ fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>>
     let monitor: Monitor = Config::new().monitor(status)?;
     let mut robot = Robot::new(Client::connect(commands)?, monitor);
     // It spins, so that it need not be asleep at the beat.
-    let config = ServoConfig::new().busy_wait(Duration::from_millis(8));
+    let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));
     let mut session = robot.servo(&config)?;
     for _ in 0..count {
         session.joints_by([0.0; 6])?;

@@ -18,14 +18,15 @@ impl Link {
     /// Only the close of the last handle with a linger time of zero discards it, and only while nobody reads: a `shutdown` delivers
     /// it, and so does a close beside a thread that blocks in a read. So whoever reads is woken, the last to leave closes the socket,
     /// and this waits for that. What the network or the controller holds cannot be recalled.
-    pub(crate) fn reset(&self, cause: Disconnect) {
+    pub(crate) fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
         let mut state = self.lock();
-        if state.broken.is_none() {
+        let broken = state.broken.get_or_insert_with(|| {
             self.tap.broken(&cause);
-            state.broken = Some(Arc::new(cause));
-        }
+            Arc::new(cause)
+        });
+        let broken = Arc::clone(broken);
         self.wake(&state);
-        let Some(stream) = state.stream.take() else { return };
+        let Some(stream) = state.stream.take() else { return broken };
         // An error here means that the socket is closed already.
         let _ = SockRef::from(&*stream).set_linger(Some(Duration::ZERO));
         // Wakes whoever reads, and sends nothing.
@@ -36,5 +37,6 @@ impl Link {
         while others.strong_count() > 0 && since.elapsed() < LEAVING {
             state = self.sleep(state, LEAVING);
         }
+        broken
     }
 }

@@ -28,6 +28,8 @@ pub(super) struct State {
     /// What became of commands that are waited for, as far as their waiters have not looked.
     aside: Vec<(Ticket, Answer)>,
     pub(super) broken: Option<Arc<Disconnect>>,
+    /// How often commands have gone out that change what poses refer to.
+    pub(super) frame_changes: u64,
 }
 
 /// Whether the socket blocks.
@@ -49,6 +51,7 @@ impl State {
             posted: Posted::default(),
             aside: Vec::new(),
             broken: None,
+            frame_changes: 0,
         }
     }
 

@@ -148,7 +148,7 @@ impl<S: Decode> Worker<S> {
         }
         match spare {
             Some(snapshot) if snapshot.number == number => Ok(snapshot),
-            _ => Ok(Arc::new(Snapshot { status: S::decode(&mut reader)?, received, number })),
+            _ => Ok(Arc::new(Snapshot { status: S::decode(&mut reader)?, received, number, unfit: Vec::new() })),
         }
     }
 
@@ -158,6 +158,7 @@ impl<S: Decode> Worker<S> {
             Ok(snapshot) => {
                 state.counters.packet(snapshot.received);
                 state.unfit = None;
+                state.reconnecting = false;
                 // A queue that nobody else holds has lost its subscription.
                 state.queues.retain(|queue| Arc::strong_count(queue) > 1);
                 for queue in &state.queues {
@@ -205,6 +206,7 @@ impl<S: Decode> Worker<S> {
         let since = Instant::now();
         let mut state = self.board.lock();
         state.counters.interrupted();
+        state.reconnecting = true;
         loop {
             let left = delay.saturating_sub(since.elapsed());
             if state.closing || left.is_zero() {

@@ -1,9 +1,17 @@
 //! Why a command was refused.
 
 use std::fmt;
+use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::messages::power::GetRobotState;
 use jaka_proto::{ErrorCode, Refusal, Request, Requirement};
+
+use super::Robot;
+use crate::Error;
+
+/// How long the question for the state may take that explains a refusal.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Why the controller refused a command, as far as its status tells. The controller's own words are in the [`Refusal`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +29,12 @@ pub enum Explanation {
     NotInServoMode,
     /// The controller does not take commands from here: grant remote control on its panel.
     NoRemoteControl,
+    /// The arm moves, or a motion has not been waited for: wait for its end, or stop it.
+    Moving,
+    /// The controller acknowledged servo mode and did not enter it, as it does while the arm moves.
+    ServoModeNotEntered,
+    /// The controller acknowledged the end of servo mode and is still in it.
+    ServoModeNotLeft,
 }
 
 impl Explanation {
@@ -53,7 +67,44 @@ impl fmt::Display for Explanation {
             Self::NotPowered => "the arm has no power: call `power_on`",
             Self::NotEnabled => "the arm is not enabled: call `enable_robot`",
             Self::NotInServoMode => "servo mode is off: call `servo_move`, and wait until it is on",
+            Self::Moving => "the arm moves, or its motion has not been waited for: wait for the end, or stop it",
+            Self::ServoModeNotEntered => {
+                "the controller acknowledged servo mode and did not enter it, as it does while the arm moves"
+            }
+            Self::ServoModeNotLeft => "the controller acknowledged the end of servo mode and is still in it",
             Self::NoRemoteControl => "the controller takes no commands from here: grant remote control on its panel",
         })
+    }
+}
+
+impl Robot {
+    /// The same error, with the reason for a refusal where the robot's state tells it.
+    pub(super) fn explained(&mut self, error: Error) -> Error {
+        match (self.explain(&error), error) {
+            (Some(explanation), Error::Refused { refusal, exchanges }) => {
+                Error::RefusedBecause { refusal, explanation, exchanges }
+            }
+            (_, error) => error,
+        }
+    }
+
+    /// Why the controller refused a command of the [`client`](Self::client), as far as its state tells, and what helps.
+    ///
+    /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than the
+    /// refusal. Whether the robot is stopped, packets alone tell. Motions of the robot itself are explained in their error:
+    /// [`Error::RefusedBecause`].
+    pub fn explain(&mut self, error: &Error) -> Option<Explanation> {
+        let refusal = error.refusal()?;
+        if refusal.code == ErrorCode::PERMISSION_DENIED {
+            return Some(Explanation::NoRemoteControl);
+        }
+        let newest = self.monitor.last();
+        let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.clone());
+        let state = self.client.call_within(&GetRobotState, PATIENCE.min(self.client.reply_timeout()));
+        (status.powered_on, status.enabled) = match state {
+            Ok(state) => (Some(state.powered_on), Some(state.enabled)),
+            Err(_) => (None, None),
+        };
+        Explanation::of(refusal, Some(&status))
     }
 }

@@ -3,36 +3,69 @@
 use jaka_proto::Command;
 use jaka_proto::messages::force::StartTorqSensorPayloadIdentify;
 use jaka_proto::messages::motion::{EndMove, JointMove, MoveC, MoveL};
-use jaka_proto::messages::types::{JointPosition, MoveMode};
+use jaka_proto::messages::types::MoveMode;
 
-/// A planned motion: one whose reply says that it was accepted, and whose end the status shows.
+use super::Target;
+
+/// A planned motion: one whose reply says that it was accepted, and whose end is waited for.
 pub trait Motion: Command<Reply = ()> {
-    /// The joints at its end, where the request tells them. A motion that does not end there was stopped.
-    fn target(&self) -> Option<JointPosition>;
+    /// Where it ends, as far as the request tells. The robot's own answer says whether the arm is there.
+    fn target(&self) -> Target;
+
+    /// How far from its target it may end, in mm, since the controller may blend it into the next motion. 0 for none.
+    fn tolerance(&self) -> f64 {
+        0.0
+    }
 }
 
 impl Motion for JointMove {
-    /// Known for a motion to a position; an offset starts where the motion before it ends.
-    fn target(&self) -> Option<JointPosition> {
-        (self.mode == MoveMode::Absolute).then_some(self.joint_position)
+    fn target(&self) -> Target {
+        match self.mode {
+            MoveMode::Absolute => Target::Joints(self.joint_position),
+            MoveMode::Relative => Target::JointOffset(self.joint_position),
+            _ => Target::Unknown,
+        }
     }
 }
 
 impl Motion for StartTorqSensorPayloadIdentify {
-    fn target(&self) -> Option<JointPosition> {
-        Some(self.joint_position)
+    fn target(&self) -> Target {
+        Target::Joints(self.joint_position)
     }
 }
 
-/// Not known: in which frame the status gives its pose is not documented.
-macro_rules! cartesian {
-    ($($type:ident),*) => {$(
-        impl Motion for $type {
-            fn target(&self) -> Option<JointPosition> {
-                None
-            }
-        }
-    )*};
+impl Motion for EndMove {
+    fn target(&self) -> Target {
+        Target::Pose(self.pose)
+    }
 }
 
-cartesian!(EndMove, MoveL, MoveC);
+impl Motion for MoveL {
+    /// An offset is one along the axes of the selected user frame; in which way it turns is not documented.
+    fn target(&self) -> Target {
+        let pose = self.pose;
+        match self.mode {
+            MoveMode::Absolute => Target::Pose(pose),
+            MoveMode::Relative if [pose.rx, pose.ry, pose.rz] == [0.0; 3] => Target::Offset([pose.x, pose.y, pose.z]),
+            _ => Target::Unknown,
+        }
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.tolerance.unwrap_or(0.0)
+    }
+}
+
+impl Motion for MoveC {
+    /// From where the offsets of an arc count is not documented.
+    fn target(&self) -> Target {
+        match self.mode {
+            MoveMode::Absolute => Target::Pose(self.end_pose),
+            _ => Target::Unknown,
+        }
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+}

@@ -4,15 +4,25 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::{Disconnect, Snapshot};
+use jaka_proto::ControllerEvent;
+use jaka_proto::wire::DecodeError;
+
+use crate::{Disconnect, Error, Snapshot};
 
 /// How a motion ended, or why it is not known to have ended.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Outcome {
-    /// The arm is in position; where the request tells its target, it is there.
+    /// The arm is at its target, by the controller's own answer to a query after the motion.
     Reached,
-    /// The motion ended before its target: it was stopped, by this program or another client.
+    /// The arm is at rest, and it is not known whether that is its target: the request does not tell it (a relative motion in a queue
+    /// or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
+    /// position could not be asked for.
+    AtRest,
+    /// There was nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
+    /// through [`Robot::client`](crate::Robot::client) are not waited for.
+    NoMotion,
+    /// The motion ended before its target: it was stopped, by this program or another client. The arm may still brake.
     Stopped,
     /// The robot is in a protective stop. It moves again after `clear_error`.
     ProtectiveStop,
@@ -20,19 +30,24 @@ pub enum Outcome {
     EmergencyStop,
     /// The arm is no longer powered and enabled.
     Disabled,
-    /// The controller reports an error.
+    /// The controller reports an error that it did not report before the motion; or, where the arm is at rest elsewhere than at
+    /// its target, a code that no table has. Warnings and information end no motion.
     ControllerError {
-        /// The code, such as `0x10f0005`.
+        /// The code as the controller writes it, such as `0x0F0034`.
         code: String,
+        /// The event with its severity and, where it is known, what it means; none for a code that cannot be read.
+        event: Option<ControllerEvent>,
         /// The controller's message.
         message: String,
     },
     /// The time is over, and the arm may still move. Leave it, wait on, or stop it.
     Deadline,
-    /// Status packets no longer come; the arm may still move.
+    /// Status packets that can be read no longer come; the arm may still move.
     StatusLost {
-        /// What ended the connection; `None` if it is open, and silent.
+        /// What ended the connection; `None` if it is open.
         cause: Option<Arc<Disconnect>>,
+        /// What cannot be read of the packets that come; `None` if none come.
+        unreadable: Option<DecodeError>,
     },
 }
 
@@ -40,6 +55,11 @@ impl Outcome {
     /// True if the arm is where it was sent.
     pub fn is_reached(&self) -> bool {
         matches!(self, Self::Reached)
+    }
+
+    /// True if the arm is at rest, and nothing says that it is elsewhere than where it was sent.
+    pub fn is_at_rest(&self) -> bool {
+        matches!(self, Self::Reached | Self::AtRest)
     }
 
     /// True if the robot must not move again before somebody has looked at it.
@@ -52,14 +72,24 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reached => f.write_str("the motion has reached its target"),
+            Self::AtRest => f.write_str("the arm is at rest; whether at the target of its motion is not known"),
+            Self::NoMotion => f.write_str("there was nothing to wait for: no motion of this robot was accepted"),
             Self::Stopped => f.write_str("the motion was stopped before its target"),
             Self::ProtectiveStop => f.write_str("the robot is in a protective stop; `clear_error` leaves it"),
             Self::EmergencyStop => f.write_str("the emergency stop is pressed"),
             Self::Disabled => f.write_str("the arm is no longer powered and enabled"),
-            Self::ControllerError { code, message } => write!(f, "the controller reports error {code}: {message}"),
+            Self::ControllerError { event: Some(event), message, .. } => {
+                write!(f, "the controller reports {event}: {message}")
+            }
+            Self::ControllerError { code, message, .. } => write!(f, "the controller reports code {code}: {message}"),
             Self::Deadline => f.write_str("the motion has not ended in time; the arm may still move"),
-            Self::StatusLost { cause: None } => f.write_str("status packets stopped coming; the arm may still move"),
-            Self::StatusLost { cause: Some(cause) } => {
+            Self::StatusLost { cause: None, unreadable: None } => {
+                f.write_str("status packets stopped coming; the arm may still move")
+            }
+            Self::StatusLost { cause: None, unreadable: Some(source) } => {
+                write!(f, "status packets cannot be read; the arm may still move: {source}")
+            }
+            Self::StatusLost { cause: Some(cause), .. } => {
                 write!(f, "the status connection ended; the arm may still move: {cause}")
             }
         }
@@ -67,7 +97,7 @@ impl fmt::Display for Outcome {
 }
 
 /// The end of a motion, with what led to it.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 #[non_exhaustive]
 #[must_use = "a motion may have ended otherwise than at its target"]
 pub struct MotionEnd {
@@ -77,15 +107,26 @@ pub struct MotionEnd {
     pub waited: Duration,
     /// The last packets, up to ten, the newest last.
     pub packets: Vec<Arc<Snapshot>>,
+    /// Why the position could not be asked for, where it could not: then the outcome is not [`Outcome::Reached`].
+    pub not_answered: Option<Error>,
 }
 
 impl MotionEnd {
     /// Nothing if the arm is where it was sent, and this as an error otherwise.
     ///
     /// # Errors
-    /// The motion ended otherwise.
+    /// The motion ended otherwise, or its target is not known.
     pub fn reached(self) -> Result<(), NotReached> {
         if self.outcome.is_reached() { Ok(()) } else { Err(NotReached(Box::new(self))) }
+    }
+
+    /// Nothing if the arm is at rest and nothing says that it is elsewhere than where it was sent; for motions whose target is
+    /// not known, such as relative ones in a queue.
+    ///
+    /// # Errors
+    /// The motion ended otherwise.
+    pub fn at_rest(self) -> Result<(), NotReached> {
+        if self.outcome.is_at_rest() { Ok(()) } else { Err(NotReached(Box::new(self))) }
     }
 }
 
@@ -102,7 +143,11 @@ impl NotReached {
 
 impl fmt::Display for NotReached {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.outcome.fmt(f)
+        self.0.outcome.fmt(f)?;
+        match &self.0.not_answered {
+            Some(error) => write!(f, "; its position could not be asked for: {error}"),
+            None => Ok(()),
+        }
     }
 }
 

@@ -1,8 +1,11 @@
-//! Waiting for the end of a motion, in two phases.
+//! When a motion has ended: a state machine over status packets and the controller's own answers.
 //!
-//! Controllers say that they are in position for some 100 ms after they have accepted a motion, and a motion without length
-//! may never change that (field notes). So the first phase waits for the arm to leave its position, for a time of grace; the
-//! second for it to be in position again. Where the target is known, being in position elsewhere is no end.
+//! A status packet cannot show its age, so it never says alone that a motion has ended: a stalled link delivers old ones. What
+//! packets say against a motion (stops, errors, a disabled arm) is believed at once; that the arm is in position only leads to a
+//! query, whose answer is later than the motion's acceptance.
+//!
+//! One answer at the target is enough for one motion that was seen to leave: it passes there only at its end. All else (several
+//! motions, a motion without length, an arm that rests elsewhere) is known from answers that agree for a time of grace.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -11,95 +14,212 @@ use std::time::{Duration, Instant};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::JointPosition;
 
+use super::batch::Batch;
 use super::outcome::Outcome;
-use crate::Snapshot;
+use super::target::{Goal, Nearness, Place, Quantity};
+use super::trouble::{self, News};
+use crate::{Error, Snapshot};
 
 /// How many packets are kept to show what led to an end.
 const KEPT: usize = 10;
 
-/// How close, in degrees, a joint is to its target when it is there.
-const CLOSE: f64 = 0.1;
+/// The shortest time between two queries.
+pub(super) const QUERY_PERIOD: Duration = Duration::from_millis(100);
 
-/// What is waited for, and how far it is.
-#[derive(Debug)]
-pub(super) struct Wait {
-    /// Packets that came before this tell nothing of the motion.
-    sent: Instant,
-    target: Option<JointPosition>,
-    grace: Grace,
-    has_moved: bool,
-    /// Since when, and for how many packets, the arm has been in position.
-    resting: Option<(Instant, u32)>,
-    pub(super) packets: VecDeque<Arc<Snapshot>>,
-}
-
-/// How long the arm must have been in position to be taken at its word where it has not been seen to move, or is not at its
-/// target.
+/// For how long the arm must be seen at rest, where one answer at its target does not say enough.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grace {
     pub(super) time: Duration,
     pub(super) packets: u32,
 }
 
-impl Wait {
-    pub(super) fn new(sent: Instant, target: Option<JointPosition>, grace: Grace) -> Self {
-        Self { sent, target, grace, has_moved: false, resting: None, packets: VecDeque::with_capacity(KEPT) }
+/// What is waited for, and how far it is.
+#[derive(Debug)]
+pub(super) struct Wait {
+    batch: Batch,
+    /// How often this program has changed a frame by now.
+    frame_changes: u64,
+    grace: Grace,
+    /// What the newest packet says of rest; `None` where it does not say.
+    in_position: Option<bool>,
+    is_paused: bool,
+    has_left: bool,
+    /// A code that has come since the acceptance and is in no table: it counts once the arm rests.
+    unknown_code: Option<Outcome>,
+    /// When the last query was sent.
+    asked: Option<Instant>,
+    /// Answers that agree.
+    answers: Option<Series<Place>>,
+    /// Packets that agree, where there are no answers.
+    still: Option<Series<Option<JointPosition>>>,
+    /// Why the last query brought no position.
+    pub(super) failure: Option<Error>,
+    pub(super) packets: VecDeque<Arc<Snapshot>>,
+}
+
+/// Positions that agree with the first of them.
+#[derive(Debug, Clone, Copy)]
+struct Series<P> {
+    first: P,
+    since: Instant,
+    count: u32,
+    /// Packets in position since the first.
+    packets: u32,
+}
+
+impl<P> Series<P> {
+    fn new(first: P, since: Instant) -> Self {
+        Self { first, since, count: 1, packets: 0 }
     }
 
-    /// Looks at a packet: the outcome, if it tells one.
-    pub(super) fn look(&mut self, snapshot: &Arc<Snapshot>) -> Option<Outcome> {
-        let seen = self.packets.back().is_some_and(|last| last.number >= snapshot.number);
-        if seen || snapshot.received <= self.sent {
+    /// True if it has lasted for the grace, up to a time at which the last position was known to hold.
+    fn lasts(&self, until: Instant, grace: Grace, counts_packets: bool) -> bool {
+        let is_long = until.saturating_duration_since(self.since) >= grace.time;
+        self.count > 1 && is_long && (!counts_packets || self.packets >= grace.packets)
+    }
+}
+
+impl Wait {
+    pub(super) fn new(batch: Batch, frame_changes: u64, grace: Grace) -> Self {
+        Self {
+            batch,
+            frame_changes,
+            grace,
+            in_position: None,
+            is_paused: false,
+            has_left: false,
+            unknown_code: None,
+            asked: None,
+            answers: None,
+            still: None,
+            failure: None,
+            packets: VecDeque::with_capacity(KEPT),
+        }
+    }
+
+    /// Which query is to be asked now, if any.
+    pub(super) fn query(&self, now: Instant) -> Option<Quantity> {
+        // At first packets still say that the arm is in position; a query then would be asked in vain.
+        let has_begun = self.has_left || now.saturating_duration_since(self.batch.accepted) >= self.grace.time / 2;
+        let is_due = self.asked.is_none_or(|asked| now.saturating_duration_since(asked) >= QUERY_PERIOD);
+        let is_wanted = !self.packets.is_empty() && self.may_rest() && has_begun && is_due;
+        is_wanted.then(|| self.batch.goal.quantity())
+    }
+
+    /// In how long to look again whether a query is to be asked, if no packet comes before.
+    pub(super) fn query_in(&self, now: Instant) -> Duration {
+        let after = |from: Instant, time: Duration| time.saturating_sub(now.saturating_duration_since(from));
+        let next = self.asked.map_or(Duration::ZERO, |asked| after(asked, QUERY_PERIOD));
+        let begun = if self.has_left { Duration::ZERO } else { after(self.batch.accepted, self.grace.time / 2) };
+        next.max(begun).max(Duration::from_millis(1))
+    }
+
+    /// True if queries are asked as soon as they are due.
+    pub(super) fn may_rest(&self) -> bool {
+        !self.is_paused && self.in_position != Some(false)
+    }
+
+    /// A query goes out.
+    pub(super) fn asked(&mut self, at: Instant) {
+        self.asked = Some(at);
+    }
+
+    /// Takes a packet: the outcome, if it tells one.
+    pub(super) fn packet(&mut self, snapshot: &Arc<Snapshot>) -> Option<Outcome> {
+        let is_seen = self.packets.back().is_some_and(|last| last.number >= snapshot.number);
+        if is_seen || snapshot.received <= self.batch.accepted {
             return None;
         }
         if self.packets.len() == KEPT {
             self.packets.pop_front();
         }
         self.packets.push_back(Arc::clone(snapshot));
-        trouble(&snapshot.status).or_else(|| self.progress(snapshot))
+        match trouble::news(&snapshot.status, self.batch.code_before.as_deref()) {
+            Some(News::Ends(outcome)) => return Some(outcome),
+            Some(News::AtRest(outcome)) => self.unknown_code = Some(outcome),
+            None => {}
+        }
+        self.see_rest(&snapshot.status, snapshot.received)
     }
 
-    fn progress(&mut self, snapshot: &Snapshot) -> Option<Outcome> {
-        // A packet without the key tells nothing.
-        if !snapshot.status.in_position? {
-            self.has_moved = true;
-            self.resting = None;
+    fn see_rest(&mut self, status: &RobotStatus, received: Instant) -> Option<Outcome> {
+        self.is_paused = status.paused == Some(true);
+        self.in_position = status.in_position;
+        if !self.may_rest() {
+            self.has_left |= self.in_position == Some(false);
+            self.answers = None;
+            self.still = None;
             return None;
         }
-        let (since, packets) = self.resting.unwrap_or((snapshot.received, 0));
-        self.resting = Some((since, packets + 1));
-        let at_target = self.target.zip(snapshot.status.joint_actual_position).map(|(target, at)| is_close(target, at));
-        if self.has_moved && at_target != Some(false) {
+        let counted = u32::from(self.in_position == Some(true));
+        if let Some(answers) = &mut self.answers {
+            answers.packets += counted;
+        }
+        self.see_still(status.joint_actual_position, received, counted)
+    }
+
+    /// Rest by packets alone, which never is more than rest.
+    fn see_still(&mut self, joints: Option<JointPosition>, received: Instant, counted: u32) -> Option<Outcome> {
+        let is_same = |first: Option<JointPosition>| match (first, joints) {
+            (Some(first), Some(joints)) => Place::Joints(first).is_still(&Place::Joints(joints)),
+            (first, joints) => first.is_none() && joints.is_none(),
+        };
+        match &mut self.still {
+            Some(still) if is_same(still.first) => {
+                still.count += 1;
+                still.packets += counted;
+            }
+            _ => self.still = Some(Series::new(joints, received)),
+        }
+        let lasts = self.still.is_some_and(|still| still.lasts(received, self.grace, true));
+        (self.failure.is_some() && lasts).then(|| self.at_rest(Nearness::Unknown))
+    }
+
+    /// Takes the answer to a query that was sent at `asked` and came at `received`: the outcome, if it tells one.
+    pub(super) fn answer(&mut self, place: Place, asked: Instant, received: Instant) -> Option<Outcome> {
+        if asked <= self.batch.accepted {
+            return None;
+        }
+        self.failure = None;
+        let nearness = self.nearness(&place);
+        let has_ended = self.has_left && self.in_position == Some(true) && !self.is_paused;
+        if nearness == Nearness::There && self.batch.is_simple() && has_ended {
             return Some(Outcome::Reached);
         }
-        let from = if self.has_moved { since } else { self.sent };
-        let patience_over = snapshot.received - from >= self.grace.time && packets + 1 >= self.grace.packets;
-        patience_over.then_some(if at_target == Some(false) { Outcome::Stopped } else { Outcome::Reached })
+        if !self.may_rest() {
+            return None;
+        }
+        match &mut self.answers {
+            Some(answers) if answers.first.is_still(&place) => answers.count += 1,
+            answers => {
+                self.has_left |= answers.is_some();
+                *answers = Some(Series::new(place, received));
+            }
+        }
+        let counts_packets = self.in_position.is_some();
+        let lasts = self.answers.is_some_and(|answers| answers.lasts(asked, self.grace, counts_packets));
+        let had_time = asked.saturating_duration_since(self.batch.accepted) >= self.grace.time;
+        (lasts && had_time).then(|| self.at_rest(nearness))
     }
-}
 
-fn is_close(target: JointPosition, at: JointPosition) -> bool {
-    target.0.iter().zip(at.0).all(|(target, at)| (target - at).abs() <= CLOSE)
-}
+    /// A query brought no position.
+    pub(super) fn no_answer(&mut self, failure: Error) {
+        self.answers = None;
+        self.failure = Some(failure);
+    }
 
-/// What keeps the arm from moving, if something does.
-pub(super) fn trouble(status: &RobotStatus) -> Option<Outcome> {
-    if status.emergency_stop == Some(true) {
-        return Some(Outcome::EmergencyStop);
+    fn at_rest(&mut self, nearness: Nearness) -> Outcome {
+        match (nearness, self.unknown_code.take()) {
+            (Nearness::There, _) => Outcome::Reached,
+            (_, Some(outcome)) => outcome,
+            (Nearness::Elsewhere, None) => Outcome::Stopped,
+            (Nearness::Within | Nearness::Unknown, None) => Outcome::AtRest,
+        }
     }
-    if status.protective_stop == Some(true) {
-        return Some(Outcome::ProtectiveStop);
-    }
-    let code = status.error_code.as_deref().filter(|code| !is_zero(code));
-    if let Some(code) = code {
-        let message = status.error_message.clone().unwrap_or_default();
-        return Some(Outcome::ControllerError { code: code.to_owned(), message });
-    }
-    (status.powered_on == Some(false) || status.enabled == Some(false)).then_some(Outcome::Disabled)
-}
 
-/// `0x0`, `0`, or nothing.
-fn is_zero(code: &str) -> bool {
-    let digits = code.trim().trim_start_matches("0x").trim_start_matches("0X");
-    digits.bytes().all(|digit| digit == b'0')
+    fn nearness(&self, place: &Place) -> Nearness {
+        let newest = self.packets.back();
+        let goal = newest.map_or(Goal::Unknown, |newest| self.batch.goal_now(&newest.status, self.frame_changes));
+        goal.nearness(place)
+    }
 }

@@ -3,14 +3,14 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove, ServoP};
-use jaka_proto::messages::types::{JointPosition, MoveMode, Pose, Switch};
+use jaka_proto::messages::servo::{ServoJ, ServoP};
+use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 
-use super::pace::{CYCLE, Pace};
+use super::pace::Pace;
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
 use crate::{Error, Exchanges, Robot, Snapshot};
@@ -18,14 +18,24 @@ use crate::{Error, Exchanges, Robot, Snapshot};
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
 
-/// How long the last answers may take.
-const LAST_ANSWERS: Duration = Duration::from_secs(1);
-
 /// The robot in servo mode, from [`Robot::servo`]: set-points go out at the beat of the servo period, and their answers are
 /// counted, not waited for.
 ///
 /// Each call sends one set-point at the next beat, and fails within a period if the controller has refused an earlier one.
 /// Dropping the session leaves servo mode, also while a panic unwinds; [`finish`](Self::finish) does it with a report.
+///
+/// # Entering
+/// [`Robot::servo`] fails with [`Error::NotReady`] while the arm moves or a motion of the robot has not been waited for, and
+/// where the controller acknowledges servo mode and does not enter it; with [`Error::NotAcknowledged`] after a stop, with
+/// [`Error::StatusUnknown`] where the status is stale, missing or unreadable, and as [`Client::call`](crate::Client::call). If
+/// something fails after servo mode was asked for, it is left again; [`Error::ServoModeNotLeft`] where it is not known that it was.
+///
+/// # A link that stalls
+/// Where set-points are no longer answered ([`ServoConfig::max_unanswered`]), or the status is no longer known, none goes out any
+/// more: servo mode is left, and the call fails with [`Error::SetPointsUnanswered`] or [`Error::StatusUnknown`]. If the end of servo
+/// mode is not answered within a second, the connection is reset, which discards the set-points that the system has not sent, and the
+/// error is [`Error::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at most the
+/// set-points that were unanswered.
 ///
 /// ```no_run
 /// # use jaka_sync::{Robot, ServoConfig};
@@ -39,52 +49,20 @@ const LAST_ANSWERS: Duration = Duration::from_secs(1);
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 pub struct ServoSession<'r> {
-    robot: &'r mut Robot,
-    config: ServoConfig,
-    pace: Pace,
+    pub(super) robot: &'r mut Robot,
+    pub(super) config: ServoConfig,
+    pub(super) pace: Pace,
     /// The joints of the last set-point, where they are known.
-    last: Option<JointPosition>,
-    report: ServoReport,
-    refusal: Option<Error>,
-    is_open: bool,
+    pub(super) last: Option<JointPosition>,
+    pub(super) report: ServoReport,
+    pub(super) refusal: Option<Error>,
+    /// True while servo mode is to be left.
+    pub(super) is_open: bool,
+    /// Why no set-point goes out any more, if none does.
+    pub(super) ended: Option<String>,
 }
 
-impl<'r> ServoSession<'r> {
-    pub(crate) fn enter(robot: &'r mut Robot, config: &ServoConfig) -> Result<Self, Error> {
-        if let Some(filter) = &config.filter {
-            robot.client().call(filter)?;
-        }
-        let start = robot.client().get_joint_pos()?.joint_position;
-        robot.client().servo_move(Switch::On)?;
-        let pace = Pace::new(config.period(), config.busy_wait);
-        let mut session = Self {
-            robot,
-            config: config.clone(),
-            pace,
-            last: Some(start),
-            report: ServoReport::default(),
-            refusal: None,
-            is_open: true,
-        };
-        session.wait_until_entered()?;
-        session.pace = Pace::new(config.period(), config.busy_wait);
-        Ok(session)
-    }
-
-    /// The acknowledgement of `servo_move` comes before the mode has changed.
-    fn wait_until_entered(&mut self) -> Result<(), Error> {
-        let since = Instant::now();
-        let mut pace = Pace::new(CYCLE, Duration::ZERO);
-        while !self.robot.client().call(&IsInServomove)?.in_servo_mode {
-            if since.elapsed() > self.config.enter_timeout {
-                let after = self.config.enter_timeout;
-                return Err(Error::StatusTimeout { after, exchanges: Exchanges::default() });
-            }
-            pace.wait();
-        }
-        Ok(())
-    }
-
+impl ServoSession<'_> {
     /// The time of the next set-point, counted from the first.
     pub fn time(&self) -> Duration {
         self.pace.time()
@@ -97,6 +75,8 @@ impl<'r> ServoSession<'r> {
     ///   Nothing was sent. Behind a pose this is not checked: it does not tell where the joints are.
     /// - [`Error::Refused`]: the controller has refused an earlier set-point.
     /// - [`Error::NotAcknowledged`]: a protective or emergency stop. [`Error::Disconnected`]: the connection is lost.
+    /// - [`Error::SetPointsUnanswered`], [`Error::StatusUnknown`]: nothing passes on one of the ports; the session has ended.
+    ///   [`Error::ServoModeNotLeft`]: it has ended so, and servo mode may be on. [`Error::SessionEnded`]: it had ended before.
     pub fn joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
         self.check_speed(target)?;
@@ -190,27 +170,48 @@ impl<'r> ServoSession<'r> {
     }
 
     fn send<C: Command<Reply = ()>>(&mut self, request: &C) -> Result<(), Error> {
+        if let Some(because) = self.ended.clone() {
+            return Err(Error::SessionEnded { because });
+        }
+        let late = self.pace.wait();
+        // Behind the wait: a stop may have come meanwhile.
         self.take_answers(C::INFO.name)?;
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
-        let late = self.pace.wait();
-        // Behind the wait: a stop may have come meanwhile.
         self.robot.check_latch()?;
+        if let Err(error) = self.check_unanswered() {
+            return Err(self.end(error));
+        }
         let gate = self.robot.gate();
-        let outstanding = self.robot.client().post(Some(&gate), std::slice::from_ref(request))?;
+        let posted = self.robot.client().post(Some(&gate), std::slice::from_ref(request));
+        let outstanding = match posted {
+            Err(error @ Error::StatusUnknown { .. }) => return Err(self.end(error)),
+            posted => posted?,
+        };
         self.report.late(late, self.config.period());
         self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
         Ok(())
     }
 
-    fn take_answers(&mut self, command: &str) -> Result<(), Error> {
+    /// Where nothing passes, set-points would gather, and move the arm when nobody wants them any more.
+    fn check_unanswered(&mut self) -> Result<(), Error> {
+        let link = self.robot.client().link();
+        let count = link.outstanding();
+        if count < self.config.most_unanswered() {
+            return Ok(());
+        }
+        let (oldest, exchanges) = (link.oldest_posted().unwrap_or_default(), Exchanges::default());
+        Err(link.attach(Error::SetPointsUnanswered { count, oldest, exchanges }))
+    }
+
+    pub(super) fn take_answers(&mut self, command: &str) -> Result<(), Error> {
         let (answers, checked) = self.robot.client().link().drain(command);
         self.count(answers);
         checked
     }
 
-    fn count(&mut self, answers: Answers) {
+    pub(super) fn count(&mut self, answers: Answers) {
         self.report.accepted += answers.accepted;
         for error in answers.failed {
             if matches!(error, Error::ReplyLost { .. }) {
@@ -218,58 +219,6 @@ impl<'r> ServoSession<'r> {
             } else {
                 self.report.refused += 1;
                 self.refusal.get_or_insert(error);
-            }
-        }
-    }
-
-    /// Waits for the last answers and leaves servo mode.
-    ///
-    /// # Errors
-    /// As [`Client::call`](crate::Client::call), and [`Error::Refused`] if the controller refused a set-point. Servo mode is
-    /// left in any case, if it can be; [`Error::ServoModeNotLeft`] keeps both errors where it cannot.
-    pub fn finish(mut self) -> Result<ServoReport, Error> {
-        let answers = self.last_answers();
-        let left = self.leave();
-        let refused = self.refusal.take().map_or(Ok(()), Err);
-        match (answers.and(refused), left) {
-            (Ok(()), Ok(())) => {
-                self.report.sort();
-                Ok(std::mem::take(&mut self.report))
-            }
-            (Err(first), Err(leaving)) => {
-                Err(Error::ServoModeNotLeft { first: Box::new(first), leaving: Box::new(leaving) })
-            }
-            (Err(error), Ok(())) | (Ok(()), Err(error)) => Err(error),
-        }
-    }
-
-    fn last_answers(&mut self) -> Result<(), Error> {
-        let since = Instant::now();
-        let mut pace = Pace::new(CYCLE, Duration::ZERO);
-        while self.robot.client().link().outstanding() > 0 && since.elapsed() < LAST_ANSWERS {
-            self.take_answers(ServoJ::INFO.name)?;
-            pace.wait();
-        }
-        // The last set-point has its period, too.
-        self.pace.wait();
-        Ok(())
-    }
-
-    fn leave(&mut self) -> Result<(), Error> {
-        self.is_open = false;
-        // Another thread that reads may have taken answers in meanwhile.
-        let (answers, unanswered) = self.robot.client().link().forget_posted();
-        self.count(answers);
-        self.report.unanswered += unanswered;
-        self.robot.client().call(&ServoMove { servo_mode: Switch::Off })
-    }
-}
-
-impl Drop for ServoSession<'_> {
-    fn drop(&mut self) {
-        if self.is_open {
-            if let Err(error) = self.leave() {
-                log::warn!(target: "jaka_sync", "servo mode was not left: {error}");
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A program that uses commands of newer firmware, which a pack describes.
 
-use jaka_sync::types::{JointPosition, MoveMode};
-use jaka_sync::{Call, Client, Error, Motion};
+use jaka_sync::types::MoveMode;
+use jaka_sync::{Call, Client, Error, Motion, Target};
 
 jaka_sync::pack!("newer.toml");
 jaka_sync::pack!("changed.toml");
@@ -33,7 +33,11 @@ pub fn move_with_zone(robot: &mut Client, joints: [f64; 6], zone: f64) -> Result
 
 /// The pack's motion can be waited for, since this says where it ends.
 impl Motion for changed::JointMove {
-    fn target(&self) -> Option<JointPosition> {
-        (self.mode == MoveMode::Absolute).then_some(self.joint_position)
+    fn target(&self) -> Target {
+        match self.mode {
+            MoveMode::Absolute => Target::Joints(self.joint_position),
+            MoveMode::Relative => Target::JointOffset(self.joint_position),
+            _ => Target::Unknown,
+        }
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     if !is_ready(arm, session) {
         return;
     }
-    let outcome = match session.robot.servo(&ServoConfig::new()) {
+    let outcome = match session.robot.servo(&ServoConfig::new().max_unanswered(std::time::Duration::from_secs(30))) {
         Ok(servo) => go_through(arm, servo),
         Err(error) => not_entered(error),
     };

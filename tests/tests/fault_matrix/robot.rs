@@ -135,7 +135,7 @@ pub(crate) fn run_servo_session(cell: &Cell<'_>) -> Seen {
 /// A whole session; its first error, if there is one.
 fn session(cell: &Cell<'_>, robot: &mut Robot) -> Result<(), Error> {
     let sent = set_points(cell);
-    let mut session = robot.servo(&ServoConfig::new())?;
+    let mut session = robot.servo(&ServoConfig::new().max_unanswered(LIMIT))?;
     let failed = (0..SET_POINTS).find_map(|_| session.joints_by([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
     let finished = session.finish();
     if let Some(error) = failed {

@@ -1,0 +1,94 @@
+//! Motions that were accepted and have not been waited for.
+
+use std::time::Instant;
+
+use jaka_proto::messages::status::RobotStatus;
+
+use super::target::{Goal, Place};
+use super::trouble;
+
+/// Motions that were accepted and have not been waited for.
+#[derive(Debug, Clone)]
+pub(super) struct Batch {
+    /// When the last one was accepted: what came before tells nothing of it.
+    pub(super) accepted: Instant,
+    pub(super) goal: Goal,
+    /// The event that the status showed before; only another one is news.
+    pub(super) code_before: Option<String>,
+    count: u32,
+    begin: Begin,
+    frames: Frames,
+}
+
+/// What was known of the arm when the first motion was sent.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Begin {
+    pub(super) at_rest: bool,
+    /// By the status, which may be old, or by a query.
+    pub(super) place: Option<Place>,
+    /// By a query alone.
+    pub(super) start: Option<Place>,
+    pub(super) frames: Frames,
+    pub(super) code: Option<String>,
+}
+
+/// The ids of the selected frames, as the status shows them, and how often this program has changed any.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Frames {
+    tool: Option<i64>,
+    user: Option<i64>,
+    pub(super) changes: u64,
+}
+
+impl Frames {
+    /// As the status shows them; not those of a status that may be older than a change of this program.
+    pub(super) fn new(status: &RobotStatus, changes: u64, before: u64) -> Self {
+        let shown = |id: Option<i64>| id.filter(|_| changes == before);
+        Self { tool: shown(status.current_tool_id), user: shown(status.current_user_frame_id), changes }
+    }
+
+    fn differ_from(&self, status: &RobotStatus) -> bool {
+        let differ = |one: Option<i64>, other| one.zip(other).is_some_and(|(one, other)| one != other);
+        differ(self.tool, status.current_tool_id) || differ(self.user, status.current_user_frame_id)
+    }
+}
+
+impl Begin {
+    /// By the newest packet.
+    pub(super) fn new(status: &RobotStatus, frames: Frames) -> Self {
+        Self {
+            at_rest: status.in_position == Some(true) && status.paused != Some(true),
+            place: status.joint_actual_position.map(Place::Joints),
+            start: None,
+            frames,
+            code: trouble::code(status).map(str::to_owned),
+        }
+    }
+}
+
+impl Batch {
+    /// A first motion that was accepted.
+    pub(super) fn new(accepted: Instant, goal: Goal, begin: Begin) -> Self {
+        Self { accepted, goal, code_before: begin.code.clone(), count: 1, frames: begin.frames, begin }
+    }
+
+    /// One more that was accepted behind it.
+    pub(super) fn then(self, accepted: Instant, goal: Goal, begin: Begin) -> Self {
+        Self { accepted, goal, count: self.count.saturating_add(1), frames: begin.frames, ..self }
+    }
+
+    /// True for one motion that began at rest elsewhere than where it ends: only at its end it passes there.
+    pub(super) fn is_simple(&self) -> bool {
+        let Goal::At(goal, _) = self.goal else { return false };
+        self.count == 1 && self.begin.at_rest && self.begin.place.is_none_or(|place| !goal.is_at(&place))
+    }
+
+    /// The goal, unless it is a pose and the frames are no longer those in which it was given.
+    pub(super) fn goal_now(&self, newest: &RobotStatus, changes: u64) -> Goal {
+        let has_changed = self.frames.changes != changes || self.frames.differ_from(newest);
+        match self.goal {
+            Goal::At(Place::Pose(_), _) if has_changed => Goal::Unknown,
+            goal => goal,
+        }
+    }
+}

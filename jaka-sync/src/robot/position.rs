@@ -1,0 +1,127 @@
+//! Where the arm is, by a query that has no deadline of its own.
+//!
+//! One is outstanding at most. What it is waited for may end before it is answered; then the answer is waited for by whoever asks
+//! next. A second query of the same name after a timeout could leave in doubt which of the two was answered, and cost the
+//! connection, and the stop with it.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos, GetTcpPosReply};
+use jaka_proto::wire::Fields;
+use jaka_proto::{Command, CommandInfo};
+
+use super::Robot;
+use super::target::{Place, Quantity};
+use crate::link::Question;
+use crate::reply::{self, Typed};
+use crate::{Error, Exchanges};
+
+/// A query whose answer has not been taken.
+#[derive(Debug)]
+pub(super) struct Query {
+    question: Question,
+    quantity: Quantity,
+    at: Instant,
+}
+
+/// The answer to a query.
+#[derive(Debug)]
+pub(super) struct Answer {
+    pub(super) place: Result<Place, Error>,
+    /// When the query was sent: the answer is later.
+    pub(super) asked: Instant,
+}
+
+impl Robot {
+    /// Asks for the arm's position, unless a query is outstanding.
+    pub(super) fn ask(&mut self, quantity: Quantity) -> Result<(), Error> {
+        if self.query.is_some() {
+            return Ok(());
+        }
+        let at = Instant::now();
+        let link = self.client.link();
+        let question = match quantity {
+            Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos.write_request(out)),
+            Quantity::Pose => link.ask(GetTcpPos::INFO, &mut |out| GetTcpPos.write_request(out)),
+        }?;
+        self.query = Some(Query { question, quantity, at });
+        Ok(())
+    }
+
+    /// Waits for the answer to the query that is outstanding, for at most so long.
+    pub(super) fn answer(&mut self, time: Duration) -> Option<Answer> {
+        let query = self.query.take()?;
+        let (question, info) = (&query.question, query.quantity.info());
+        let place = match query.quantity {
+            Quantity::Joints => {
+                self.poll(question, info, time, |reply: GetJointPosReply| Place::Joints(reply.joint_position))
+            }
+            Quantity::Pose => self.poll(question, info, time, |reply: GetTcpPosReply| Place::Pose(reply.pose)),
+        };
+        match place.transpose() {
+            Some(place) => Some(Answer { place, asked: query.at }),
+            None => {
+                self.query = Some(query);
+                None
+            }
+        }
+    }
+
+    fn poll<R: Fields>(
+        &self,
+        question: &Question,
+        info: &'static CommandInfo,
+        time: Duration,
+        place: impl Fn(R) -> Place,
+    ) -> Result<Option<Place>, Error> {
+        let link = self.client.link();
+        let (mut text, mut payload) = (String::new(), Typed::new(info));
+        if !link.poll(question, time, &mut text, &mut payload)? {
+            return Ok(None);
+        }
+        let reply = payload.take(&text).map_err(|source| link.attach(reply::unexpected(info.name, source)))?;
+        Ok(Some(place(reply)))
+    }
+
+    /// The arm's position now; `None` where the controller does not say it.
+    pub(super) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+        let since = Instant::now();
+        loop {
+            self.ask(quantity)?;
+            let left = timeout.saturating_sub(since.elapsed());
+            match self.answer(left) {
+                None if left.is_zero() => return Err(self.no_position(quantity, timeout)),
+                Some(Answer { place: Ok(place), asked }) if asked >= since && place.quantity() == quantity => {
+                    return Ok(Some(place));
+                }
+                Some(Answer { place: Err(error), asked }) if asked >= since => {
+                    return if error.is_disconnected() { Err(error) } else { Ok(None) };
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn no_position(&self, quantity: Quantity, after: Duration) -> Error {
+        let (command, exchanges) = (quantity.info().name.to_owned(), Exchanges::default());
+        self.client.link().attach(Error::Timeout { command, after, exchanges })
+    }
+}
+
+impl Quantity {
+    fn info(self) -> &'static CommandInfo {
+        match self {
+            Self::Joints => GetJointPos::INFO,
+            Self::Pose => GetTcpPos::INFO,
+        }
+    }
+}
+
+impl Place {
+    fn quantity(&self) -> Quantity {
+        match self {
+            Self::Joints(_) => Quantity::Joints,
+            Self::Pose(_) => Quantity::Pose,
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Powering and enabling the arm.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::Command;
+use jaka_proto::messages::power::{EnableRobot, GetRobotState, GetRobotStateReply, PowerOn};
+
+use super::{Explanation, Robot};
+use crate::{Error, Exchanges, monitor};
+
+/// How often the state is asked for.
+const QUERY_PERIOD: Duration = Duration::from_millis(100);
+
+/// A call that may take so long in all.
+#[derive(Debug, Clone, Copy)]
+struct Limit {
+    since: Instant,
+    timeout: Duration,
+}
+
+impl Limit {
+    fn left(self) -> Duration {
+        self.timeout.saturating_sub(self.since.elapsed())
+    }
+}
+
+impl Robot {
+    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`, 4.12), and
+    /// waits until the status packets say so too. Takes some 12 s as a rule.
+    ///
+    /// # Errors
+    /// - [`Error::NotReady`], at once: the emergency stop is pressed.
+    /// - [`Error::StateTimeout`]: the state did not come in time; with what the last packet says.
+    /// - [`Error::StatusTimeout`]: no status packet came.
+    /// - Else as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
+    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
+        let limit = Limit { since: Instant::now(), timeout };
+        self.monitor.wait_until(|_| true, timeout)?;
+        self.check_emergency_stop(Duration::ZERO)?;
+        let state = self.client.call_within(&GetRobotState, limit.left())?;
+        if !state.powered_on {
+            self.switch(&PowerOn, |state| state.powered_on, limit)?;
+        }
+        if !state.enabled {
+            self.switch(&EnableRobot, |state| state.enabled, limit)?;
+        }
+        let is_up = |status: &crate::status::RobotStatus| {
+            status.powered_on != Some(false) && status.enabled != Some(false)
+        };
+        self.monitor.wait_until(is_up, limit.left()).map(drop)
+    }
+
+    /// Sends a command, and waits until the controller says that it has done it.
+    fn switch<C: Command>(
+        &mut self,
+        command: &C,
+        is_done: impl Fn(&GetRobotStateReply) -> bool,
+        limit: Limit,
+    ) -> Result<(), Error> {
+        let since = self.monitor.statistics().packets;
+        self.client.call_within(command, limit.left())?;
+        while !is_done(&self.client.call_within(&GetRobotState, limit.left())?) {
+            self.check_emergency_stop(QUERY_PERIOD.min(limit.left()))?;
+            if limit.left().is_zero() {
+                return Err(self.not_in_time(limit.timeout, since));
+            }
+        }
+        Ok(())
+    }
+
+    /// Fails as soon as a packet says that the emergency stop is pressed, up to so long.
+    fn check_emergency_stop(&mut self, time: Duration) -> Result<(), Error> {
+        let is_pressed = self.monitor.watch(time, |newest| {
+            newest.filter(|newest| newest.status.emergency_stop == Some(true)).map(|_| ())
+        });
+        match is_pressed? {
+            Some(()) => Err(self.not_ready(Explanation::EmergencyStop)),
+            None => Ok(()),
+        }
+    }
+
+    fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
+        let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
+        let says = self.monitor.last().and_then(|last| monitor::in_words(&last.status));
+        let exchanges = Exchanges::default();
+        self.client.link().attach(Error::StateTimeout { after, packets, says, exchanges })
+    }
+}

@@ -1,0 +1,102 @@
+//! Whether the robot's state is known well enough to move it: unknown is not good.
+
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::wire::DecodeError;
+
+use super::{Robot, lock, trouble};
+use crate::{Disconnect, Error, Exchanges, Snapshot};
+
+/// Why the state of a robot is not known.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum StatusProblem {
+    /// No status packet has come since the monitor connected.
+    Missing,
+    /// No status packet has come for longer than [`Config::stale_after`](crate::Config::stale_after).
+    Stale {
+        /// How long ago the last one came.
+        age: Duration,
+    },
+    /// The status connection has ended for good.
+    Ended {
+        /// Why.
+        cause: Arc<Disconnect>,
+    },
+    /// The status connection was lost, and the monitor is connecting again.
+    Reconnecting,
+    /// The newest packet cannot be read, or not in what tells whether the arm is stopped.
+    Unreadable {
+        /// Which field, and why.
+        source: DecodeError,
+    },
+}
+
+impl fmt::Display for StatusProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing => f.write_str("no status packet has come; see whether the controller sends them on port 10000"),
+            Self::Stale { age } => {
+                write!(f, "the last status packet came {age:.1?} ago; see to the network, and wait for packets to come again")
+            }
+            Self::Ended { cause } => {
+                write!(f, "the status connection has ended ({cause}); make a new `Robot`, or set `Config::reconnect`")
+            }
+            Self::Reconnecting => {
+                f.write_str("the status connection was lost and is being made again; wait for packets to come again")
+            }
+            Self::Unreadable { source } => {
+                write!(f, "the newest status packet does not tell whether the arm is stopped: {source}")
+            }
+        }
+    }
+}
+
+impl Robot {
+    /// The newest packet, if it is fresh and can be read. Where none has come yet, waits a little for the first.
+    pub(super) fn status_now(&self) -> Result<Arc<Snapshot>, StatusProblem> {
+        let now = self.monitor.current();
+        if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. })) {
+            return readable(now);
+        }
+        // An error says that it is as it was.
+        let _ = self.monitor.wait_until(|_| true, self.monitor.stale_after());
+        readable(self.monitor.current())
+    }
+
+    /// The same for what must not be done without it, unless the program has said that it does without.
+    pub(crate) fn known_status(&self) -> Result<Option<Arc<Snapshot>>, Error> {
+        match self.status_now() {
+            Ok(snapshot) => Ok(Some(snapshot)),
+            Err(_) if self.moves_without_status => Ok(None),
+            Err(problem) => Err(self.client.link().attach(unknown(problem))),
+        }
+    }
+
+    /// Keeps back what would move the arm behind a stop (one that has begun by the time of the write is on the wire before it, or
+    /// will be sent behind it), or while the robot's state is not known.
+    pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<> {
+        let (latched, stops, told) = (Arc::clone(&self.latched), Arc::clone(&self.stops), self.stops_told);
+        let monitor = (!self.moves_without_status).then(|| Arc::clone(&self.monitor));
+        move || {
+            if let Some(problem) = monitor.as_ref().and_then(|monitor| readable(monitor.current()).err()) {
+                return Err(unknown(problem));
+            }
+            super::not_latched(lock(&latched).clone().or_else(|| stops.pending(told)))
+        }
+    }
+}
+
+fn readable(snapshot: Result<Arc<Snapshot>, StatusProblem>) -> Result<Arc<Snapshot>, StatusProblem> {
+    let snapshot = snapshot?;
+    match trouble::unreadable(&snapshot) {
+        Some(source) => Err(StatusProblem::Unreadable { source: source.clone() }),
+        None => Ok(snapshot),
+    }
+}
+
+fn unknown(problem: StatusProblem) -> Error {
+    Error::StatusUnknown { problem, exchanges: Exchanges::default() }
+}

@@ -1,0 +1,91 @@
+//! Stops from other threads, and what they keep back.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use jaka_proto::messages::status::RobotStatus;
+
+use super::Outcome;
+use crate::monitor::Waker;
+use crate::{Error, StopHandle};
+
+/// The stops that were asked for through handles, by their numbers from 1.
+#[derive(Debug, Default)]
+pub(super) struct Stops {
+    /// The latest that was asked for.
+    begun: AtomicU64,
+    /// The latest that the controller has taken.
+    taken: AtomicU64,
+    /// How many are on their way.
+    under_way: AtomicU64,
+}
+
+impl Stops {
+    /// The number of the latest stop that the controller has taken.
+    pub(super) fn taken(&self) -> u64 {
+        self.taken.load(Ordering::SeqCst)
+    }
+
+    /// The number of the latest stop that was asked for.
+    pub(super) fn begun(&self) -> u64 {
+        self.begun.load(Ordering::SeqCst)
+    }
+
+    /// A stop that keeps motions back: one that is on its way, or that was asked for beyond those that were told of.
+    pub(super) fn pending(&self, told: u64) -> Option<Outcome> {
+        (self.is_under_way() || self.begun() != told).then_some(Outcome::Stopped)
+    }
+
+    /// True while the controller has not answered a stop.
+    pub(super) fn is_under_way(&self) -> bool {
+        self.under_way.load(Ordering::SeqCst) > 0
+    }
+}
+
+/// A stop on its way, until it is dropped.
+struct UnderWay<'s>(&'s Stops);
+
+impl<'s> UnderWay<'s> {
+    fn begin(stops: &'s Stops) -> (Self, u64) {
+        stops.under_way.fetch_add(1, Ordering::SeqCst);
+        (Self(stops), stops.begun.fetch_add(1, Ordering::SeqCst) + 1)
+    }
+}
+
+impl Drop for UnderWay<'_> {
+    fn drop(&mut self) {
+        self.0.under_way.fetch_sub(1, Ordering::SeqCst);
+    }
+}
+
+/// Stops the arm of a [`Robot`](super::Robot) from another thread, and ends its wait as soon as the controller has taken the
+/// stop. Unless a [`MotionEnd`](super::MotionEnd) has told of the stop, the next motion is refused until
+/// [`Robot::acknowledge`](super::Robot::acknowledge); while a stop is on its way, each motion is.
+///
+/// This is no emergency stop; people are protected by the robot's own safety functions alone.
+#[derive(Debug, Clone)]
+pub struct RobotStop {
+    handle: StopHandle,
+    stops: Arc<Stops>,
+    waker: Waker<RobotStatus>,
+}
+
+impl RobotStop {
+    pub(super) fn new(handle: StopHandle, stops: Arc<Stops>, waker: Waker<RobotStatus>) -> Self {
+        Self { handle, stops, waker }
+    }
+
+    /// Sends `stop_program` (4.23), waits until the controller has taken it, and ends the wait.
+    ///
+    /// # Errors
+    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on: its wait goes on by the status, and the
+    /// next motion is refused.
+    pub fn stop(&self) -> Result<(), Error> {
+        // From here on no motion is sent.
+        let (_under_way, number) = UnderWay::begin(&self.stops);
+        self.handle.stop()?;
+        self.stops.taken.fetch_max(number, Ordering::SeqCst);
+        self.waker.wake();
+        Ok(())
+    }
+}

@@ -1,0 +1,116 @@
+//! Waiting for the end of a batch: packets, stops, and the controller's answers.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::position::Answer;
+use super::wait::Wait;
+use super::{Outcome, Robot, trouble};
+use crate::Snapshot;
+
+/// For how long an answer is waited for before packets and stops are looked at again.
+const SLICE: Duration = Duration::from_millis(10);
+
+/// When the robot was last heard of, in a packet that can be read.
+#[derive(Debug)]
+struct Heard {
+    at: Instant,
+    number: u64,
+    unreadable: Option<Arc<Snapshot>>,
+}
+
+impl Robot {
+    /// Waits until the motions have ended, or it is known that this cannot be known. A stop, trouble and the deadline end it at
+    /// once, also while an answer is awaited.
+    pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration) -> Outcome {
+        let since = Instant::now();
+        let mut heard = Heard { at: since, number: 0, unreadable: None };
+        loop {
+            let left = timeout.saturating_sub(since.elapsed());
+            let silence = self.silence.saturating_sub(heard.at.elapsed());
+            let patience = left.min(silence).min(self.query_in(wait));
+            let found = self.monitor.watch(patience, |newest| self.observe(newest, wait, &mut heard));
+            match found {
+                Ok(Some(Some(outcome))) => return self.told(outcome),
+                Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect(), unreadable: None },
+                Ok(_) if left.is_zero() => return Outcome::Deadline,
+                Ok(_) if heard.at.elapsed() >= self.silence => return heard.lost(),
+                Ok(_) => {}
+            }
+            if let Some(outcome) = self.look_up(wait, left) {
+                return self.told(outcome);
+            }
+        }
+    }
+
+    /// In how long there is something to ask or an answer to look for, if no packet comes before.
+    fn query_in(&self, wait: &Wait) -> Duration {
+        if self.query.is_some() {
+            return Duration::ZERO;
+        }
+        if wait.may_rest() { wait.query_in(Instant::now()) } else { Duration::MAX }
+    }
+
+    /// Looks at the newest packet and at the stops: the outcome, if they tell one, or none where it is time for a query.
+    fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Option<Outcome>> {
+        if self.stops.taken() > self.stops_told {
+            return Some(Some(Outcome::Stopped));
+        }
+        let outcome = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
+        match outcome {
+            Some(outcome) => Some(Some(outcome)),
+            None => (self.query.is_some() || wait.query(Instant::now()).is_some()).then_some(None),
+        }
+    }
+
+    /// Asks where the arm is, if it is time, and takes the answer, if it has come.
+    fn look_up(&mut self, wait: &mut Wait, left: Duration) -> Option<Outcome> {
+        if self.query.is_none() {
+            let quantity = wait.query(Instant::now())?;
+            wait.asked(Instant::now());
+            if let Err(error) = self.ask(quantity) {
+                wait.no_answer(error);
+                return None;
+            }
+        }
+        match self.answer(SLICE.min(left))? {
+            Answer { place: Ok(place), asked } => wait.answer(place, asked, Instant::now()),
+            Answer { place: Err(error), .. } => {
+                wait.no_answer(error);
+                None
+            }
+        }
+    }
+
+    /// A stop that the outcome tells of is told.
+    fn told(&mut self, outcome: Outcome) -> Outcome {
+        if matches!(outcome, Outcome::Stopped) {
+            self.stops_told = self.stops_told.max(self.stops.taken());
+        }
+        // Where the target is not known, it may be at rest because of a stop whose reply has not come.
+        let is_stopping = self.stops.is_under_way() && matches!(outcome, Outcome::AtRest);
+        if is_stopping { Outcome::Stopped } else { outcome }
+    }
+}
+
+impl Heard {
+    /// Whether a packet is news that can be read.
+    fn takes(&mut self, newest: &Arc<Snapshot>) -> bool {
+        if newest.number <= self.number {
+            return false;
+        }
+        self.number = newest.number;
+        if trouble::unreadable(newest).is_some() {
+            self.unreadable = Some(Arc::clone(newest));
+            return false;
+        }
+        self.unreadable = None;
+        self.at = self.at.max(newest.received);
+        true
+    }
+
+    fn lost(self) -> Outcome {
+        let unreadable = self.unreadable.as_ref().and_then(|packet| trouble::unreadable(packet).cloned());
+        Outcome::StatusLost { cause: None, unreadable }
+    }
+}

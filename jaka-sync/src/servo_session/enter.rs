@@ -1,0 +1,103 @@
+//! Into servo mode.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove};
+use jaka_proto::messages::types::{JointPosition, Switch};
+
+use super::pace::{CYCLE, Pace};
+use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
+use crate::{Error, Exchanges, Explanation, Robot};
+
+impl<'r> ServoSession<'r> {
+    pub(crate) fn enter(robot: &'r mut Robot, config: &ServoConfig) -> Result<Self, Error> {
+        check_step_count(config)?;
+        robot.rest_for_servo(config.enter_timeout)?;
+        if let Some(filter) = &config.filter {
+            robot.client().call(filter)?;
+        }
+        let mut session = Self {
+            robot,
+            config: config.clone(),
+            pace: Pace::new(config.period(), config.busy_wait),
+            last: None,
+            report: ServoReport::default(),
+            refusal: None,
+            is_open: true,
+            ended: None,
+        };
+        match session.switch_on() {
+            Ok(start) => {
+                session.last = Some(start);
+                session.pace = Pace::new(config.period(), config.busy_wait);
+                Ok(session)
+            }
+            Err(error) => Err(session.end(error)),
+        }
+    }
+
+    /// Servo mode on, and where the arm is in it.
+    fn switch_on(&mut self) -> Result<JointPosition, Error> {
+        let gate = self.robot.gate();
+        let (client, timeout) = (self.robot.client(), self.config.enter_timeout);
+        let on = client.call_through(Some(&gate), &ServoMove { servo_mode: Switch::On }, client.timeout_of(ServoMove::INFO));
+        if let Err(error) = on {
+            // What was not sent or was refused need not be left.
+            self.is_open = error.may_have_run();
+            return Err(error);
+        }
+        self.wait_until_entered(timeout)?;
+        Ok(self.robot.client().get_joint_pos()?.joint_position)
+    }
+
+    /// The acknowledgement of `servo_move` comes before the mode has changed, and also where it does not change.
+    fn wait_until_entered(&mut self, timeout: Duration) -> Result<(), Error> {
+        let since = Instant::now();
+        let mut pace = Pace::new(CYCLE, Duration::ZERO);
+        while !self.robot.client().call(&IsInServomove)?.in_servo_mode {
+            if since.elapsed() > timeout {
+                return Err(self.robot.not_ready(Explanation::ServoModeNotEntered));
+            }
+            pace.wait();
+        }
+        Ok(())
+    }
+}
+
+/// A longer period would let one set-point move the arm far.
+fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgument> {
+    let count = config.step_count;
+    if count <= MOST_STEPS {
+        return Ok(());
+    }
+    let allowed = format!("at most {MOST_STEPS}: a period of {:?}", CYCLE * MOST_STEPS);
+    Err(InvalidArgument::new(ServoJ::INFO.name, "step_count", count.to_string(), allowed, false))
+}
+
+impl Robot {
+    /// Waits until the arm is at rest, as far as the status tells. While it moves, controllers acknowledge servo mode and do not
+    /// enter it.
+    fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.client().link().check_open(ServoMove::INFO.name)?;
+        self.check_latch()?;
+        if self.has_motions() {
+            return Err(self.not_ready(Explanation::Moving));
+        }
+        let Some(newest) = self.known_status()? else { return Ok(()) };
+        if newest.status.in_position != Some(false) {
+            return Ok(());
+        }
+        let rests = self.monitor().wait_until(|status| status.in_position != Some(false), timeout);
+        match rests {
+            Err(Error::StateTimeout { .. }) => Err(self.not_ready(Explanation::Moving)),
+            rests => rests.map(drop),
+        }
+    }
+
+    /// The error for what the robot's state keeps it from doing.
+    pub(crate) fn not_ready(&mut self, explanation: Explanation) -> Error {
+        self.client().link().attach(Error::NotReady { explanation, exchanges: Exchanges::default() })
+    }
+}

@@ -1,0 +1,114 @@
+//! Out of servo mode, in each way in which a session can end.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::Command;
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove};
+use jaka_proto::messages::types::Switch;
+
+use super::pace::{CYCLE, Pace};
+use super::{ServoReport, ServoSession};
+use crate::{Disconnect, Error, Exchanges, Explanation};
+
+/// How long the last answers may take, and the end of servo mode behind set-points that are not answered.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+impl ServoSession<'_> {
+    /// Waits for the last answers and leaves servo mode.
+    ///
+    /// # Errors
+    /// As [`Client::call`](crate::Client::call), and [`Error::Refused`] if the controller refused a set-point. Servo mode is
+    /// left in any case, if it can be; [`Error::ServoModeNotLeft`] where it cannot, or where that is not known, with the session's own
+    /// error if there is one. [`Error::SessionEnded`] if the session had ended before.
+    pub fn finish(mut self) -> Result<ServoReport, Error> {
+        if let Some(because) = self.ended.take() {
+            return Err(Error::SessionEnded { because });
+        }
+        let answers = self.last_answers();
+        let left = self.leave();
+        let first = answers.err().or(self.refusal.take());
+        match (first, left) {
+            (None, Ok(())) => {
+                self.report.sort();
+                Ok(std::mem::take(&mut self.report))
+            }
+            (Some(error), Ok(())) => Err(error),
+            (first, Err(leaving)) => Err(not_left(first, leaving)),
+        }
+    }
+
+    fn last_answers(&mut self) -> Result<(), Error> {
+        let since = Instant::now();
+        let mut pace = Pace::new(CYCLE, Duration::ZERO);
+        while self.robot.client().link().outstanding() > 0 && since.elapsed() < PATIENCE {
+            self.take_answers(ServoJ::INFO.name)?;
+            pace.wait();
+        }
+        // The last set-point has its period, too.
+        self.pace.wait();
+        Ok(())
+    }
+
+    /// Ends the session because of an error: no set-point goes out any more, and servo mode is left.
+    pub(super) fn end(&mut self, first: Error) -> Error {
+        self.ended = Some(first.to_string());
+        if !self.is_open {
+            return first;
+        }
+        match self.leave() {
+            Ok(()) => first,
+            Err(leaving) => not_left(Some(first), leaving),
+        }
+    }
+
+    /// Leaves servo mode, and asks whether it was left.
+    ///
+    /// Set-points that are not answered may wait where nothing passes. If the end of servo mode is not answered either, the
+    /// connection is reset, so that the system discards what it has queued of them.
+    pub(super) fn leave(&mut self) -> Result<(), Error> {
+        self.is_open = false;
+        // Another thread that reads may have taken answers in meanwhile.
+        let (answers, unanswered) = self.robot.client().link().forget_posted();
+        self.count(answers);
+        self.report.unanswered += unanswered;
+        let client = self.robot.client();
+        let timeout = if unanswered > 0 { PATIENCE } else { client.timeout_of(ServoMove::INFO) };
+        match client.call_within(&ServoMove { servo_mode: Switch::Off }, timeout) {
+            Err(error) if error.is_disconnected() => Err(error),
+            Err(Error::Timeout { .. }) if unanswered > 0 => {
+                let cause = client.link().reset(Disconnect::Reset { unanswered });
+                let (command, exchanges) = (Some(ServoMove::INFO.name.to_owned()), Exchanges::default());
+                Err(client.link().attach(Error::Disconnected { command, sent: true, cause, exchanges }))
+            }
+            // What counts is the mode, also where the command was refused or its reply was lost.
+            switched => self.check_left(switched.err()),
+        }
+    }
+
+    /// The reply that came may have been the late one to the command that entered servo mode.
+    fn check_left(&mut self, failed: Option<Error>) -> Result<(), Error> {
+        let since = Instant::now();
+        let mut pace = Pace::new(CYCLE, Duration::ZERO);
+        while self.robot.client().call(&IsInServomove)?.in_servo_mode {
+            if since.elapsed() > PATIENCE {
+                return Err(failed.unwrap_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft)));
+            }
+            pace.wait();
+        }
+        Ok(())
+    }
+}
+
+fn not_left(first: Option<Error>, leaving: Error) -> Error {
+    Error::ServoModeNotLeft { first: first.map(Box::new), leaving: Box::new(leaving) }
+}
+
+impl Drop for ServoSession<'_> {
+    fn drop(&mut self) {
+        if self.is_open {
+            if let Err(error) = self.leave() {
+                log::warn!(target: "jaka_sync", "servo mode was not left: {error}");
+            }
+        }
+    }
+}

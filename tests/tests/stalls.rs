@@ -1,0 +1,423 @@
+//! A link that stalls, delays or is cut, and controllers that are odd: no false end of a motion, no set-point that runs after its
+//! session, no stop that is lost. The arm itself is the witness: the simulator says where it is, and whether it is at rest.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays, Fault, LinkFault, Port};
+use jaka_sync::motion::{JointMove, MoveL};
+use jaka_sync::types::{JointPosition, MoveMode, Pose};
+use jaka_sync::{Client, Config, Error, Monitor, MotionEnd, Outcome, Robot, ServoConfig};
+
+const LONG: Duration = Duration::from_secs(60);
+const PERIOD: Duration = Duration::from_millis(30);
+
+/// An arm that is powered and enabled, at real time.
+fn arm() -> Controller {
+    let controller = Controller::builder().delays(Delays::NONE).status_period(PERIOD).start();
+    let controller = controller.expect("loopback has free ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    controller
+}
+
+fn robot_of(controller: &Controller, config: &Config) -> Robot {
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
+    Robot::new(config.connect(controller.command_addr()).expect("the controller listens"), monitor)
+}
+
+/// A robot for which packets of a minute ago are fresh, so that the test alone decides what is stale.
+fn ready() -> (Controller, Robot) {
+    let controller = arm();
+    let robot = robot_of(&controller, &Config::new().stale_after(LONG)).status_silence(LONG);
+    (controller, robot)
+}
+
+fn joint_1(controller: &Controller) -> f64 {
+    controller.state().joint_position.0[0]
+}
+
+fn to(angle: f64, speed: f64) -> JointMove {
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
+    JointMove { mode: MoveMode::Absolute, joint_position, speed, acceleration: Some(300.0) }
+}
+
+fn up(millimetres: f64, speed: f64) -> MoveL {
+    let pose = Pose { x: 0.0, y: 0.0, z: millimetres, rx: 0.0, ry: 0.0, rz: 0.0 };
+    MoveL { mode: MoveMode::Relative, pose, speed, acceleration: Some(800.0), tolerance: None }
+}
+
+/// The arm is where it was sent and moves no more, now.
+fn assert_there(controller: &Controller, end: &MotionEnd, angle: f64) {
+    assert!(end.outcome.is_reached(), "{:?} at {}", end.outcome, joint_1(controller));
+    let state = controller.state();
+    assert!((joint_1(controller) - angle).abs() < 0.1 && state.tcp_speed == 0.0, "at {}", joint_1(controller));
+}
+
+#[test]
+fn old_status_after_a_stall_ends_no_motion() {
+    let (controller, mut robot) = ready();
+    // What the link holds is from before the motion: in position.
+    controller.link(Port::Status).to_client().hold();
+    thread::sleep(Duration::from_millis(300));
+    robot.start(&to(50.0, 40.0)).expect("the command port is fine");
+    let end = thread::scope(|scope| {
+        scope.spawn(|| {
+            thread::sleep(Duration::from_millis(400));
+            controller.link(Port::Status).to_client().release();
+        });
+        robot.wait(LONG)
+    });
+    assert_there(&controller, &end, 50.0);
+}
+
+#[test]
+fn a_constant_delay_of_the_status_ends_no_motion() {
+    let (controller, mut robot) = ready();
+    controller.link(Port::Status).to_client().delay(Duration::from_millis(800));
+    let height = controller.state().tcp_pose.z;
+    let end = robot.run(&up(60.0, 50.0), LONG).expect("it is reachable");
+    let state = controller.state();
+    assert!(end.outcome.is_reached() && state.tcp_speed == 0.0, "{:?} at {:?}", end.outcome, state.tcp_pose);
+    assert!((state.tcp_pose.z - height - 60.0).abs() < 0.5);
+    let end = robot.run(&to(40.0, 40.0), LONG).expect("it is reachable");
+    assert_there(&controller, &end, 40.0);
+}
+
+#[test]
+fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
+    let (controller, mut robot) = ready();
+    let stop = robot.client().stop_handle();
+    let start = controller.state().tcp_pose.z;
+    let end = thread::scope(|scope| {
+        scope.spawn(|| {
+            while controller.state().tcp_pose.z < start + 15.0 {
+                thread::yield_now();
+            }
+            stop.stop().expect("the controller takes the stop");
+        });
+        robot.run(&up(100.0, 50.0), LONG)
+    });
+    let end = end.expect("it is reachable");
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(controller.state().tcp_pose.z < start + 90.0);
+    let offset = JointMove { mode: MoveMode::Relative, joint_position: [40.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(), ..to(0.0, 40.0) };
+    let end = thread::scope(|scope| {
+        scope.spawn(|| {
+            while joint_1(&controller) < 8.0 {
+                thread::yield_now();
+            }
+            stop.stop().expect("the controller takes the stop");
+        });
+        robot.run(&offset, LONG)
+    });
+    assert!(matches!(end.expect("it is reachable").outcome, Outcome::Stopped));
+}
+
+#[test]
+fn relative_motions_in_a_queue_end_at_rest_and_claim_no_target() {
+    let (controller, mut robot) = ready();
+    let height = controller.state().tcp_pose.z;
+    robot.start(&up(10.0, 60.0)).expect("it is reachable");
+    robot.start(&up(10.0, 60.0)).expect("it is reachable");
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    assert!((controller.state().tcp_pose.z - height - 20.0).abs() < 0.01);
+    assert!(end.at_rest().is_ok());
+}
+
+#[test]
+fn a_motion_that_was_not_sent_by_the_robot_is_not_waited_for() {
+    let (controller, mut robot) = ready();
+    robot.client().joint_move(&to(40.0, 40.0)).expect("it is reachable");
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::NoMotion), "{:?}", end.outcome);
+    assert!(joint_1(&controller) < 40.0);
+    assert!(end.reached().is_err_and(|error| error.to_string().contains("nothing to wait for")));
+}
+
+#[test]
+fn a_frame_that_changes_meanwhile_leaves_a_pose_unknown() {
+    let (_controller, mut robot) = ready();
+    robot.start(&up(10.0, 60.0)).expect("it is reachable");
+    robot.client().set_tool_id(1).expect("there is such a frame");
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    // Joints have no frame.
+    robot.start(&to(5.0, 60.0)).expect("it is reachable");
+    robot.client().set_tool_id(0).expect("there is such a frame");
+    assert!(robot.wait(LONG).outcome.is_reached());
+}
+
+#[test]
+fn one_query_confirms_a_motion() {
+    let (controller, mut robot) = ready();
+    for angle in [5.0, -5.0, 5.0] {
+        let before = controller.requests().len();
+        assert_there(&controller, &robot.run(&to(angle, 90.0), LONG).expect("it is reachable"), angle);
+        let queries = controller.requests()[before..].iter().filter(|request| request.contains("get_")).count();
+        // Normally one; more where this machine is so slow that packets come late.
+        assert!((1..=6).contains(&queries), "{queries}");
+    }
+}
+
+#[test]
+fn a_late_answer_delays_an_end_and_nothing_else() {
+    let (controller, mut robot) = ready();
+    for _ in 0..3 {
+        controller.inject_for("get_joint_pos", Fault::Delay(Duration::from_millis(700)));
+    }
+    assert_there(&controller, &robot.run(&to(5.0, 60.0), LONG).expect("it is reachable"), 5.0);
+    // The deadline is kept, and the next wait takes the answer over.
+    controller.inject_for("get_joint_pos", Fault::Hold);
+    let since = Instant::now();
+    let end = robot.run(&to(15.0, 60.0), Duration::from_secs(2)).expect("it is reachable");
+    assert!(matches!(end.outcome, Outcome::Deadline), "{:?}", end.outcome);
+    assert!(since.elapsed() < Duration::from_secs(20), "{:?}", since.elapsed());
+    let queries = |requests: Vec<String>| requests.iter().filter(|request| request.contains("get_joint_pos")).count();
+    let asked = queries(controller.requests());
+    controller.release();
+    assert_there(&controller, &robot.wait(LONG), 15.0);
+    assert!(queries(controller.requests()) <= asked + 1, "one is outstanding at most");
+}
+
+#[test]
+fn a_position_that_cannot_be_asked_for_is_never_reached() {
+    let (controller, mut robot) = ready();
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call get_joint_pos failed", "cmdName": "get_joint_pos"}"#;
+    for _ in 0..20 {
+        controller.inject_for("get_joint_pos", Fault::Instead(refusal.to_vec()));
+    }
+    let end = robot.run(&to(5.0, 60.0), LONG).expect("it is reachable");
+    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    assert!(end.not_answered.as_ref().is_some_and(Error::is_refused));
+    let text = end.reached().expect_err("it is not known").to_string();
+    assert!(text.contains("get_joint_pos"), "{text}");
+}
+
+#[test]
+fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
+    let controller = arm();
+    let mut robot = robot_of(&controller, &Config::new().stale_after(Duration::from_millis(200)));
+    controller.link(Port::Status).to_client().hold();
+    thread::sleep(Duration::from_millis(300));
+    let before = controller.requests().len();
+    let error = robot.run(&to(5.0, 60.0), LONG).expect_err("nobody knows how the arm is");
+    assert!(matches!(error, Error::StatusUnknown { .. }) && !error.may_have_run(), "{error:?}");
+    assert!(robot.servo(&ServoConfig::new()).is_err_and(|error| matches!(error, Error::StatusUnknown { .. })));
+    assert_eq!(controller.requests().len(), before);
+    // A program that says that it does without is not kept back.
+    let mut robot = robot.move_without_status();
+    robot.start(&to(5.0, 60.0)).expect("it is reachable");
+    controller.link(Port::Status).to_client().release();
+
+    let controller = arm();
+    let mut robot = robot_of(&controller, &Config::new());
+    controller.link(Port::Status).to_client().set(LinkFault::None);
+    controller.status_fault(jaka_sim::StatusFault::CloseAfter(0));
+    let since = Instant::now();
+    while robot.monitor().disconnect().is_none() && since.elapsed() < LONG {
+        thread::yield_now();
+    }
+    let error = robot.start(&to(5.0, 60.0)).expect_err("nobody knows how the arm is");
+    assert!(error.to_string().contains("make a new `Robot`"), "{error}");
+}
+
+#[test]
+fn two_stops_at_once_keep_the_next_motion_back_until_both_are_told() {
+    let (controller, mut robot) = ready();
+    let stops = [robot.stop_handle(), robot.stop_handle()];
+    for round in 0..30 {
+        let target = if round % 2 == 0 { 30.0 } else { -30.0 };
+        robot.start(&to(target, 60.0)).expect("it is reachable");
+        thread::scope(|scope| {
+            for stop in &stops {
+                scope.spawn(|| stop.stop().expect("the controller takes the stop"));
+            }
+            let end = robot.wait(LONG);
+            assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+            // Refused, or sent behind both stops: then nothing has stopped it.
+            if robot.start(&to(-target, 60.0)).is_ok() {
+                let requests = controller.requests();
+                let last_stop = requests.iter().rposition(|request| request.contains("stop_program"));
+                let last_move = requests.iter().rposition(|request| request.contains("joint_move"));
+                assert!(last_stop < last_move, "round {round}: {requests:?}");
+            }
+        });
+        stops[0].stop().expect("the controller takes the stop");
+        robot.acknowledge();
+    }
+}
+
+/// How far joint 1 moves after a time.
+fn moves_on(controller: &Controller, for_time: Duration) -> f64 {
+    let from = joint_1(controller);
+    let since = Instant::now();
+    let mut furthest: f64 = 0.0;
+    while since.elapsed() < for_time {
+        furthest = furthest.max((joint_1(controller) - from).abs());
+        thread::sleep(Duration::from_millis(5));
+    }
+    furthest
+}
+
+#[test]
+fn set_points_do_not_gather_behind_a_link_that_is_held() {
+    const STEP: f64 = 0.08;
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
+    let slow = |session: &mut jaka_sync::ServoSession<'_>| session.joints_by([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    for _ in 0..20 {
+        slow(&mut session).expect("answers come");
+    }
+    controller.links().hold();
+    let error = (0..2000).find_map(|_| slow(&mut session).err()).expect("nothing is answered");
+    assert!(matches!(&error, Error::ServoModeNotLeft { .. }) && error.is_disconnected(), "{error:?}");
+    let text = error.to_string();
+    assert!(text.contains("servo mode may be on") && text.contains("no stop can be sent"), "{text}");
+    assert!(matches!(slow(&mut session), Err(Error::SessionEnded { .. })));
+    let report = session.finish();
+    assert!(matches!(report, Err(Error::SessionEnded { .. })), "{report:?}");
+    controller.links().release();
+    // 100 ms are twelve set-points; those of before the stall are done when the first of these begins.
+    assert!(moves_on(&controller, Duration::from_secs(1)) <= 12.0 * STEP + 0.01);
+}
+
+#[test]
+fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
+    controller.link(Port::Command).hold();
+    let error = thread::scope(|scope| {
+        scope.spawn(|| {
+            thread::sleep(Duration::from_millis(400));
+            controller.link(Port::Command).release();
+        });
+        (0..2000).find_map(|_| session.joints_by([0.02; 6]).err()).expect("nothing is answered")
+    });
+    assert!(matches!(error, Error::SetPointsUnanswered { .. }) && error.may_have_run(), "{error:?}");
+    drop(session);
+    assert!(!controller.state().servo_mode);
+    robot.client().get_version().expect("the connection lives");
+}
+
+#[test]
+fn set_points_end_with_the_status() {
+    let controller = arm();
+    let mut robot = robot_of(&controller, &Config::new().stale_after(Duration::from_millis(300)));
+    let mut session = robot.servo(&ServoConfig::new().max_unanswered(LONG)).expect("the arm is at rest");
+    controller.link(Port::Status).to_client().hold();
+    let error = (0..2000).find_map(|_| session.joints_by([0.001; 6]).err()).expect("the status is stale");
+    assert!(matches!(error, Error::StatusUnknown { .. }), "{error:?}");
+    assert!(!controller.state().servo_mode);
+}
+
+#[test]
+fn servo_mode_is_left_where_entering_it_was_not_answered() {
+    for fault in [Fault::Drop, Fault::Delay(Duration::from_millis(600))] {
+        let controller = arm();
+        let config = Config::new().reply_timeout(Duration::from_millis(300)).stale_after(LONG);
+        let mut robot = robot_of(&controller, &config);
+        controller.inject_for("servo_move", fault.clone());
+        let error = robot.servo(&ServoConfig::new()).expect_err("its reply does not come in time");
+        assert!(error.may_have_run(), "{fault}: {error:?}");
+        let is_left = !controller.state().servo_mode;
+        assert!(is_left || matches!(error, Error::ServoModeNotLeft { .. }), "{fault}: {error:?}");
+        // The late reply of the first is not taken for that of the second.
+        let requests = controller.requests();
+        assert!(requests.iter().any(|request| request == r#"{"cmdName":"servo_move","relFlag":0}"#), "{requests:?}");
+    }
+}
+
+#[test]
+fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
+    let (controller, mut robot) = ready();
+    let session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
+    drop(session);
+    let requests = controller.requests();
+    let place = |part: &str| requests.iter().position(|request| request.contains(part)).expect("it was sent");
+    assert!(place("is_in_servomove") < place("get_joint_pos"), "{requests:?}");
+    let error = robot.servo(&ServoConfig::new().step_count(1000)).expect_err("a period of 8 s");
+    assert!(error.is_invalid_argument(), "{error:?}");
+}
+
+#[test]
+fn servo_mode_is_not_asked_for_while_the_arm_moves() {
+    let (controller, mut robot) = ready();
+    robot.start(&to(20.0, 40.0)).expect("it is reachable");
+    let error = robot.servo(&ServoConfig::new()).expect_err("a motion has not been waited for");
+    assert!(matches!(error, Error::NotReady { .. }), "{error:?}");
+    assert!(!controller.requests().iter().any(|request| request.contains("servo_move")));
+    assert_there(&controller, &robot.wait(LONG), 20.0);
+    // A motion that somebody else has sent is waited for.
+    let mut other = Client::connect(controller.command_addr()).expect("the controller listens");
+    other.joint_move(&to(30.0, 60.0)).expect("it is reachable");
+    let monitor = robot.monitor().clone();
+    monitor.wait_until(|status| status.in_position == Some(false), LONG).expect("the arm moves");
+    drop(robot);
+    let mut robot = Robot::new(Client::connect(controller.command_addr()).expect("the controller listens"), monitor);
+    drop(robot.servo(&ServoConfig::new()).expect("the arm has come to rest"));
+    assert!((joint_1(&controller) - 30.0).abs() < 0.01);
+}
+
+#[test]
+fn power_up_keeps_its_time_and_says_what_is_in_its_way() {
+    let controller = Controller::builder().status_period(PERIOD).start().expect("loopback has free ports");
+    let config = Config::new().stale_after(LONG);
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let mut robot = Robot::new(config.connect(controller.command_addr()).expect("the controller listens"), monitor);
+    let error = robot.power_up(Duration::from_millis(500)).expect_err("it takes seconds");
+    assert!(error.is_timeout(), "{error:?}");
+    let text = error.to_string();
+    assert!(!text.contains("no status packet"), "{text}");
+
+    controller.press_emergency_stop();
+    robot.monitor().wait_until(|status| status.emergency_stop == Some(true), LONG).expect("the status says it");
+    let before = controller.requests().len();
+    let error = robot.power_up(LONG).expect_err("the emergency stop is pressed");
+    assert!(error.to_string().contains("emergency stop is pressed"), "{error}");
+    assert_eq!(controller.requests().len(), before, "nothing was sent");
+    // Packets that say something else are told apart from none.
+    let error = robot.monitor().wait_until(|status| status.enabled == Some(true), Duration::from_millis(200));
+    let error = error.expect_err("it is not enabled");
+    assert!(matches!(error, Error::StateTimeout { .. }) && error.to_string().contains("emergency stop"), "{error}");
+}
+
+#[test]
+fn refusals_are_explained_by_the_state_of_now() {
+    let (controller, mut robot) = ready();
+    controller.link(Port::Status).to_client().hold();
+    // The status still says enabled.
+    controller.set_state(|state| state.enabled = false);
+    let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm is not enabled");
+    assert_eq!(robot.explain(&error), Some(jaka_sync::Explanation::NotEnabled));
+    controller.set_state(|state| state.powered = false);
+    let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm has no power");
+    assert_eq!(robot.explain(&error), Some(jaka_sync::Explanation::NotPowered));
+    // And where it is powered by now, old packets do not say that it is not.
+    controller.link(Port::Status).to_client().release();
+    robot.monitor().wait_until(|status| status.powered_on == Some(false), LONG).expect("packets come again");
+    controller.link(Port::Status).to_client().hold();
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call joint_move failed", "cmdName": "joint_move"}"#;
+    controller.inject_for("joint_move", Fault::Instead(refusal.to_vec()));
+    let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("refused for another reason");
+    assert_eq!(robot.explain(&error), None);
+}
+
+#[test]
+fn joint_positions_are_compared_joint_by_joint() {
+    // The target of another joint is not that of this one.
+    let (controller, mut robot) = ready();
+    let mut target = controller.state().joint_position;
+    target.0[5] += 4.0;
+    let motion = JointMove { joint_position: JointPosition(target.0), ..to(0.0, 60.0) };
+    let end = robot.run(&motion, LONG).expect("it is reachable");
+    assert!(end.outcome.is_reached() && (controller.state().joint_position.0[5] - target.0[5]).abs() < 0.01);
+}
