@@ -302,7 +302,10 @@ impl Error {
             ),
             Self::SessionEnded { because } => write!(f, "not sent: the servo session has ended, since {because}"),
             Self::NotAcknowledged { outcome } => {
-                write!(f, "nothing is sent that moves the arm, until `acknowledge` says that somebody has looked: {outcome}")
+                write!(
+                    f,
+                    "nothing is sent that moves the arm, until `acknowledge` says that somebody has looked: {outcome}"
+                )
             }
             Self::StatusTimeout { after, .. } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),

@@ -26,8 +26,8 @@ use self::position::Query;
 pub use self::readiness::StatusProblem;
 pub use self::stops::RobotStop;
 use self::stops::Stops;
-pub use self::target::Target;
 use self::target::Goal;
+pub use self::target::Target;
 use self::wait::{Grace, Wait};
 use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 
@@ -198,7 +198,10 @@ impl Robot {
         let Some(newest) = self.known_status()? else {
             return Ok(Begin::default());
         };
-        let mut begin = Begin::new(&newest.status, Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes));
+        let mut begin = Begin::new(
+            &newest.status,
+            Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes),
+        );
         if let Some(quantity) = motion.target().start_quantity().filter(|_| self.batch.is_none() && begin.at_rest) {
             begin.start = self.place(quantity, timeout)?;
             begin.place = begin.start;

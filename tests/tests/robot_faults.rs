@@ -48,7 +48,8 @@ fn motions_end_in_time_whatever_is_wrong_with_their_reply() {
             Ok(end) => {
                 // What is left of the fault may break the connection when the position is asked for.
                 let is_broken = end.not_answered.as_ref().is_some_and(Error::is_disconnected);
-                let expected = if is_broken { matches!(end.outcome, Outcome::AtRest) } else { end.outcome.is_reached() };
+                let expected =
+                    if is_broken { matches!(end.outcome, Outcome::AtRest) } else { end.outcome.is_reached() };
                 assert!(expected, "{fault}: {end:?}");
                 assert!((controller.state().joint_position.0[0] - 3.0).abs() < 1e-6, "{fault}");
             }

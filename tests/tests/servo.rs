@@ -68,7 +68,9 @@ fn every_set_point_is_sent_in_order_and_answered() {
     assert_eq!(last_change(&sent), LEFT);
     let place = |part: &str| sent.iter().position(|request| request.contains(part)).expect("it was sent");
     // From where the arm is in servo mode, not from where it was before.
-    assert!(place("set_servo_move_filter") < place("\"servo_move\"") && place("\"servo_move\"") < place("get_joint_pos"));
+    assert!(
+        place("set_servo_move_filter") < place("\"servo_move\"") && place("\"servo_move\"") < place("get_joint_pos")
+    );
     assert_eq!(sent.iter().filter(|request| request.contains("servo_j")).count(), 100);
 }
 

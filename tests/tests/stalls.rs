@@ -104,7 +104,8 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
     let end = end.expect("it is reachable");
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
     assert!(controller.state().tcp_pose.z < start + 90.0);
-    let offset = JointMove { mode: MoveMode::Relative, joint_position: [40.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(), ..to(0.0, 40.0) };
+    let offset =
+        JointMove { mode: MoveMode::Relative, joint_position: [40.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(), ..to(0.0, 40.0) };
     let end = thread::scope(|scope| {
         scope.spawn(|| {
             while joint_1(&controller) < 8.0 {
@@ -167,9 +168,7 @@ fn one_query_confirms_a_motion() {
 #[test]
 fn a_late_answer_delays_an_end_and_nothing_else() {
     let (controller, mut robot) = ready();
-    for _ in 0..3 {
-        controller.inject_for("get_joint_pos", Fault::Delay(Duration::from_millis(700)));
-    }
+    controller.inject_for("get_joint_pos", Fault::Delay(Duration::from_millis(700)));
     assert_there(&controller, &robot.run(&to(5.0, 60.0), LONG).expect("it is reachable"), 5.0);
     // The deadline is kept, and the next wait takes the answer over.
     controller.inject_for("get_joint_pos", Fault::Hold);

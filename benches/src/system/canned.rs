@@ -24,6 +24,9 @@ const SERVO_MODE_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName"
 const IN_SERVO_MODE_REPLY: &[u8] =
     br#"{"errorCode": "0", "errorMsg": "", "in_servomove": true, "cmdName": "is_in_servomove"}"#;
 
+const NOT_IN_SERVO_MODE_REPLY: &[u8] =
+    br#"{"errorCode": "0", "errorMsg": "", "in_servomove": false, "cmdName": "is_in_servomove"}"#;
+
 /// Serves each client in a thread of its own.
 ///
 /// The answers to set-points are late by so many set-points; those to any other command come at once, after what is late.
@@ -52,7 +55,7 @@ pub fn keep_silent(listener: &TcpListener) -> io::Result<()> {
 
 fn attend(mut stream: TcpStream, late: usize) -> io::Result<()> {
     let (mut buffer, mut end) = (vec![0; 64 << 10], 0);
-    let mut answers = Answers { late, held: 0, out: Vec::new() };
+    let mut answers = Answers { late, held: 0, in_servo_mode: false, out: Vec::new() };
     loop {
         let len = stream.read(&mut buffer[end..])?;
         if len == 0 {
@@ -75,6 +78,7 @@ fn attend(mut stream: TcpStream, late: usize) -> io::Result<()> {
 struct Answers {
     late: usize,
     held: usize,
+    in_servo_mode: bool,
     out: Vec<u8>,
 }
 
@@ -88,10 +92,14 @@ impl Answers {
             return Ok(());
         }
         self.release(self.held);
+        if name == b"servo_move" {
+            self.in_servo_mode = request.ends_with(b":1}");
+        }
         self.out.extend_from_slice(match name {
             b"get_joint_pos" => JOINTS_REPLY,
             b"servo_move" => SERVO_MODE_REPLY,
-            b"is_in_servomove" => IN_SERVO_MODE_REPLY,
+            b"is_in_servomove" if self.in_servo_mode => IN_SERVO_MODE_REPLY,
+            b"is_in_servomove" => NOT_IN_SERVO_MODE_REPLY,
             _ => return Err(io::Error::other("a request without a printed answer")),
         });
         Ok(())

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
-use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::power::GetRobotState;
+use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal, Request, Requirement};
 
 use super::Robot;

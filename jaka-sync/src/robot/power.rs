@@ -44,9 +44,8 @@ impl Robot {
         if !state.enabled {
             self.switch(&EnableRobot, |state| state.enabled, limit)?;
         }
-        let is_up = |status: &crate::status::RobotStatus| {
-            status.powered_on != Some(false) && status.enabled != Some(false)
-        };
+        let is_up =
+            |status: &crate::status::RobotStatus| status.powered_on != Some(false) && status.enabled != Some(false);
         self.monitor.wait_until(is_up, limit.left()).map(drop)
     }
 
@@ -70,9 +69,9 @@ impl Robot {
 
     /// Fails as soon as a packet says that the emergency stop is pressed, up to so long.
     fn check_emergency_stop(&mut self, time: Duration) -> Result<(), Error> {
-        let is_pressed = self.monitor.watch(time, |newest| {
-            newest.filter(|newest| newest.status.emergency_stop == Some(true)).map(|_| ())
-        });
+        let is_pressed = self
+            .monitor
+            .watch(time, |newest| newest.filter(|newest| newest.status.emergency_stop == Some(true)).map(|_| ()));
         match is_pressed? {
             Some(()) => Err(self.not_ready(Explanation::EmergencyStop)),
             None => Ok(()),

@@ -37,9 +37,14 @@ pub enum StatusProblem {
 impl fmt::Display for StatusProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Missing => f.write_str("no status packet has come; see whether the controller sends them on port 10000"),
+            Self::Missing => {
+                f.write_str("no status packet has come; see whether the controller sends them on port 10000")
+            }
             Self::Stale { age } => {
-                write!(f, "the last status packet came {age:.1?} ago; see to the network, and wait for packets to come again")
+                write!(
+                    f,
+                    "the last status packet came {age:.1?} ago; see to the network, and wait for packets to come again"
+                )
             }
             Self::Ended { cause } => {
                 write!(f, "the status connection has ended ({cause}); make a new `Robot`, or set `Config::reconnect`")
