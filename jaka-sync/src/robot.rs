@@ -225,14 +225,14 @@ impl Robot {
             let (waited, packets) = (Duration::ZERO, Vec::new());
             return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None };
         };
-        let mut wait = Wait::new(batch.clone(), self.client.link().frame_changes(), self.grace);
+        let mut wait = Wait::new(batch, self.client.link().frame_changes(), self.grace);
         let outcome = self.watch(&mut wait, timeout);
         if outcome.latches() {
             lock(&self.latched).get_or_insert_with(|| outcome.clone());
         }
         if matches!(outcome, Outcome::Deadline) {
             // The motions may go on: they can be waited for again.
-            self.batch = Some(batch);
+            self.batch = Some(wait.batch);
         }
         MotionEnd { outcome, waited: since.elapsed(), packets: wait.packets.into(), not_answered: wait.failure }
     }

@@ -15,6 +15,8 @@ pub(super) struct Batch {
     pub(super) goal: Goal,
     /// The event that the status showed before; only another one is news.
     pub(super) code_before: Option<String>,
+    /// Whether the arm was seen to leave where it was.
+    pub(super) has_left: bool,
     count: u32,
     begin: Begin,
     frames: Frames,
@@ -69,7 +71,7 @@ impl Begin {
 impl Batch {
     /// A first motion that was accepted.
     pub(super) fn new(accepted: Instant, goal: Goal, begin: Begin) -> Self {
-        Self { accepted, goal, code_before: begin.code.clone(), count: 1, frames: begin.frames, begin }
+        Self { accepted, goal, code_before: begin.code.clone(), has_left: false, count: 1, frames: begin.frames, begin }
     }
 
     /// One more that was accepted behind it.

@@ -36,14 +36,13 @@ pub(super) struct Grace {
 /// What is waited for, and how far it is.
 #[derive(Debug)]
 pub(super) struct Wait {
-    batch: Batch,
+    pub(super) batch: Batch,
     /// How often this program has changed a frame by now.
     frame_changes: u64,
     grace: Grace,
     /// What the newest packet says of rest; `None` where it does not say.
     in_position: Option<bool>,
     is_paused: bool,
-    has_left: bool,
     /// A code that has come since the acceptance and is in no table: it counts once the arm rests.
     unknown_code: Option<Outcome>,
     /// When the last query was sent.
@@ -87,7 +86,6 @@ impl Wait {
             grace,
             in_position: None,
             is_paused: false,
-            has_left: false,
             unknown_code: None,
             asked: None,
             answers: None,
@@ -100,7 +98,8 @@ impl Wait {
     /// Which query is to be asked now, if any.
     pub(super) fn query(&self, now: Instant) -> Option<Quantity> {
         // At first packets still say that the arm is in position; a query then would be asked in vain.
-        let has_begun = self.has_left || now.saturating_duration_since(self.batch.accepted) >= self.grace.time / 2;
+        let has_begun =
+            self.batch.has_left || now.saturating_duration_since(self.batch.accepted) >= self.grace.time / 2;
         let is_due = self.asked.is_none_or(|asked| now.saturating_duration_since(asked) >= QUERY_PERIOD);
         let is_wanted = !self.packets.is_empty() && self.may_rest() && has_begun && is_due;
         is_wanted.then(|| self.batch.goal.quantity())
@@ -110,7 +109,7 @@ impl Wait {
     pub(super) fn query_in(&self, now: Instant) -> Duration {
         let after = |from: Instant, time: Duration| time.saturating_sub(now.saturating_duration_since(from));
         let next = self.asked.map_or(Duration::ZERO, |asked| after(asked, QUERY_PERIOD));
-        let begun = if self.has_left { Duration::ZERO } else { after(self.batch.accepted, self.grace.time / 2) };
+        let begun = if self.batch.has_left { Duration::ZERO } else { after(self.batch.accepted, self.grace.time / 2) };
         next.max(begun).max(Duration::from_millis(1))
     }
 
@@ -146,7 +145,7 @@ impl Wait {
         self.is_paused = status.paused == Some(true);
         self.in_position = status.in_position;
         if !self.may_rest() {
-            self.has_left |= self.in_position == Some(false);
+            self.batch.has_left |= self.in_position == Some(false);
             self.answers = None;
             self.still = None;
             return None;
@@ -182,7 +181,7 @@ impl Wait {
         }
         self.failure = None;
         let nearness = self.nearness(&place);
-        let has_ended = self.has_left && self.in_position == Some(true) && !self.is_paused;
+        let has_ended = self.batch.has_left && self.in_position == Some(true) && !self.is_paused;
         if nearness == Nearness::There && self.batch.is_simple() && has_ended {
             return Some(Outcome::Reached);
         }
@@ -192,7 +191,7 @@ impl Wait {
         match &mut self.answers {
             Some(answers) if answers.first.is_still(&place) => answers.count += 1,
             answers => {
-                self.has_left |= answers.is_some();
+                self.batch.has_left |= answers.is_some();
                 *answers = Some(Series::new(place, received));
             }
         }
