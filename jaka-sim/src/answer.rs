@@ -25,6 +25,9 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, ErrorCode, Request, RequestError, write_refusal, write_reply};
+use jaka_spec::Effect;
+
+use std::time::Duration;
 
 use serde_json::{Map, Value};
 
@@ -46,8 +49,8 @@ enum Outcome {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sequel {
     Nothing,
-    /// The reply waits until the arm is at rest.
-    Rest,
+    /// The reply waits until the arm is at rest, or until the controller's time is this, if it is given.
+    Rest(Option<Duration>),
     /// The connection ends with the reply.
     SessionEnd,
     /// Both ports' connections end with the reply.
@@ -78,10 +81,13 @@ pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Write
     match Request::read(text) {
         Ok(request) => {
             carry_out(text, &request, book, world, out);
-            return sequel(&request);
+            return sequel(&request, book, world);
         }
         Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => match book.entry(&command) {
-            Some(entry) if entry.packed => carry_out_packed(text, entry, book, world, out),
+            Some(entry) if entry.packed => {
+                carry_out_packed(text, entry, book, world, out);
+                return usual_sequel(entry, world);
+            }
             Some(_) => refuse(&command, &usual_refusal(&command), out),
             None => refuse_unknown(book, out),
         },
@@ -96,11 +102,21 @@ pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
 }
 
 /// None of the commands that have one is ever refused.
-fn sequel(request: &Request) -> Sequel {
+fn sequel(request: &Request, book: &Book, world: &World) -> Sequel {
     match request {
-        Request::WaitComplete(_) => Sequel::Rest,
+        Request::WaitComplete(_) => Sequel::Rest(None),
         Request::Quit(_) => Sequel::SessionEnd,
         Request::Shutdown(_) => Sequel::Shutdown,
+        _ => book.entry(request.info().name).map_or(Sequel::Nothing, |entry| usual_sequel(entry, world)),
+    }
+}
+
+/// Queries may be answered late while the arm moves.
+fn usual_sequel(entry: &Entry, world: &World) -> Sequel {
+    match world.habits.late_queries {
+        Some(time) if entry.command.effect == Effect::Query && !world.is_at_rest() => {
+            Sequel::Rest(world.now().checked_add(time))
+        }
         _ => Sequel::Nothing,
     }
 }

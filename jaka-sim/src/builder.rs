@@ -13,7 +13,7 @@ use jaka_proto::recording::Recording;
 use crate::kinematics::Model;
 use crate::program::{self, Program};
 use crate::replay::Plan;
-use crate::{Controller, Delays, FaultPlan, Firmware, Replay, ReplayTiming, ReplyStyle};
+use crate::{Controller, Delays, FaultPlan, Firmware, Habits, Replay, ReplayTiming, ReplyStyle};
 
 /// Options for a [`Controller`], which are set before it starts.
 #[derive(Debug, Clone)]
@@ -23,6 +23,7 @@ pub struct Builder {
     pub(crate) status_port: u16,
     pub(crate) model: Model,
     pub(crate) delays: Delays,
+    pub(crate) habits: Habits,
     pub(crate) stepped: bool,
     folders: Vec<PathBuf>,
     pub(crate) packs: Vec<PathBuf>,
@@ -44,6 +45,7 @@ impl Builder {
             status_port: 0,
             model: Model::default(),
             delays: Delays::REAL,
+            habits: Habits::none(),
             stepped: false,
             folders: Vec::new(),
             packs: Vec::new(),
@@ -84,6 +86,13 @@ impl Builder {
     #[must_use]
     pub fn delays(mut self, delays: Delays) -> Self {
         self.delays = delays;
+        self
+    }
+
+    /// Says what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: none if not set.
+    #[must_use]
+    pub fn habits(mut self, habits: impl Into<Habits>) -> Self {
+        self.habits = habits.into();
         self
     }
 

@@ -107,7 +107,7 @@ fn serve(line: &Line, shared: &Shared) -> Flow {
     let mut feed = Feed::new(line.wire());
     let mut reply = Writer::new();
     loop {
-        let mut flow = line.way_out().send_due(|| shared.world().is_at_rest());
+        let mut flow = line.way_out().send_due(|by| shared.world().is_at_rest_by(by));
         if flow == Flow::Stay {
             flow = receive(&mut feed, line, shared, &mut reply);
         }

@@ -18,8 +18,8 @@ use crate::replay::Stage;
 use crate::shared::Shared;
 use crate::{Builder, Deviation, State, command_port, status_port};
 
-/// What a status packet shows as error code after a collision. Field notes show such a code, without its meaning.
-const COLLISION: &str = "0x10f0005";
+/// What a status packet shows as error code after a collision, by the vendor's table of controller events.
+const COLLISION: &str = "0xf0034";
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///

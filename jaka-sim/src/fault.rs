@@ -15,6 +15,7 @@ use std::time::Duration;
 
 pub(crate) use self::dice::Dice;
 pub use self::link::{LinkEvent, LinkFault};
+pub(crate) use self::parse::read_time;
 pub use self::plan::FaultPlan;
 pub use self::script::ScriptError;
 pub use self::status::StatusFault;

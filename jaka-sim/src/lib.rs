@@ -10,6 +10,7 @@ mod delays;
 mod door;
 mod fault;
 mod firmware;
+mod habits;
 mod kinematics;
 mod link;
 mod lock;
@@ -27,6 +28,7 @@ pub use controller::{Controller, Link};
 pub use delays::Delays;
 pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
 pub use firmware::{CodeStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, Separators, TruthStyle};
+pub use habits::{Habit, HabitError, Habits};
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
 /// A state that a command needs, as the spec says it: see [`State::meets`].

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 use std::{fs, thread};
 
-use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Model};
+use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model};
 use lexopt::{Arg, Parser, ValueExt};
 
 const HELP: &str = "\
@@ -27,6 +27,7 @@ Options:
       --programs FOLDER    programs to load: files of requests, one a line
       --faults TEXT        what goes wrong with replies, packets and links, such as `drop, delay 200ms` or
                            `link both to-client hold after 10s for 5s`; @FILE reads it from a file
+      --habits LIST        what real controllers do, such as `pause 100ms, events`, or `all`
       --fast               switch power and enable at once, instead of after some seconds
       --log                print each message that comes and goes
   -h, --help               print this
@@ -84,6 +85,7 @@ fn read(mut parser: Parser) -> Result<Task, Box<dyn Error>> {
             Arg::Long("period") => builder = builder.status_period(Duration::from_millis(parser.value()?.parse()?)),
             Arg::Long("programs") => builder = builder.programs_from(parser.value()?),
             Arg::Long("faults") => builder = builder.faults(faults(parser.value()?)?),
+            Arg::Long("habits") => builder = builder.habits(parser.value()?.parse::<Habits>()?),
             Arg::Long("fast") => builder = builder.delays(Delays::NONE),
             Arg::Long("log") => program_log::print_all(),
             Arg::Short('h') | Arg::Long("help") => return Ok(Task::Print(HELP.to_owned())),

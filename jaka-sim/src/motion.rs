@@ -3,26 +3,41 @@
 //! Planned motions wait in a queue, and each follows its path under a trapezoidal speed profile. Jogs and servo set-points
 //! move the arm without the queue.
 
+mod blend;
 mod jog;
 mod path;
 mod profile;
+mod running;
 mod servo;
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use self::blend::Leaving;
+pub(crate) use self::blend::Zone;
 pub(crate) use self::jog::{Jogging, Reference, small};
 pub(crate) use self::path::{Arc, Frame, Joints, Path};
-pub(crate) use self::profile::{Brake, Profile};
+pub(crate) use self::profile::Profile;
+pub(crate) use self::running::Planned;
+use self::running::Running;
 pub(crate) use self::servo::Servo;
 use crate::clock::CYCLE;
 use crate::kinematics::Model;
 
+/// How many cycles ahead of the arm its commanded position can be.
+const MOST_AHEAD: u128 = 100;
+
 /// Everything that moves the arm.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Engine {
     queue: VecDeque<Planned>,
     running: Option<Running>,
+    /// The motion before, while it goes over into the one that runs.
+    leaving: Option<Leaving>,
+    /// For how long the arm rests between two motions of the queue.
+    pause: Duration,
+    /// For how long it still does.
+    resting: Duration,
     pub(crate) jog: Option<Jogging>,
     pub(crate) servo: Servo,
     /// Where the last motion of the queue ends; none if no motion waits or runs.
@@ -31,26 +46,12 @@ pub(crate) struct Engine {
     busy: Duration,
 }
 
-/// A motion that has been accepted.
-#[derive(Debug, Clone)]
-pub(crate) struct Planned {
-    pub(crate) path: Path,
-    pub(crate) profile: Profile,
-    pub(crate) deceleration: f64,
-    pub(crate) end: Joints,
-}
-
-/// The motion that runs.
-#[derive(Debug)]
-struct Running {
-    planned: Planned,
-    length: f64,
-    /// Time on the profile, or on the brake: it stands still in a pause, and goes slowly at a low rate.
-    time: f64,
-    brake: Option<Brake>,
-}
-
 impl Engine {
+    /// An engine that rests for so long between two motions of the queue.
+    pub(crate) fn new(pause: Duration) -> Self {
+        Self { pause, ..Self::default() }
+    }
+
     /// Where the arm will be when all that has been accepted has ended.
     pub(crate) fn tail(&self, now: Joints) -> Joints {
         self.tail.unwrap_or(now)
@@ -67,21 +68,22 @@ impl Engine {
         self.queue.push_back(planned);
     }
 
-    /// Brakes, and forgets all that waits.
-    pub(crate) fn stop(&mut self) {
+    /// Brakes, and forgets all that waits. The next motion starts where that ends.
+    pub(crate) fn stop(&mut self, joints: Joints, model: &Model) {
         self.queue.clear();
         self.jog = None;
         self.servo.clear();
-        if let Some(running) = self.running.as_mut().filter(|running| running.brake.is_none()) {
-            let along = running.planned.profile.at(running.time);
-            running.brake = Some(Brake::new(along, running.planned.deceleration));
-            running.time = 0.0;
-        }
+        self.resting = Duration::ZERO;
+        let offset = self.leaving.as_mut().map_or([0.0; 6], |leaving| leaving.brake(model));
+        self.tail = self.running.as_mut().map(|running| {
+            running.brake();
+            plus(running.stop(model, joints), offset)
+        });
     }
 
     /// Stands still at once.
     pub(crate) fn halt(&mut self) {
-        *self = Self::default();
+        *self = Self::new(self.pause);
     }
 
     /// True while the arm moves or has motions to run.
@@ -89,9 +91,24 @@ impl Engine {
         self.pending() > 0 || self.jog.is_some() || self.servo.is_moving()
     }
 
+    /// True while the arm rests between two motions.
+    pub(crate) fn is_resting(&self) -> bool {
+        !self.resting.is_zero()
+    }
+
     /// For how long the arm has been moving without a rest.
     pub(crate) fn busy(&self) -> Duration {
         self.busy
+    }
+
+    /// Where the arm will be so much later, in whole cycles, if nothing is commanded meanwhile.
+    pub(crate) fn ahead(&self, joints: Joints, time: Duration, rate: f64, model: &Model) -> Joints {
+        if time < CYCLE {
+            return joints;
+        }
+        let mut engine = self.clone();
+        let cycles = time.as_nanos() / CYCLE.as_nanos();
+        (0..cycles.min(MOST_AHEAD)).fold(joints, |joints, _| engine.cycle(joints, rate, model))
     }
 
     /// One controller cycle: where the arm is at its end.
@@ -115,44 +132,65 @@ impl Engine {
     }
 
     fn follow(&mut self, joints: Joints, rate: f64, model: &Model) -> Joints {
+        if self.is_resting() {
+            self.resting = self.resting.saturating_sub(CYCLE);
+            return joints;
+        }
         if self.running.is_none() {
             self.running = self.queue.pop_front().map(Running::new);
         }
+        let offset = self.leave(rate, model);
         let Some(running) = &mut self.running else {
             return joints;
         };
         let (share, ended) = running.cycle(rate);
         // Paths were tried before; a place between those tried where the arm cannot be stops it.
-        let next = running.planned.path.at(share, model, joints);
-        if ended || next.is_none() {
-            self.running = None;
-            if next.is_none() {
-                self.queue.clear();
-            }
-            if self.queue.is_empty() {
-                self.tail = None;
-            }
+        let Some(next) = running.planned.path.at(share, model, joints) else {
+            self.queue.clear();
+            self.finish();
+            return joints;
+        };
+        if ended && self.leaving.as_ref().is_none_or(Leaving::has_ended) {
+            self.finish();
+        } else {
+            self.blend(share, next, model);
         }
-        next.unwrap_or(joints)
+        plus(next, offset)
+    }
+
+    /// What the motion before still has to do.
+    fn leave(&mut self, rate: f64, model: &Model) -> Joints {
+        let Some(leaving) = &mut self.leaving else { return [0.0; 6] };
+        let offset = leaving.cycle(rate, model);
+        if leaving.is_done() {
+            self.leaving = None;
+        }
+        offset
+    }
+
+    /// Has the next motion begin where this one is near enough to its end.
+    fn blend(&mut self, share: f64, joints: Joints, model: &Model) {
+        let Some(running) = &self.running else { return };
+        let may_begin = share >= 0.5 && running.brake.is_none() && self.leaving.is_none();
+        let is_near = running.planned.zone.as_ref().is_some_and(|zone| may_begin && zone.contains(joints, model));
+        if is_near && !self.queue.is_empty() {
+            self.leaving = self.running.take().map(|running| Leaving::new(running, joints));
+            self.running = self.queue.pop_front().map(Running::new);
+        }
+    }
+
+    /// The motion that has run is over.
+    fn finish(&mut self) {
+        self.running = None;
+        self.leaving = None;
+        if self.queue.is_empty() {
+            self.tail = None;
+        } else {
+            self.resting = self.pause;
+        }
     }
 }
 
-impl Running {
-    fn new(planned: Planned) -> Self {
-        Self { length: planned.path.length(), planned, time: 0.0, brake: None }
-    }
-
-    /// The share of the way done at the end of a cycle, and whether the motion has ended there.
-    fn cycle(&mut self, rate: f64) -> (f64, bool) {
-        let (along, ended) = if let Some(brake) = self.brake {
-            // Braking is not slowed down.
-            self.time += CYCLE.as_secs_f64();
-            (brake.at(self.time), self.time >= brake.duration())
-        } else {
-            self.time += CYCLE.as_secs_f64() * rate;
-            (self.planned.profile.at(self.time), self.time >= self.planned.profile.duration())
-        };
-        let share = if self.length > 0.0 { (along.distance / self.length).min(1.0) } else { 1.0 };
-        (share, ended)
-    }
+fn plus(joints: Joints, offset: Joints) -> Joints {
+    std::array::from_fn(|i| joints[i] + offset[i])
 }

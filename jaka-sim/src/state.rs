@@ -50,7 +50,7 @@ pub struct State {
     /// Version of the controller's software.
     pub version: String,
 
-    /// Positions of the six joints, in degrees.
+    /// Positions of the six joints, in degrees: where the arm is.
     pub joint_position: JointPosition,
     /// Pose of the tool frame in use, seen from the user frame in use. Follows from the joints and the frames.
     pub tcp_pose: Pose,
@@ -58,6 +58,14 @@ pub struct State {
     pub tcp_speed: f64,
     /// Whether the robot is in position. Follows from the motion.
     pub in_position: bool,
+    /// Whether the arm is at rest: it does not move, and nothing waits to move it. Follows from the motion, at once where
+    /// `in_position` takes its time.
+    pub at_rest: bool,
+    /// Positions of the six joints as commanded, in degrees: ahead of `joint_position` by [`Habit::Lead`](crate::Habit::Lead), and
+    /// equal without. Follows from the motion.
+    pub joint_commanded_position: JointPosition,
+    /// Pose as commanded, which belongs to `joint_commanded_position`.
+    pub tcp_commanded_pose: Pose,
     /// Whether the robot is in servo mode. Only where it is enabled and in no protective stop.
     pub servo_mode: bool,
     /// The filter of servo mode, as last set.

@@ -1,5 +1,7 @@
 //! The controller and its arm over time.
 
+mod events;
+
 use std::collections::HashMap;
 use std::io;
 use std::time::Duration;
@@ -8,12 +10,13 @@ use jaka_proto::messages::force::IdentifyStatus;
 use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
+use self::events::Seen;
 use crate::book::Book;
 use crate::clock::CYCLE;
 use crate::kinematics::{Model, from_pose, to_pose};
 use crate::motion::{Engine, Frame, Joints};
 use crate::program::{Program, Runner};
-use crate::{Builder, Delays, State};
+use crate::{Builder, Delays, Habits, State};
 
 /// The state, and what changes it as time goes on.
 #[derive(Debug)]
@@ -29,6 +32,9 @@ pub(crate) struct World {
     /// True while the arm moves to identify the payload.
     pub(crate) identifying: bool,
     pub(crate) delays: Delays,
+    pub(crate) habits: Habits,
+    /// What events have been told of.
+    seen: Seen,
     changes: Vec<(Duration, Change)>,
     now: Duration,
 }
@@ -54,13 +60,15 @@ impl World {
         let mut world = Self {
             state: State::initial(book, &model)?,
             model,
-            engine: Engine::default(),
+            engine: Engine::new(options.habits.pause.unwrap_or_default()),
             programs: options.programs()?,
             runner: None,
             recorder: Recorder::default(),
             recordings: HashMap::new(),
             identifying: false,
             delays: options.delays,
+            habits: options.habits,
+            seen: Seen::default(),
             changes: Vec::new(),
             now: Duration::ZERO,
         };
@@ -98,11 +106,16 @@ impl World {
         !self.engine.is_busy() && self.runner.is_none()
     }
 
+    /// The same, or that the controller's time is this, if it is given.
+    pub(crate) fn is_at_rest_by(&self, time: Option<Duration>) -> bool {
+        self.is_at_rest() || time.is_some_and(|time| self.now >= time)
+    }
+
     fn cycle(&mut self) {
         self.run_changes();
         self.run_program();
         let joints = self.state.joint_position.0;
-        let rate = if self.state.program_state == ProgramState::Paused { 0.0 } else { self.state.rapid_rate };
+        let rate = self.rate();
         let before = self.tool_point(joints);
         let after = self.engine.cycle(joints, rate, &self.model);
         self.state.joint_position = JointPosition(after);
@@ -163,13 +176,36 @@ impl World {
         self.show();
     }
 
-    /// What follows from the motion: the pose, and whether the robot is in position.
+    /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.
     fn show(&mut self) {
+        self.tell_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
-        self.state.in_position = !self.engine.is_busy() || self.engine.busy() < self.delays.in_position;
-        if !self.engine.is_busy() {
+        let is_busy = self.engine.is_busy();
+        self.state.at_rest = self.is_at_rest();
+        self.state.in_position = !is_busy || self.engine.is_resting() || self.engine.busy() < self.delays.in_position;
+        self.show_commanded();
+        if !is_busy {
             self.state.tcp_speed = 0.0;
         }
+    }
+
+    /// Where the arm is commanded to be: where it will be, where it is a habit to say so.
+    fn show_commanded(&mut self) {
+        let joints = self.state.joint_position.0;
+        let lead = self.habits.lead.filter(|_| self.engine.is_busy()).unwrap_or_default();
+        let ahead = self.engine.ahead(joints, lead, self.rate(), &self.model);
+        self.state.joint_commanded_position = ahead.into();
+        self.state.tcp_commanded_pose = if lead.is_zero() { self.state.tcp_pose } else { self.pose(ahead) };
+    }
+
+    /// The rate by which motions are scaled; none goes on in a pause.
+    fn rate(&self) -> f64 {
+        if self.state.program_state == ProgramState::Paused { 0.0 } else { self.state.rapid_rate }
+    }
+
+    /// Brakes, and forgets all motions that wait.
+    pub(crate) fn stop(&mut self) {
+        self.engine.stop(self.state.joint_position.0, &self.model);
     }
 
     fn tool_point(&self, joints: Joints) -> nalgebra::Vector3<f64> {

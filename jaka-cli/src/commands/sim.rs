@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use clap::Args;
-use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Model};
+use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model};
 
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
@@ -40,6 +40,9 @@ pub(crate) struct Sim {
     /// @FILE reads it from a file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
+    /// What real controllers do, such as `pause 100ms, events`, or `all`
+    #[arg(long, value_name = "LIST")]
+    habits: Option<Habits>,
     /// Switch power and enable at once, instead of after some seconds
     #[arg(long)]
     fast: bool,
@@ -80,6 +83,9 @@ impl Sim {
         }
         if let Some(plan) = &self.faults {
             builder = builder.faults(plan.clone());
+        }
+        if let Some(habits) = self.habits {
+            builder = builder.habits(habits);
         }
         Ok(if self.fast { builder.delays(Delays::NONE) } else { builder })
     }

@@ -12,8 +12,10 @@ use crate::world::World;
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let state = &world.state;
     match request {
-        Request::GetJointPos(command) => reply(command, GetJointPosReply { joint_position: state.joint_position }, out),
-        Request::GetTcpPos(command) => reply(command, GetTcpPosReply { pose: state.tcp_pose }, out),
+        Request::GetJointPos(command) => {
+            reply(command, GetJointPosReply { joint_position: state.joint_commanded_position }, out)
+        }
+        Request::GetTcpPos(command) => reply(command, GetTcpPosReply { pose: state.tcp_commanded_pose }, out),
         Request::GetDhParam(command) => reply(command, state.dh_parameters, out),
         Request::KineForward(command) => {
             reply(command, KineForwardReply { pose: world.pose(command.joint_position.0) }, out)

@@ -6,7 +6,7 @@ use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept};
-use crate::motion::{Arc, Frame, Jogging, Joints, Path, Planned, Profile, Reference, small};
+use crate::motion::{Arc, Frame, Jogging, Joints, Path, Planned, Profile, Reference, Zone, small};
 use crate::world::World;
 
 /// Acceleration where a command leaves it out, in deg/s² and mm/s². What controllers choose is not known.
@@ -61,7 +61,14 @@ impl World {
         }
         let end = path.end(&self.model, self.tail())?;
         let profile = Profile::new(path.length(), speed, acceleration);
-        Some(Planned { path, profile, deceleration: acceleration, end })
+        Some(Planned { path, profile, deceleration: acceleration, end, zone: None })
+    }
+
+    /// A motion that goes over into the next one within a tolerance, where that is a habit.
+    fn rounded(&self, planned: Planned, tolerance: Option<f64>) -> Planned {
+        let radius = tolerance.filter(|_| self.habits.blend).unwrap_or_default();
+        let end = self.model.forward(planned.end) * self.tool();
+        Planned { zone: Zone::new(self.tool(), &end, radius), ..planned }
     }
 
     /// The flange displaced along the axes of the user frame.
@@ -100,7 +107,8 @@ fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
     let from = world.model.forward(world.tail()) * tool;
     let to = tool_at(world, command.mode, command.pose);
     let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
-    world.plan(Path::line(from, to, tool), command.speed, acceleration)
+    let planned = world.plan(Path::line(from, to, tool), command.speed, acceleration)?;
+    Some(world.rounded(planned, command.tolerance))
 }
 
 /// Speed and acceleration as those of the path, in mm/s and mm/s²: the sources leave that open.
@@ -110,7 +118,8 @@ fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
     let middle = tool_at(world, command.mode, command.mid_pose);
     let to = tool_at(world, command.mode, command.end_pose);
     let arc = Arc::through(from, middle, to, tool)?;
-    world.plan(Path::Arc(Box::new(arc)), command.speed, command.acceleration)
+    let planned = world.plan(Path::Arc(Box::new(arc)), command.speed, command.acceleration)?;
+    Some(world.rounded(planned, Some(command.tolerance)))
 }
 
 fn start_jog(jog: &Jog, world: &mut World) -> bool {
@@ -135,7 +144,7 @@ fn start_jog(jog: &Jog, world: &mut World) -> bool {
 fn stop_jog(world: &mut World, axis: i64) {
     let jogged = world.engine.jog.is_none_or(|jog| i64::try_from(jog.index()) == Ok(axis));
     if jogged {
-        world.engine.stop();
+        world.stop();
     }
 }
 

@@ -50,7 +50,7 @@ fn run(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
         }
         Request::StopProgram(command) => {
             world.end_program();
-            world.engine.stop();
+            world.stop();
             accept(command, out)
         }
         _ => Outcome::Unhandled,

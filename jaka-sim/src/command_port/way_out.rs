@@ -41,7 +41,8 @@ struct Late {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Due {
     At(Instant),
-    AtRest,
+    /// When the arm is at rest, or the controller's time is this, if it is given.
+    AtRest(Option<Duration>),
     Never,
 }
 
@@ -66,11 +67,11 @@ impl<'l> WayOut<'l> {
     /// Sends a reply, with what is wrong with it, or lets it wait.
     pub(super) fn send_reply(&mut self, reply: &str, fault: Fault, sequel: Sequel) -> Flow {
         let late = |due, fault| Late { due, reply: reply.to_owned(), fault, sequel };
-        let flow = match fault {
-            Fault::Delay(time) => self.put_off(late(Due::after(time), Fault::None)),
-            fault if sequel == Sequel::Rest => self.put_off(late(Due::AtRest, fault)),
-            fault if !self.kept.late.is_empty() => self.put_off(late(Due::after(Duration::ZERO), fault)),
-            fault => self.send_now(reply, &fault, sequel),
+        let flow = match (fault, sequel) {
+            (Fault::Delay(time), _) => self.put_off(late(Due::after(time), Fault::None)),
+            (fault, Sequel::Rest(by)) => self.put_off(late(Due::AtRest(by), fault)),
+            (fault, _) if !self.kept.late.is_empty() => self.put_off(late(Due::after(Duration::ZERO), fault)),
+            (fault, _) => self.send_now(reply, &fault, sequel),
         };
         if self.kept.is_full() {
             log::trace!(target: "jaka_sim", "too many replies wait");
@@ -79,11 +80,11 @@ impl<'l> WayOut<'l> {
         flow
     }
 
-    /// Sends the replies whose time has come.
-    pub(super) fn send_due(&mut self, is_at_rest: impl Fn() -> bool) -> Flow {
+    /// Sends the replies whose time has come; `is_at_rest` says whether the arm is, or the controller's time has come.
+    pub(super) fn send_due(&mut self, is_at_rest: impl Fn(Option<Duration>) -> bool) -> Flow {
         let is_due = |late: &Late| match late.due {
             Due::At(time) => time <= Instant::now(),
-            Due::AtRest => is_at_rest(),
+            Due::AtRest(by) => is_at_rest(by),
             Due::Never => false,
         };
         while self.kept.late.front().is_some_and(is_due) {
@@ -100,7 +101,7 @@ impl<'l> WayOut<'l> {
     pub(super) fn wait_for_due(&self) -> Option<Duration> {
         match self.kept.late.front()?.due {
             Due::At(time) => Some(time.saturating_duration_since(Instant::now())),
-            Due::AtRest => Some(REST_CHECK),
+            Due::AtRest(_) => Some(REST_CHECK),
             Due::Never => None,
         }
     }

@@ -168,10 +168,7 @@ impl<'w, 's> Args<'w, 's> {
     fn time(&mut self) -> Result<Duration, ScriptError> {
         const WANTED: &str = "a time such as 200ms or 1.5s";
         let word = self.word(WANTED)?;
-        let parts = UNITS.iter().find_map(|(unit, per_second)| Some((word.text.strip_suffix(unit)?, per_second)));
-        let seconds = parts.and_then(|(number, per_second)| Some(number.parse::<f64>().ok()? / per_second));
-        let time = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-        time.ok_or_else(|| word.error(format!("here must be {WANTED}")))
+        read_time(word.text).ok_or_else(|| word.error(format!("here must be {WANTED}")))
     }
 
     fn at_item_end(&self) -> bool {
@@ -188,6 +185,12 @@ impl<'w, 's> Args<'w, 's> {
         self.last = Some(first);
         Some(first)
     }
+}
+
+/// A time with its unit, such as `200ms`.
+pub(crate) fn read_time(text: &str) -> Option<Duration> {
+    let (number, per_second) = UNITS.iter().find_map(|(unit, times)| Some((text.strip_suffix(unit)?, times)))?;
+    Duration::try_from_secs_f64(number.parse::<f64>().ok()? / per_second).ok()
 }
 
 #[cfg(test)]

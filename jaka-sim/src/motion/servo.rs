@@ -12,7 +12,7 @@ const MAX_SPEED: f64 = 180.0;
 const MOST: usize = 1000;
 
 /// The set-points that wait, and the one that is under way.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Servo {
     waiting: VecDeque<SetPoint>,
 }

@@ -29,8 +29,8 @@ const ETHERNET_IP: Fieldbus = Fieldbus { digital: 64, analog: 48 };
 ///
 /// Nothing sets the inputs of a fieldbus, the keys at the tool and its signals: they are off.
 pub(super) fn add(state: &State, status: &mut RobotStatus) {
-    status.joint_commanded_position = Some(state.joint_position);
-    status.commanded_position = Some(state.tcp_pose);
+    status.joint_commanded_position = Some(state.joint_commanded_position);
+    status.commanded_position = Some(state.tcp_commanded_pose);
     status.tool_keys = Some(Typed::Known(vec![0; TOOL_KEYS]));
     status.instantaneous_velocities = Some(Typed::Known(vec![0.0; 6]));
     status.relay_outputs = Some(Typed::Known(digital_outputs(state, DigitalOutputKind::Relay, RELAYS)));

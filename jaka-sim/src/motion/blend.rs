@@ -1,0 +1,73 @@
+//! The way around a corner, from one motion into the next.
+
+use nalgebra::Vector3;
+
+use super::path::{Frame, Joints};
+use super::running::Running;
+use crate::kinematics::Model;
+
+/// Where a motion may go over into the next one.
+#[derive(Debug, Clone)]
+pub(crate) struct Zone {
+    /// The tool on the flange.
+    tool: Frame,
+    /// Where the tool is at the end of the motion, and how near to it the next may begin, in millimetres.
+    end: Vector3<f64>,
+    radius: f64,
+}
+
+/// A motion that goes on to its end while the next has begun.
+///
+/// What it still has to do is taken off from the next one's place. So the arm leaves it slowing down as planned, and neither its
+/// place nor its speed jumps.
+#[derive(Debug, Clone)]
+pub(super) struct Leaving {
+    running: Running,
+    at: Joints,
+    ended: bool,
+}
+
+impl Zone {
+    pub(crate) fn new(tool: Frame, end: &Frame, radius: f64) -> Option<Self> {
+        (radius > 0.0).then_some(Self { tool, end: end.translation.vector, radius })
+    }
+
+    pub(super) fn contains(&self, joints: Joints, model: &Model) -> bool {
+        let here = (model.forward(joints) * self.tool).translation.vector;
+        (here - self.end).norm() < self.radius
+    }
+}
+
+impl Leaving {
+    pub(super) fn new(running: Running, at: Joints) -> Self {
+        Self { running, at, ended: false }
+    }
+
+    /// One cycle: how far its place is from its end.
+    pub(super) fn cycle(&mut self, rate: f64, model: &Model) -> Joints {
+        let (share, ended) = self.running.cycle(rate);
+        self.at = self.running.planned.path.at(share, model, self.at).unwrap_or(self.at);
+        self.ended = ended;
+        self.offset()
+    }
+
+    /// Brakes, and says where that ends, from the end of the motion.
+    pub(super) fn brake(&mut self, model: &Model) -> Joints {
+        self.running.brake();
+        let stop = self.running.stop(model, self.at);
+        std::array::from_fn(|i| stop[i] - self.running.planned.end[i])
+    }
+
+    fn offset(&self) -> Joints {
+        std::array::from_fn(|i| self.at[i] - self.running.planned.end[i])
+    }
+
+    pub(super) fn has_ended(&self) -> bool {
+        self.ended
+    }
+
+    /// True where it has come to its end and not been stopped before.
+    pub(super) fn is_done(&self) -> bool {
+        self.ended && self.running.brake.is_none()
+    }
+}

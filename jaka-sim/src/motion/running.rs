@@ -1,0 +1,66 @@
+//! A planned motion, and the one that runs.
+
+use super::blend::Zone;
+use super::path::{Joints, Path};
+use super::profile::{Along, Brake, Profile};
+use crate::clock::CYCLE;
+use crate::kinematics::Model;
+
+/// A motion that has been accepted.
+#[derive(Debug, Clone)]
+pub(crate) struct Planned {
+    pub(crate) path: Path,
+    pub(crate) profile: Profile,
+    pub(crate) deceleration: f64,
+    pub(crate) end: Joints,
+    /// Where the next motion may begin before this has ended; at its end if none.
+    pub(crate) zone: Option<Zone>,
+}
+
+/// The motion that runs.
+#[derive(Debug, Clone)]
+pub(super) struct Running {
+    pub(super) planned: Planned,
+    length: f64,
+    /// Time on the profile, or on the brake: it stands still in a pause, and goes slowly at a low rate.
+    time: f64,
+    pub(super) brake: Option<Brake>,
+}
+
+impl Running {
+    pub(super) fn new(planned: Planned) -> Self {
+        Self { length: planned.path.length(), planned, time: 0.0, brake: None }
+    }
+
+    /// The share of the way done at the end of a cycle, and whether the motion has ended there.
+    pub(super) fn cycle(&mut self, rate: f64) -> (f64, bool) {
+        let (along, ended) = if let Some(brake) = self.brake {
+            // Braking is not slowed down.
+            self.time += CYCLE.as_secs_f64();
+            (brake.at(self.time), self.time >= brake.duration())
+        } else {
+            self.time += CYCLE.as_secs_f64() * rate;
+            (self.planned.profile.at(self.time), self.time >= self.planned.profile.duration())
+        };
+        (self.share(along), ended)
+    }
+
+    /// Begins to brake, unless it does already.
+    pub(super) fn brake(&mut self) {
+        if self.brake.is_none() {
+            let along = self.planned.profile.at(self.time);
+            self.brake = Some(Brake::new(along, self.planned.deceleration));
+            self.time = 0.0;
+        }
+    }
+
+    /// Where it ends, by the brake if it does.
+    pub(super) fn stop(&self, model: &Model, near: Joints) -> Joints {
+        let Some(brake) = self.brake else { return self.planned.end };
+        self.planned.path.at(self.share(brake.at(brake.duration())), model, near).unwrap_or(near)
+    }
+
+    fn share(&self, along: Along) -> f64 {
+        if self.length > 0.0 { (along.distance / self.length).min(1.0) } else { 1.0 }
+    }
+}
