@@ -13,7 +13,6 @@ use jaka_sync::force::StartTorqSensorPayloadIdentify;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{MoveMode, Pose};
 use jaka_sync::{Client, Config, Error, Explanation, Monitor, Motion, MotionEnd, Outcome, Robot, RobotStop, Target};
-use proptest::test_runner::{RngAlgorithm, TestRng};
 
 const CYCLE: Duration = Duration::from_millis(8);
 const LONG: Duration = Duration::from_secs(60);
@@ -382,55 +381,4 @@ fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
     let request = StartTorqSensorPayloadIdentify { joint_position: joints };
     let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
     assert!(end.outcome.is_reached() && (controller.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
-}
-
-/// Random motions: of some length or none, one or several, some of them stopped at a random moment. 300, or as many as
-/// `JAKA_MOTIONS` says.
-#[test]
-fn random_motions_end_as_they_should() {
-    let count: u32 = std::env::var("JAKA_MOTIONS").ok().and_then(|count| count.parse().ok()).unwrap_or(300);
-    let (controller, mut robot) = ready();
-    let mut random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    for number in 0..count {
-        one_random_motion(&controller, &mut robot, &mut random, number);
-    }
-}
-
-fn one_random_motion(controller: &Controller, robot: &mut Robot, random: &mut TestRng, number: u32) {
-    use proptest::prelude::RngCore;
-    let mut below = |limit: u32| random.next_u32() % limit;
-    let here = controller.state().joint_position.0[0];
-    let angles: Vec<f64> =
-        (0..=below(3)).map(|_| if below(4) == 0 { here } else { f64::from(below(60)) / 10.0 - 3.0 }).collect();
-    let stop_at = (below(4) == 0).then(|| below(40));
-    let target = angles[angles.len() - 1];
-    for angle in &angles {
-        robot.start(&to(*angle)).expect("it is reachable");
-    }
-    let stop = robot.stop_handle();
-    let monitor = Arc::clone(robot.monitor());
-    let mut stopped = false;
-    let end = while_time_goes_on(
-        controller,
-        &monitor,
-        || robot.wait(LONG),
-        |cycle| {
-            if stop_at == Some(cycle) {
-                stop.stop().expect("the controller takes the stop");
-                stopped = true;
-            }
-        },
-    );
-    let at = controller.state().joint_position.0[0];
-    match end.outcome {
-        Outcome::Reached => assert!((at - target).abs() < 1e-6, "motion {number} to {angles:?} ended at {at}"),
-        Outcome::Stopped => assert!(stopped, "motion {number} to {angles:?} was not stopped, and ended at {at}"),
-        other => panic!("motion {number} to {angles:?} ended with {other:?}"),
-    }
-    // A stop that came when the motion had ended already.
-    robot.acknowledge();
-    // The arm comes to rest before the next one.
-    while !controller.state().in_position {
-        step(controller, &monitor);
-    }
 }

@@ -15,7 +15,7 @@ pub(super) struct Batch {
     pub(super) goal: Goal,
     /// The event that the status showed before; only another one is news.
     pub(super) code_before: Option<String>,
-    /// Whether the arm was seen to leave where it was.
+    /// Whether a packet has said since that the arm is not in position: only behind it one says that the motion has ended.
     pub(super) has_left: bool,
     count: u32,
     begin: Begin,

@@ -190,10 +190,7 @@ impl Wait {
         }
         match &mut self.answers {
             Some(answers) if answers.first.is_still(&place) => answers.count += 1,
-            answers => {
-                self.batch.has_left |= answers.is_some();
-                *answers = Some(Series::new(place, received));
-            }
+            answers => *answers = Some(Series::new(place, received)),
         }
         let counts_packets = self.in_position.is_some();
         let lasts = self.answers.is_some_and(|answers| answers.lasts(asked, self.grace, counts_packets));
