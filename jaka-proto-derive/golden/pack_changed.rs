@@ -378,12 +378,15 @@ pub mod changed {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub extio: Option<wire::Typed<::jaka_sync::status::ExtioReport>>,
-        /// Error code of the controller, a hexadecimal number such as `0x0`.
+        /// Code of the controller's event, which is not always an error: a hexadecimal number such as `0x0`, which says that there is none.
+        ///
+        /// `0x10f0005`, say, is the information that the robot is disabled, and may be of an event that is over. `ControllerEvent` of the
+        /// Rust crates reads the code and knows the severity.
         ///
         /// `errcode` on the wire.
         #[doc(alias = "errcode")]
         pub error_code: Option<String>,
-        /// Error message of the controller, for `error_code`.
+        /// Message of the controller for `error_code`.
         ///
         /// `errmsg` on the wire.
         #[doc(alias = "errmsg")]

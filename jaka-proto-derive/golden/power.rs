@@ -307,8 +307,10 @@ pub mod power {
         /// `power` on the wire.
         #[doc(alias = "power")]
         pub powered_on: bool,
-        /// The controller's error code, which newer firmware adds. How it is written here is not known; on port 10000 it is a
-        /// hexadecimal string such as `0x0`.
+        /// Code of the controller's event, which is not always an error; newer firmware adds the key.
+        ///
+        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON. How other firmware writes it is not known;
+        /// on port 10000 it is a hexadecimal string such as `0x0`. The Rust method `event` reads both.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///

@@ -31,6 +31,38 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
     }
 }
 
+/// Functions that know the events that a pack adds beside all others.
+pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
+    let severities = table(events.iter(), |event| Some(event.severity)).into_iter().map(|(codes, severity)| {
+        let (first, last) = (hexadecimal(*codes.start()), hexadecimal(*codes.end()));
+        let severity = variant(severity);
+        quote!(#first..=#last => proto::Severity::#severity,)
+    });
+    let meanings = table(events.iter(), |event| event.meaning.as_deref()).into_iter().map(|(codes, meaning)| {
+        let (first, last) = (hexadecimal(*codes.start()), hexadecimal(*codes.end()));
+        quote!(#first..=#last => Some(#meaning),)
+    });
+    (!events.is_empty()).then(|| {
+        quote! {
+            /// How grave an event of the controller is, also one that only this module names.
+            pub fn event_severity(event: proto::ControllerEvent) -> proto::Severity {
+                match event.code() {
+                    #(#severities)*
+                    _ => event.severity(),
+                }
+            }
+
+            /// What an event of the controller means, also one of which only this module says so.
+            pub fn event_meaning(event: proto::ControllerEvent) -> Option<&'static str> {
+                match event.code() {
+                    #(#meanings)*
+                    _ => event.meaning(),
+                }
+            }
+        }
+    })
+}
+
 /// What events say of ranges of codes, in the order of the codes. Neighbours of which the same is said are one range.
 fn table<'s, T: PartialEq>(
     events: impl Iterator<Item = &'s Event>,

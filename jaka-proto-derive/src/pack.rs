@@ -10,7 +10,7 @@ use syn::{LitStr, parenthesized};
 
 use crate::client::Method;
 use crate::codec::{Scope, ident};
-use crate::{docs, error_codes, topic};
+use crate::{docs, error_codes, events, topic};
 
 /// What `jaka_sync::pack!` hands over: the path of jaka-sync, and that of the TOML file.
 pub(crate) struct Input {
@@ -93,6 +93,7 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
     let repeated = repeated(module, scope);
     let methods = methods(module, scope, sync);
     let codes = error_codes::in_pack(&topic.errors);
+    let events = events::in_pack(&topic.events);
     quote! {
         #docs
         #[allow(unreachable_pub)]
@@ -104,6 +105,7 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
             #repeated
             #methods
             #codes
+            #events
         }
     }
 }

@@ -426,6 +426,18 @@ impl Event {
     pub fn codes(&self) -> impl Iterator<Item = u32> {
         self.codes.iter().cloned().flatten()
     }
+
+    /// Leaves it these of its codes.
+    pub(crate) fn retain(&mut self, keep: impl Fn(u32) -> bool) {
+        let mut ranges: Vec<RangeInclusive<u32>> = Vec::new();
+        for code in self.codes().filter(|code| keep(*code)) {
+            match ranges.last_mut() {
+                Some(range) if range.end().checked_add(1) == Some(code) => *range = *range.start()..=code,
+                _ => ranges.push(code..=code),
+            }
+        }
+        self.codes = ranges;
+    }
 }
 
 /// How grave an event is.

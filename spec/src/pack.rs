@@ -1,6 +1,7 @@
 //! Packs: what a user's file adds to a spec and changes in it.
 
 mod change;
+mod event;
 mod module;
 
 use std::collections::BTreeSet;
@@ -75,14 +76,19 @@ impl<'s> Draft<'s, '_> {
         let commands = root.items("command", "command");
         let types = root.items("type", "type");
         let errors = root.items("error", "error code");
+        let events = root.items("event", "event");
         let extensions = root.items("extend", "extension of");
         let overrides = root.items("override", "override of");
-        if [&commands, &types, &errors, &extensions, &overrides].iter().all(|items| items.is_empty()) {
-            root.error(root.at, "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[extend]]` or `[[override]]`");
+        let all = [&commands, &types, &errors, &events, &extensions, &overrides];
+        if all.iter().all(|items| items.is_empty()) {
+            let message =
+                "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]` or `[[override]]`";
+            root.error(root.at, message);
         }
         topic.types = types.iter().filter_map(|item| self.new_type(item)).collect();
         topic.commands = commands.iter().filter_map(|item| self.new_command(item)).collect();
         topic.errors = errors.iter().filter_map(|item| self.new_error(item)).collect();
+        topic.events = events.iter().filter_map(|item| self.new_event(item)).collect();
         for item in &extensions {
             self.extend(item);
         }

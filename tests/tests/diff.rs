@@ -414,6 +414,38 @@ fn values_variants_and_error_codes() {
 }
 
 #[test]
+fn events_of_the_controller() {
+    check(
+        &[
+            ("events", r#"["0x0F0001", "0x0F0015"]"#, r#"["0x0F0001"]"#),
+            ("events", "error\"\ncodes = [\"0x0F0034\"]", "warning\"\ncodes = [\"0x0F0034\"]"),
+            ("events", "the robot is disabled", "the robot is off"),
+            ("events", r#""0x0F2010-0x0F2043""#, r#""0x0F2010-0x0F2020", "0x0F2031-0x0F2044""#),
+            ("events", "warning\"\ncodes = [\"0x303184\"]", "error\"\ncodes = [\"0x303184\"]"),
+            ("events", "a safety signal prevents powering on", "no power"),
+        ],
+        &expect![[r"
+            minor: event `0x0F0015`: removed
+            minor: event `0x0F0034`: severity changed from `error` to `warning`
+            minor: event `0x0F2021-0x0F2030`: removed
+            minor: event `0x0F2044`: added
+            minor: event `0x303184`: severity changed from `warning` to `error`
+            patch: event `0x10F0005`: meaning changed
+            patch: event `0x303184`: meaning changed
+        "]],
+        &expect![[r"
+            minor: event `0x0F0015`: added
+            minor: event `0x0F0034`: severity changed from `warning` to `error`
+            minor: event `0x0F2021-0x0F2030`: added
+            minor: event `0x0F2044`: removed
+            minor: event `0x303184`: severity changed from `error` to `warning`
+            patch: event `0x10F0005`: meaning changed
+            patch: event `0x303184`: meaning changed
+        "]],
+    );
+}
+
+#[test]
 fn a_type_that_moves_takes_its_path_along() {
     let old = "[[type]]\nname = \"JogFrame\"\nkind = \"enum\"\ndoc = \"What a jog moves along or about.\"\n";
     let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";

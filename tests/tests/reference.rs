@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use expect_test::{expect, expect_file};
 use jaka_spec::tools::reference;
-use jaka_spec::{Source, load};
+use jaka_spec::{Source, load, words};
 use jaka_tests::spec;
 
 #[test]
@@ -45,6 +45,15 @@ fn everything_of_the_spec_is_in_it() {
     for error in spec.errors() {
         assert!(text.contains(&format!("| {} | {} |", error.wire, error.name)), "{}", error.wire);
     }
+    let mut codes = 0;
+    for event in spec.events() {
+        let (severity, meaning) = (words::severity(event.severity), event.meaning.as_deref());
+        let row = meaning.map(|meaning| format!("` | {severity} | {meaning} |\n"));
+        assert!(row.is_none_or(|row| text.contains(&row)), "{event:?}");
+        codes += event.codes().count();
+    }
+    assert_eq!(codes, 560 + 228 + 106);
+    assert!(text.contains("\n- Events: 560 errors, 228 warnings and 106 of information\n"));
 }
 
 #[test]

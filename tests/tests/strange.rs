@@ -11,7 +11,7 @@ use jaka_proto::{Command, CommandInfo, read_payload};
 use jaka_sim::{Controller, Delays};
 use jaka_spec::json::{self, Reading};
 use jaka_spec::{Source, Spec, tools};
-use jaka_sync::Client;
+use jaka_sync::{Client, Severity};
 use jaka_tests::{any_object, any_request_of, same, spec};
 use jsonschema::Validator;
 use proptest::prelude::*;
@@ -212,6 +212,20 @@ fn values_are_what_they_say() {
         .assert_eq(&error.to_string());
     assert_eq!(strange::meaning(strange::OTHER), Some("The least."));
     assert_eq!(strange::meaning(strange::A1), Some("The greatest."));
+}
+
+#[test]
+fn events_of_a_pack_are_known_beside_all_others() {
+    let event = |code| jaka_sync::ControllerEvent::new(code).expect("the code is not zero");
+    let found = |code| (strange::event_severity(event(code)), strange::event_meaning(event(code)));
+    let strange = Some(r#"the "least" and the \greatest {codes}"#);
+    for code in [1, 0x2F, u32::MAX - 1, u32::MAX] {
+        assert_eq!(found(code), (Severity::Warning, strange), "{code:#x}");
+        assert_eq!(event(code).severity(), Severity::Unknown, "{code:#x}");
+    }
+    assert_eq!(found(0x000F_0030), (Severity::Error, Some("of a code that the spec has without a meaning")));
+    assert_eq!(found(0x010F_0005), (Severity::Information, Some("the robot is disabled")));
+    assert_eq!(found(u32::MAX - 2), (Severity::Unknown, None));
 }
 
 /// A request as the document would print it.

@@ -6,6 +6,7 @@ use crate::{Command, ErrorCode, Spec, Topic, TypeDef};
 
 mod collect;
 mod command;
+mod events;
 mod field;
 mod rust;
 mod types;
@@ -56,7 +57,7 @@ impl fmt::Display for Change {
 /// Compares two specs: all changes, the gravest first, then by place.
 ///
 /// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands for
-/// them on the wire, error codes by number, types by name. They are found in whichever topic they stand.
+/// them on the wire, error codes and events by number, types by name. They are found in whichever topic they stand.
 ///
 /// The impact follows from the code that the macros of `jaka-proto-derive` write:
 ///
@@ -82,8 +83,9 @@ impl fmt::Display for Change {
 /// | the session ends with the command, or a missing reply becomes an error | major | calls that succeeded fail |
 /// | the opposite of these two | minor | calls succeed that failed |
 /// | bare reply read | minor | a reply is understood that was not; major where it is given up |
+/// | event of the controller: added, removed, or of another severity | minor | a program that waits acts otherwise at run time |
 /// | deprecated | minor | the method gets `#[deprecated]`: a warning; patch where that goes |
-/// | doc, errata, disputed readings, firmware versions, section, evidence, refusal, examples, message of an error code | patch | documentation, and what the simulator answers |
+/// | doc, errata, disputed readings, firmware versions, section, evidence, refusal, examples, message of an error code, meaning of an event | patch | documentation, and what the simulator answers |
 pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     let mut differ = Differ::new(old, new);
     topics(&mut differ);
@@ -96,6 +98,7 @@ pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     for pair in pairs(&old.errors().collect::<Vec<_>>(), &new.errors().collect::<Vec<_>>(), |error| error.wire) {
         error_codes(&mut differ, &pair);
     }
+    events::compare(&mut differ);
     differ.finish()
 }
 

@@ -6,6 +6,7 @@ use crate::words::{self, first_sentence};
 use crate::{Command, ErrorCode, Spec, Topic};
 
 mod command;
+mod events;
 mod fields;
 mod markdown;
 mod types;
@@ -14,7 +15,7 @@ use markdown::{Table, code, escape, link};
 
 /// A reference of the protocol in Markdown, for readers who write no Rust.
 ///
-/// It has an index by topic and one by section, then a chapter for each topic with its commands, types and error codes. The
+/// It has an index by topic and one by section, then a chapter for each topic with its commands, types, error codes and events. The
 /// anchors are those that GitHub gives to headings.
 pub fn reference(spec: &Spec) -> String {
     let mut out = String::from("# The JAKA TCP protocol\n\n");
@@ -44,6 +45,7 @@ fn index_by_topic(out: &mut String, spec: &Spec) {
             let codes: Vec<_> = topic.errors.iter().map(|error| error.wire.to_string()).collect();
             let _ = writeln!(out, "- Codes: {}", codes.join(", "));
         }
+        events::index(out, &topic.events);
         *out += "\n";
     }
 }
@@ -88,6 +90,7 @@ fn chapter(out: &mut String, spec: &Spec, topic: &Topic) {
         types::render(out, spec, def);
     }
     error_codes(out, &topic.errors);
+    events::render(out, &topic.events);
 }
 
 fn error_codes(out: &mut String, errors: &[ErrorCode]) {

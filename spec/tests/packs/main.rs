@@ -3,7 +3,7 @@
 mod unfit;
 
 use expect_test::{Expect, expect};
-use jaka_spec::{Pack, Request, Source, Spec, Type, builtin, load_pack};
+use jaka_spec::{Pack, Request, Severity, Source, Spec, Type, builtin, load_pack};
 
 fn spec() -> Spec {
     builtin().expect("the built-in spec is correct")
@@ -248,4 +248,54 @@ settled = "Measured at the tool's connector, firmware 1.7.2."
     let first = load_pack(&spec(), source).expect("the pack is correct");
     let second = load_pack(&first.spec, source).unwrap_or_else(|errors| panic!("{errors}"));
     assert_eq!(second.notes.len(), 2, "{:?}", second.notes);
+}
+
+#[test]
+fn events_are_added() {
+    let pack = pack(
+        r#"
+[[event]]
+severity = "warning"
+codes = ["0x1-0x2F", "0xFFFFFFFF"]
+meaning = "the arm is tired"
+"#,
+    );
+    let event = pack.spec.event(u32::MAX).expect("the pack has it");
+    assert_eq!((event.severity, event.meaning.as_deref()), (Severity::Warning, Some("the arm is tired")));
+    assert_eq!(pack.spec.events().map(|event| event.codes().count()).sum::<usize>(), 894 + 48);
+    assert_eq!(pack.notes, &[]);
+}
+
+/// A later release that has a code, with or without a meaning, makes no pack wrong that had it before.
+#[test]
+fn events_that_the_spec_has_by_now_are_noted_or_complete_it() {
+    let text = r#"
+[[event]]
+severity = "error"
+codes = ["0x0F0034", "0x0F0030"]
+
+[[event]]
+severity = "information"
+codes = ["0x10F0004-0x10F0005"]
+meaning = "it is enabled or not"
+
+[[event]]
+severity = "error"
+codes = ["0x0F0001", "0x0F0032", "0x0F0005", "0x0EFFFE"]
+meaning = "something else"
+"#;
+    notes(
+        text,
+        &expect![[r"
+            newer.toml:3:1: event: the spec has the same already; this entry changes nothing and can be deleted
+            newer.toml:7:1: event: the spec has the same already; this entry changes nothing and can be deleted
+        "]],
+    );
+    let spec = pack(text).spec;
+    let meaning = |code| spec.event(code).and_then(|event| event.meaning.as_deref());
+    assert_eq!(meaning(0x000F_0034), Some("a collision was detected"));
+    assert_eq!(meaning(0x010F_0005), Some("the robot is disabled"));
+    assert_eq!(meaning(0x000F_0001), Some("the arm has no power"));
+    assert_eq!([0x000F_0032, 0x000F_0005, 0x000E_FFFE].map(meaning), [Some("something else"); 3]);
+    assert_eq!(spec.events().map(|event| event.codes().count()).sum::<usize>(), 895);
 }

@@ -20,8 +20,8 @@ fn an_empty_pack() {
     wrong(
         "\n",
         &expect![[r"
-        newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[extend]]` or `[[override]]`
-    "]],
+            newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]` or `[[override]]`
+        "]],
     );
 }
 
@@ -45,10 +45,10 @@ fn no_toml() {
     wrong(
         "\n[[command]\nwire = \"go\"\n",
         &expect![[r"
-        newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[extend]]` or `[[override]]`
-        newer.toml:2:11: not valid TOML: unclosed array table, expected `]`
-        newer.toml:3:1: unknown key `wire`; the keys are command, doc, error, extend, override, title, type
-    "]],
+            newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]` or `[[override]]`
+            newer.toml:2:11: not valid TOML: unclosed array table, expected `]`
+            newer.toml:3:1: unknown key `wire`; the keys are command, doc, error, event, extend, override, title, type
+        "]],
     );
 }
 
@@ -348,6 +348,31 @@ deadline_ms = 10
 "#,
         &expect![[r"
             newer.toml:1:1: the method name `joint_move_newer` is that of a changed command in this pack, and of another; rename the file
+        "]],
+    );
+}
+
+#[test]
+fn an_event_with_another_severity() {
+    wrong(
+        r#"
+[[event]]
+severity = "information"
+codes = ["0x10F0005", "0x0F0033-0x0F0034"]
+
+[[event]]
+severity = "error"
+codes = ["0x1-0x9", "0x9"]
+
+[[event]]
+severity = "error"
+codes = ["0xx"]
+"#,
+        &expect![[r"
+            newer.toml:2:1: event: the spec has the code 0x0F0033 already, with the severity `error`
+            newer.toml:2:1: event: the spec has the code 0x0F0034 already, with the severity `error`
+            newer.toml:8:21: event: the code 0x000009 is taken already, at newer.toml:8:10
+            newer.toml:12:10: event: `0xx` is not a code such as 0x0F0034, nor a range such as 0x0F0006-0x0F0009
         "]],
     );
 }
