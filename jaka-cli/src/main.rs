@@ -2,6 +2,7 @@
 
 mod commands;
 mod dashboard;
+mod event;
 mod exit;
 mod failure;
 mod fields;

@@ -49,6 +49,49 @@ fn a_table_shows_the_usual_fields() {
     .assert_eq(&printed(&["--sim", "--sim-powered"]));
 }
 
+/// What the program prints of a controller whose status packets have this `errcode`.
+fn printed_with_code(code: &str, args: &[&str]) -> String {
+    let controller = Controller::start().unwrap();
+    controller.set_state(|state| code.clone_into(&mut state.error_code));
+    let port = controller.status_addr().port().to_string();
+    printed(&[&["--robot", "127.0.0.1", "--status-port", &port, "--fields", "errcode"], args].concat())
+}
+
+#[test]
+fn the_event_has_its_severity_and_meaning() {
+    let codes = ["0x10f0005", "0xF0034", "0x10f0020", "0x0f0030", "0x0f9999", "0x0", "", "fine"];
+    let lines: Vec<_> = codes.iter().map(|code| printed_with_code(code, &[])).collect();
+    expect![[r#"
+        error_code  0x10f0005 (information: the robot is disabled)
+        error_code  0xF0034 (error: a collision was detected)
+        error_code  0x10f0020 (warning: reduced mode is on)
+        error_code  0x0f0030 (error)
+        error_code  0x0f9999 (severity unknown)
+        error_code  0x0
+        error_code  ""
+        error_code  fine (not an event's code)
+    "#]]
+    .assert_eq(&lines.concat());
+}
+
+#[test]
+fn json_has_the_severity_and_meaning_of_the_event() {
+    let line = |code| {
+        let text = printed_with_code(code, &["--format", "json"]);
+        let rest = text.split_once(',').unwrap().1.to_owned();
+        rest
+    };
+    let lines = ["0x10f0005", "0x0f0030", "0x0f9999", "0x0", "fine"].map(line);
+    expect![[r#"
+        "error_code":"0x10f0005","event_severity":"information","event_meaning":"the robot is disabled"}
+        "error_code":"0x0f0030","event_severity":"error","event_meaning":null}
+        "error_code":"0x0f9999","event_severity":"unknown","event_meaning":null}
+        "error_code":"0x0","event_severity":null,"event_meaning":null}
+        "error_code":"fine","event_severity":"unknown","event_meaning":null}
+    "#]]
+    .assert_eq(&lines.concat());
+}
+
 #[test]
 fn other_models_have_other_poses() {
     expect![[r#"

@@ -3,7 +3,10 @@
 use std::collections::VecDeque;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+use jaka_sync::Severity;
 use jaka_sync::status::RobotStatus;
+
+use crate::event;
 
 /// How many are kept.
 const MOST: usize = 1000;
@@ -13,6 +16,8 @@ const MOST: usize = 1000;
 pub(super) enum Tone {
     /// The robot stopped, or is out of sight.
     Bad,
+    /// It asks for attention.
+    Warning,
     /// What was bad is over.
     Good,
     /// It changed.
@@ -50,8 +55,13 @@ struct Facts {
     protective_stop: Option<bool>,
     powered: Option<bool>,
     enabled: Option<bool>,
-    error: Option<(String, String)>,
+    event: Option<Event>,
+    /// The gravest of the events since the controller last said that there is none. Information is not kept.
+    standing: Option<Severity>,
 }
+
+/// The controller's event: its code and message, as the packet has them.
+type Event = (String, String);
 
 impl Alarms {
     /// The newest first.
@@ -72,13 +82,14 @@ impl Alarms {
         self.flag(time, before.protective_stop, status.protective_stop, ["protective stop cleared", "protective stop"]);
         self.switch(time, before.powered, status.powered_on, ["power off", "power on"]);
         self.switch(time, before.enabled, status.enabled, ["disabled", "enabled"]);
-        self.error(time, before.error.as_ref(), status);
+        let standing = self.event(time, &before, status);
         self.before = Facts {
             emergency_stop: status.emergency_stop.or(before.emergency_stop),
             protective_stop: status.protective_stop.or(before.protective_stop),
             powered: status.powered_on.or(before.powered),
             enabled: status.enabled.or(before.enabled),
-            error: error_of(status).or(before.error),
+            event: event_of(status).or(before.event),
+            standing,
         };
     }
 
@@ -100,25 +111,60 @@ impl Alarms {
         }
     }
 
-    fn error(&mut self, time: SystemTime, before: Option<&(String, String)>, status: &RobotStatus) {
-        let Some(now) = error_of(status) else { return };
-        let was_error = before.is_some_and(|(code, _)| is_error(code));
-        if is_error(&now.0) && before != Some(&now) {
-            self.add(time, Tone::Bad, format!("error {} {}", now.0, now.1).trim_end());
-        } else if was_error && !is_error(&now.0) {
-            self.add(time, Tone::Good, "error cleared");
+    /// Tells of an event that is more than information. Returns the gravest one of which the controller has not said since that
+    /// it is over, as a code of zero does: information may take an error's place in the packet while the error lasts.
+    fn event(&mut self, time: SystemTime, before: &Facts, status: &RobotStatus) -> Option<Severity> {
+        let Some(now) = event_of(status) else { return before.standing };
+        let reading = status.event();
+        match (event::severity(&reading), before.standing) {
+            (None, Some(standing)) => {
+                self.add(time, Tone::Good, format!("{} cleared", name(standing)));
+                None
+            }
+            (None, None) => None,
+            (Some(Severity::Information), standing) => standing,
+            (Some(severity), standing) => {
+                if before.event.as_ref() != Some(&now) {
+                    let meaning = event::meaning(&reading).unwrap_or_default();
+                    let message = if now.1.is_empty() { meaning } else { &now.1 };
+                    let tone = if severity == Severity::Warning { Tone::Warning } else { Tone::Bad };
+                    self.add(time, tone, format!("{} {} {message}", label(severity), now.0).trim_end());
+                }
+                standing.into_iter().chain([severity]).max_by_key(|severity| rank(*severity))
+            }
         }
     }
 }
 
-fn error_of(status: &RobotStatus) -> Option<(String, String)> {
+fn event_of(status: &RobotStatus) -> Option<Event> {
     Some((status.error_code.clone()?, status.error_message.clone().unwrap_or_default()))
 }
 
-/// True for a code that is not zero: `0x0` says that there is no error.
-pub(super) fn is_error(code: &str) -> bool {
-    let digits = code.trim().trim_start_matches("0x");
-    !digits.trim_matches('0').is_empty()
+/// How an event of this severity is announced.
+fn label(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        _ => "event of unknown severity",
+    }
+}
+
+/// The word for an event of this severity.
+fn name(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error | Severity::Warning => label(severity),
+        _ => "event",
+    }
+}
+
+/// How grave severities are among each other. An unknown event may be an error.
+fn rank(severity: Severity) -> u8 {
+    match severity {
+        Severity::Error => 3,
+        Severity::Information => 0,
+        Severity::Warning => 1,
+        _ => 2,
+    }
 }
 
 /// A time as people say it.
@@ -147,7 +193,7 @@ mod tests {
         status.error_code = Some("0x0".to_owned());
         tell(&status);
         status.protective_stop = Some(true);
-        status.error_code = Some("0x10f0005".to_owned());
+        status.error_code = Some("0x0f0034".to_owned());
         status.error_message = Some("collision".to_owned());
         tell(&status);
         tell(&status);
@@ -163,10 +209,61 @@ mod tests {
             Good error cleared
             Plain disabled
             Good protective stop cleared
-            Bad error 0x10f0005 collision
+            Bad error 0x0f0034 collision
             Bad protective stop
         "]]
         .assert_eq(&texts.concat());
+    }
+
+    /// The alarms of packets with these codes and messages, the newest first.
+    fn alarms_of(codes: &[(&str, &str)]) -> String {
+        let mut alarms = Alarms::default();
+        for (code, message) in codes {
+            let mut status = RobotStatus::default();
+            status.error_code = Some((*code).to_owned());
+            status.error_message = Some((*message).to_owned());
+            alarms.packet(&status, UNIX_EPOCH);
+        }
+        alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect()
+    }
+
+    #[test]
+    fn information_is_no_alarm() {
+        let codes =
+            [("0x0", ""), ("0x10f0004", "enabled"), ("0x10f0015", ""), ("0x10f0000", "emergency stop"), ("0x0", "")];
+        assert_eq!(alarms_of(&codes), "");
+    }
+
+    #[test]
+    fn warnings_are_marked_and_what_is_unknown_is_an_alarm() {
+        let codes = [("0x10f0020", ""), ("0x0f9999", "new"), ("fine", "what"), ("0x0f0030", ""), ("0x0f0034", "")];
+        expect![[r"
+            Bad error 0x0f0034 a collision was detected
+            Bad error 0x0f0030
+            Bad event of unknown severity fine what
+            Bad event of unknown severity 0x0f9999 new
+            Warning warning 0x10f0020 reduced mode is on
+        "]]
+        .assert_eq(&alarms_of(&codes));
+    }
+
+    /// Only zero says that an error is over: another event may follow it while it lasts.
+    #[test]
+    fn an_error_is_not_cleared_by_information() {
+        let codes = [("0x0f0034", ""), ("0x10f000b", ""), ("0x10f0020", ""), ("0x0", ""), ("0x0", "")];
+        expect![[r"
+            Good error cleared
+            Warning warning 0x10f0020 reduced mode is on
+            Bad error 0x0f0034 a collision was detected
+        "]]
+        .assert_eq(&alarms_of(&codes));
+        let codes = [("0x10f0020", ""), ("0x10f0021", ""), ("0x10f000b", ""), ("0x0", "")];
+        expect![[r"
+            Good warning cleared
+            Warning warning 0x10f0021 reduced mode is off
+            Warning warning 0x10f0020 reduced mode is on
+        "]]
+        .assert_eq(&alarms_of(&codes));
     }
 
     #[test]

@@ -1,11 +1,12 @@
-//! The robot's state: power, stops, modes, error.
+//! The robot's state: power, stops, modes, event.
 
+use jaka_sync::Severity;
 use jaka_sync::status::{InterpreterState, RobotStatus, TaskMode};
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
-use super::alarms::is_error;
 use super::style;
+use crate::event;
 use crate::output::ABSENT;
 
 /// A value with its names, a long and a short one, and its look.
@@ -39,15 +40,14 @@ impl Grid {
 pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let grid = Grid::of(usize::from(width));
     let mut cells = cells(status).to_vec();
-    let error = error(status);
-    // An error takes a line of its own; that there is none does not where lines are few.
-    if let (2, Cell { value: Some((_, look)), .. }) = (grid.columns, &error) {
-        if *look == Style::new() {
-            cells.push(error);
-            return cells.chunks(grid.columns).map(|row| line(row, &grid)).collect();
-        }
+    let event = event_cell(status);
+    // An event takes a line of its own; that there is none does not where lines are few.
+    let is_short = status.error_code.is_some() && matches!(status.event(), Ok(None));
+    if grid.columns == 2 && is_short {
+        cells.push(event);
+        return cells.chunks(grid.columns).map(|row| line(row, &grid)).collect();
     }
-    let rows = cells.chunks(grid.columns).chain([std::slice::from_ref(&error)]);
+    let rows = cells.chunks(grid.columns).chain([std::slice::from_ref(&event)]);
     rows.map(|row| line(row, &grid)).collect()
 }
 
@@ -108,14 +108,19 @@ fn rate(rate: f64) -> (String, Style) {
     (format!("{} %", crate::number::fixed(rate * 100.0, 0)), look)
 }
 
-fn error(status: &RobotStatus) -> Cell {
+/// The controller's event, if it is told, and its look: that of an alarm, unless it is known to be less.
+fn event_cell(status: &RobotStatus) -> Cell {
     let value = status.error_code.as_ref().map(|code| {
-        let message = status.error_message.as_deref().unwrap_or_default();
-        if is_error(code) {
-            (format!(" {} ", format!("{code} {message}").trim()), style::bad())
-        } else {
-            ("none".to_owned(), Style::new())
+        let reading = status.event();
+        let Some(severity) = event::severity(&reading) else { return ("none".to_owned(), Style::new()) };
+        let message = status.error_message.as_deref().filter(|message| !message.is_empty());
+        let message = message.or(event::meaning(&reading)).unwrap_or_default();
+        let text = format!("{severity} {code} {message}");
+        match severity {
+            Severity::Information => (text, Style::new()),
+            Severity::Warning => (text, style::notable()),
+            _ => (format!(" {} ", text.trim_end()), style::bad()),
         }
     });
-    Cell { names: ["Error", "Error"], value }
+    Cell { names: ["Event", "Event"], value }
 }

@@ -41,6 +41,7 @@ pub(super) fn old() -> Style {
 pub(super) fn of_tone(tone: Tone) -> Style {
     match tone {
         Tone::Bad => Style::new().fg(Color::Red).add_modifier(Modifier::BOLD),
+        Tone::Warning => notable(),
         Tone::Good => good(),
         Tone::Plain => Style::new(),
     }

@@ -52,7 +52,7 @@ fn at_work() -> View {
 fn after_collision() -> View {
     view(packet(Firmware::Document, |state| {
         (state.powered, state.enabled, state.protective_stop) = (true, true, true);
-        "0x10f0005".clone_into(&mut state.error_code);
+        "0x0f0034".clone_into(&mut state.error_code);
         "collision".clone_into(&mut state.error_message);
     }))
 }
@@ -87,7 +87,7 @@ fn everything_fits_a_usual_terminal() {
             | Power           on        Enabled         yes       In position     yes
             | Protective stop no        Emergency stop  no        Drag mode       off
             | Program         idle      Task mode       manual    Rapid rate      100 %
-            | Error           none
+            | Event           none
             |─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
             |   position ° -360     0      360 current torque  temp   x        432.041 mm
             | 1   -170.250 ─────█━━━┼─────────    0.00   0.00   0.0   y        -41.433 mm
@@ -121,7 +121,7 @@ fn a_large_window_shows_more() {
             | Power           on              Enabled         yes             In position     yes
             | Protective stop no              Emergency stop  no              Drag mode       off
             | Program         idle            Task mode       manual          Rapid rate      100 %
-            | Error           none
+            | Event           none
             |─ Joints ──────────────────────────────────────────────────────────────────────────────────────── TCP tool 0 user 0 ────
             |   position ° -360                 0                  360 current torque  temp voltage   power   x        432.041 mm
             | 1   -170.250 ───────────█━━━━━━━━━┼─────────────────────    0.00   0.00   0.0     0.0     0.0   y        -41.433 mm
@@ -170,7 +170,7 @@ fn a_small_window_shows_what_matters_most() {
             | In position yes     Prot. stop  no
             | Em. stop    no      Drag        off
             | Program     idle    Mode        manual
-            | Rapid rate  100 %   Error       none
+            | Rapid rate  100 %   Event       none
             | J1   -170.25 J2     90.00 J3     45.50
             | J4     90.00 J5    -90.00 J6    355.00
             | x    432.04 y    -41.43 z    811.67
@@ -191,7 +191,7 @@ fn stops_and_errors_stand_out() {
             | Power           on        Enabled         yes       In position     yes
             | Protective stop yes       Emergency stop  no        Drag mode       off
             | Program         idle      Task mode       manual    Rapid rate      100 %
-            | Error            0x10f0005 collision
+            | Event            error 0x0f0034 collision
             |─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
             |   position ° -360     0      360 current torque  temp   x       -482.000 mm
             | 1      0.000 ─────────█─────────    0.00   0.00   0.0   y        114.000 mm
@@ -205,12 +205,28 @@ fn stops_and_errors_stand_out() {
             | out        ········ ········ ········ ········ ········ ········ … 0/144 on
             | tool in    ········   out ········
             |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-            | 11:55:07 error 0x10f0005 collision
+            | 11:55:07 error 0x0f0034 collision
             | 11:55:07 protective stop
             |
             | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
+}
+
+#[test]
+fn information_and_warnings_do_not_look_like_errors() {
+    let row = |code: &str| {
+        let mut view = at_work();
+        view.status.as_mut().unwrap().error_code = Some(code.to_owned());
+        let screen = screen(&view, 80, 24);
+        let row = rows(&screen).into_iter().find(|row| row.contains("Event")).unwrap();
+        (row.trim_end().to_owned(), colour(&screen, code))
+    };
+    assert_eq!(row("0x10f0015"), (" Event           information 0x10f0015 servo mode is on".to_owned(), Color::Reset));
+    assert_eq!(row("0x10f0020"), (" Event           warning 0x10f0020 reduced mode is on".to_owned(), Color::Yellow));
+    assert_eq!(row("0x0f0034"), (" Event            error 0x0f0034 a collision was detected".to_owned(), Color::Red));
+    assert_eq!(row("0x0f9999"), (" Event            unknown 0x0f9999".to_owned(), Color::Red));
+    assert_eq!(row("odd"), (" Event            unknown odd".to_owned(), Color::Red));
 }
 
 #[test]
@@ -228,7 +244,7 @@ fn what_no_packet_says_is_no_zero() {
             | Power           –         Enabled         –         In position     –
             | Protective stop –         Emergency stop  –         Drag mode       –
             | Program         –         Task mode       –         Rapid rate      –
-            | Error           –
+            | Event           –
             |─ Joints ──────────────────────────────────────────────── TCP tool – user – ────
             |   position ° -360     0      360 current torque  temp   x              – mm
             | 1          – ···················       –      –     –   y              – mm
@@ -330,7 +346,7 @@ fn the_other_pages_show_all_there_is() {
             | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
             | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
             |─ Alarms (UTC), the newest first ───────────────────────────────────────────────
-            | 11:55:07 error 0x10f0005 collision
+            | 11:55:07 error 0x0f0034 collision
             | 11:55:07 protective stop
             |
             |
@@ -409,7 +425,7 @@ fn the_help_lies_over_the_page() {
             | Power           on        Enabled         yes       In position     yes
             | Protective stop no        Emergency stop  no        Drag mode       off
             | Program         idle      Task mode       manual    Rapid rate      100 %
-            | Error       ┌─────────────────────── Keys ───────────────────────┐
+            | Event       ┌─────────────────────── Keys ───────────────────────┐
             |─ Joints ────│ q, Esc, Ctrl-C           quit                      │0 user 0 ────
             |   position °│ p                        pause, or go on           │32.041 mm
             | 1   -170.250│ Tab, → and Shift-Tab, ←  next page, last page      │41.433 mm

@@ -4,6 +4,7 @@ use std::io::{IsTerminal, stdout};
 
 use serde_json::Value;
 
+use crate::event;
 use crate::fields::{Field, Shape};
 use crate::number::fixed;
 use crate::output::ABSENT;
@@ -73,7 +74,16 @@ fn text(field: &Field, packet: &Value) -> String {
             let parts: Vec<_> = field.parts(packet).iter().map(|part| text(part, packet)).collect();
             parts.join("  ")
         }
+        (Some(value), _) if field.name == event::CODE => with_severity(single(field, &value), &value),
         (Some(value), _) => single(field, &value),
+    }
+}
+
+/// The code of an event with its severity and meaning.
+fn with_severity(text: String, code: &Value) -> String {
+    match event::words(&event::read(Some(code))) {
+        Some(words) => format!("{text} ({words})"),
+        None => text,
     }
 }
 

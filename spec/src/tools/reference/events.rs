@@ -9,7 +9,7 @@ use crate::{Event, Severity};
 /// The line of the index.
 pub(super) fn index(out: &mut String, events: &[Event]) {
     if !events.is_empty() {
-        let _ = writeln!(out, "- Events: {}", counts(events.iter()));
+        let _ = writeln!(out, "- Events: {}", counts(&events.iter()));
     }
 }
 
@@ -25,12 +25,12 @@ pub(super) fn render(out: &mut String, events: &[Event]) {
     }
     table.render(out);
     if !others.is_empty() {
-        let _ = writeln!(out, "Known by their severity alone: {}.\n", counts(others.into_iter()));
+        let _ = writeln!(out, "Known by their severity alone: {}.\n", counts(&others.into_iter()));
     }
 }
 
 /// `3 errors, 1 warning and 2 of information`.
-fn counts<'e>(events: impl Iterator<Item = &'e Event> + Clone) -> String {
+fn counts<'e>(events: &(impl Iterator<Item = &'e Event> + Clone)) -> String {
     let names = [
         (Severity::Error, "error", "errors"),
         (Severity::Warning, "warning", "warnings"),
