@@ -139,7 +139,7 @@ fn a_pack_that_the_spec_has_overtaken_is_noted() {
     expect![[r#"
         overtaken/motion.toml:429:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
         overtaken/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
-        overtaken: 85 commands, 47 types, 5 error codes
+        overtaken: 85 commands, 47 types, 5 error codes, 894 events
         newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it, so it can be deleted
         newer.toml:4:1: note: command `get_motion_state`: the spec has the same already; this entry changes nothing and can be deleted
         newer.toml:33:1: note: command `emergency_stop_status`: the spec has the same already; this entry changes nothing and can be deleted
@@ -158,7 +158,7 @@ fn a_whole_spec_is_checked_with_its_examples() {
         whole/motion.toml:429:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
         whole/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         whole/newer.toml:31:10: command `get_motion_state`, reply of an example: `queue` is [3]; expected is a whole number
-        whole: 85 commands, 47 types, 5 error codes
+        whole: 85 commands, 47 types, 5 error codes, 894 events
         jaka: 1 error
         exit code 2
     "#]].assert_eq(&text(&["check", "--spec", &folder]));

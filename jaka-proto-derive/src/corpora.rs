@@ -6,7 +6,7 @@ use jaka_spec::{Source, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::{client, error_codes, pack, request, topic};
+use crate::{client, error_codes, events, pack, request, topic};
 
 /// The inputs of a fuzz target that are text.
 fn texts(target: &str) -> Vec<String> {
@@ -36,7 +36,8 @@ fn specs() {
 fn all(spec: &Spec) -> TokenStream {
     let topics: TokenStream = spec.topics.iter().filter_map(|topic| topic::module(spec, topic)).collect();
     let (request, error_codes, methods) = (request::render(spec), error_codes::render(spec), client::methods(spec));
-    quote!(#topics #request #error_codes #methods)
+    let events = events::render(spec);
+    quote!(#topics #request #error_codes #events #methods)
 }
 
 #[test]

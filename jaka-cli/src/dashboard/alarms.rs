@@ -224,7 +224,8 @@ mod tests {
             status.error_message = Some((*message).to_owned());
             alarms.packet(&status, UNIX_EPOCH);
         }
-        alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect()
+        let texts: Vec<_> = alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect();
+        texts.concat()
     }
 
     #[test]

@@ -94,7 +94,9 @@ fn whole(folder: &Path, findings: &mut Findings) -> Result<Spec, Failure> {
         findings.examples(&spec, &topic.commands, source)?;
     }
     let (commands, types, codes) = (spec.commands().count(), spec.types().count(), spec.errors().count());
-    output::line(&format!("{}: {commands} commands, {types} types, {codes} error codes", folder.display()))?;
+    let events: usize = spec.events().map(|event| event.codes().count()).sum();
+    let folder = folder.display();
+    output::line(&format!("{folder}: {commands} commands, {types} types, {codes} error codes, {events} events"))?;
     Ok(spec)
 }
 
