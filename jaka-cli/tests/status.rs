@@ -78,8 +78,7 @@ fn the_event_has_its_severity_and_meaning() {
 fn json_has_the_severity_and_meaning_of_the_event() {
     let line = |code| {
         let text = printed_with_code(code, &["--format", "json"]);
-        let rest = text.split_once(',').unwrap().1.to_owned();
-        rest
+        text.split_once(',').unwrap().1.to_owned()
     };
     let lines = ["0x10f0005", "0x0f0030", "0x0f9999", "0x0", "fine"].map(line);
     expect![[r#"
