@@ -7,17 +7,23 @@ use std::io::{ErrorKind, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, request};
+use common::{LIMIT, Peer, assert_accepted, fresh, request, skipped};
 use jaka_sim::{Controller, Fault, StatusFault};
 
 /// How much memory a test may take, in MiB. The tests run side by side, and what they send is far more.
 const MOST_MEMORY: usize = 64;
 
-/// The memory of this process, in MiB, if pages have 4 KiB; 0 where it is not known.
+/// The memory of this process, in MiB, if pages have 4 KiB; 0 where it is not known, which is told.
 fn memory() -> usize {
     let statm = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
-    let pages: usize = statm.split(' ').nth(1).and_then(|pages| pages.parse().ok()).unwrap_or(0);
-    pages >> 8
+    let pages = statm.split(' ').nth(1).and_then(|pages| pages.parse::<usize>().ok());
+    pages.map_or_else(
+        || {
+            skipped("how much memory the simulator takes", "this system has no /proc");
+            0
+        },
+        |pages| pages >> 8,
+    )
 }
 
 /// How many connections a test may hold at once: each takes a descriptor at either end.

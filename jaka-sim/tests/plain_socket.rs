@@ -1,7 +1,11 @@
 //! A client in another language that knows nothing of this code talks to the simulator's program on both ports.
 
+mod common;
+
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
+
+use common::skipped;
 
 /// Python's standard library alone: sockets and JSON.
 const CLIENT: &str = r#"
@@ -63,7 +67,7 @@ fn has_python() -> bool {
 #[test]
 fn a_python_client_drives_the_simulator() {
     if !has_python() {
-        println!("not run: there is no python3 here");
+        skipped("a client in Python", "there is no python3 here");
         return;
     }
     let program = Command::new(env!("CARGO_BIN_EXE_jaka-sim"))

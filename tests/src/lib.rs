@@ -6,10 +6,12 @@ use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
 mod seeds;
+mod skipped;
 pub mod soak;
 mod tape;
 
 pub use seeds::seeds;
+pub use skipped::skipped;
 pub use tape::{Tape, events, recorded, requests};
 
 /// The project's README, for its example to be compiled.

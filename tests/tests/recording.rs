@@ -82,15 +82,38 @@ fn garbage_between_status_packets_is_recorded_by_monitors() {
 /// A writer that waits until it is released.
 #[derive(Debug, Clone, Default)]
 struct Gate {
-    is_open: Arc<(Mutex<bool>, Condvar)>,
+    passage: Arc<(Mutex<Passage>, Condvar)>,
     tape: Tape,
+}
+
+#[derive(Debug, Default)]
+struct Passage {
+    somebody_waits: bool,
+    is_open: bool,
+}
+
+impl Gate {
+    fn open(&self) {
+        let (passage, changed) = &*self.passage;
+        passage.lock().expect("no test panics while it writes").is_open = true;
+        changed.notify_all();
+    }
+
+    fn wait_until_it_hangs(&self) {
+        let (passage, changed) = &*self.passage;
+        let guard = passage.lock().expect("no test panics while it writes");
+        let waited = changed.wait_timeout_while(guard, LIMIT, |passage| !passage.somebody_waits);
+        assert!(!waited.expect("no test panics while it writes").1.timed_out(), "nothing is written");
+    }
 }
 
 impl Write for Gate {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let (is_open, opened) = &*self.is_open;
-        let guard = is_open.lock().expect("no test panics while it writes");
-        drop(opened.wait_while(guard, |is_open| !*is_open).expect("no test panics while it writes"));
+        let (passage, changed) = &*self.passage;
+        let mut guard = passage.lock().expect("no test panics while it writes");
+        guard.somebody_waits = true;
+        changed.notify_all();
+        drop(changed.wait_while(guard, |passage| !passage.is_open).expect("no test panics while it writes"));
         self.tape.write(bytes)
     }
 
@@ -106,13 +129,15 @@ fn a_writer_that_hangs_delays_no_call_and_what_is_dropped_is_counted() {
     let robot = jaka_tests::controller();
     let mut client =
         Config::new().recorder(recorder.clone()).connect(robot.command_addr()).expect("the controller listens");
+    // From here on all waits, however late the writer begins.
+    client.get_version().expect("it answers");
+    gate.wait_until_it_hangs();
     // Some 10 MB: more than waits.
     let long = json!({"text": "x".repeat(60_000)});
     for _ in 0..170 {
         client.call_raw("get_version", &long).expect("it answers, whether or not the writer hangs");
     }
-    *gate.is_open.0.lock().expect("no test panics while it writes") = true;
-    gate.is_open.1.notify_all();
+    gate.open();
     let report = recorder.finish().expect("memory can be written");
     let recording = gate.tape.read().expect("it has just been written");
     let dropped = recording.entries.iter().map(|entry| match entry.event {
@@ -121,11 +146,12 @@ fn a_writer_that_hangs_delays_no_call_and_what_is_dropped_is_counted() {
     });
     assert!(report.dropped > 20, "{report:?}");
     assert_eq!(dropped.sum::<u64>(), report.dropped);
-    assert_eq!(report.entries + report.dropped, 1 + 2 * 170);
+    assert_eq!(report.entries + report.dropped, 1 + 2 * 171);
     // A replay says where it ends.
     let again = Controller::builder().replay(recording, Replay::Strict).replay_timing(ReplayTiming::Immediate);
     let again = again.start().expect("loopback has free ports");
     let mut client = Client::connect(again.command_addr()).expect("the controller listens");
+    client.get_version().expect("its reply is recorded");
     let answered = (0..170).take_while(|_| client.call_raw("get_version", &long).is_ok()).count();
     assert!(answered > 100 && answered < 170, "{answered}");
     assert!(matches!(again.deviations()[..], [Deviation::Gap { .. }]), "{:?}", again.deviations().len());
