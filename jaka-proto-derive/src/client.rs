@@ -15,7 +15,7 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
         let module = scope.module(topic);
         topic.commands.iter().map(move |command| {
             let Method { head, parameter, argument, reply } = Method::new(scope, &module, command);
-            let docs = docs::attributes(&docs::method(command, "[`call`](Self::call)"));
+            let docs = docs::method(command, "[`call`](Self::call)");
             let name = ident(&command.name);
             quote! {
                 #docs

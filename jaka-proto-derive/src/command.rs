@@ -62,7 +62,7 @@ fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
 fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
     let name = ident(&command.reply_type()?);
     let request = command.request_type();
-    let docs = docs::attributes(&format!("What the controller answers to [`{request}`]."));
+    let docs = docs::own(&format!("What the controller answers to [`{request}`]."));
     Some(typedef::object(scope, &name, &docs, &command.reply))
 }
 

@@ -1,17 +1,19 @@
 //! The documentation of the generated items.
 
+use jaka_spec::prose::{code_span, prose};
 use jaka_spec::words::{self, first_sentence};
 use jaka_spec::{Command, Effect, Field, Range, Topic};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `text` as doc attributes, one for each line. None is indented so far that rustdoc would take it for code, and test it.
+/// Text of the spec or of a pack as doc attributes, one for each line, as prose: rustdoc would test code, and pass on HTML.
 pub(crate) fn attributes(text: &str) -> TokenStream {
-    let lines = text.lines().map(|line| match line.trim_start() {
-        "" => String::new(),
-        rest if line.len() - rest.len() > 3 => format!("   {rest}"),
-        _ => format!(" {line}"),
-    });
+    own(&prose(text))
+}
+
+/// Text of our own, which may have links, as doc attributes. What it has of the spec's is a name in Rust or a code span.
+pub(crate) fn own(text: &str) -> TokenStream {
+    let lines = text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
     quote!(#(#[doc = #lines])*)
 }
 
@@ -109,8 +111,10 @@ pub(crate) fn request(command: &Command) -> String {
 }
 
 /// The text of a method: that of its request, and how it fails beside as `call` does.
-pub(crate) fn method(command: &Command, call: &str) -> String {
-    format!("{}\n\n# Errors\nAs {call}.{}", request(command), refusal(command))
+pub(crate) fn method(command: &Command, call: &str) -> TokenStream {
+    let request = attributes(&request(command));
+    let errors = own(&format!("\n# Errors\nAs {call}.{}", refusal(command)));
+    quote!(#request #errors)
 }
 
 /// What the controller does where a requirement is not met.
@@ -119,8 +123,9 @@ fn refusal(command: &Command) -> String {
         _ if command.requires.is_empty() => String::new(),
         None => " In another state than the one it needs, expect a refusal.".to_owned(),
         Some(refusal) => format!(
-            " In another state than the one it needs, the controller refuses with code {}, `{}`.",
-            refusal.code, refusal.message
+            " In another state than the one it needs, the controller refuses with code {}, {}.",
+            refusal.code,
+            code_span(&refusal.message)
         ),
     }
 }

@@ -139,7 +139,7 @@ fn methods(module: &Module, scope: Scope<'_>, sync: &TokenStream) -> Option<Toke
     }
     let methods = commands.iter().map(|command| {
         let Method { head, parameter, argument, reply } = Method::new(scope, &TokenStream::new(), command);
-        let docs = docs::attributes(&docs::method(command, "`Call::call`"));
+        let docs = docs::method(command, "`Call::call`");
         let name = ident(&module.method(command));
         quote! {
             #docs
@@ -150,7 +150,7 @@ fn methods(module: &Module, scope: Scope<'_>, sync: &TokenStream) -> Option<Toke
         }
     });
     let name = ident(&module.trait_name());
-    let docs = docs::attributes(&format!(
+    let docs = docs::own(&format!(
         "The commands of [`{}`](self) as methods: of a client, of a robot, and of all else that takes commands.",
         module.topic.name
     ));

@@ -5,6 +5,7 @@ use std::fmt;
 
 use crate::command::CommandInfo;
 use crate::error_code::ErrorCode;
+use crate::text::Visible;
 use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, trimmed};
 
 /// The keys that every reply has.
@@ -96,11 +97,12 @@ impl Refusal {
     }
 }
 
+/// In one line, whatever the controller says: see [`text`](crate::text).
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { command, code, message } = self;
-        write!(f, "the controller refused `{command}` with code {code}")?;
-        if message.is_empty() { Ok(()) } else { write!(f, ": {message}") }
+        write!(f, "the controller refused `{}` with code {code}", Visible(command))?;
+        if message.is_empty() { Ok(()) } else { write!(f, ": {}", Visible(message)) }
     }
 }
 

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::text::Visible;
+
 /// A version of a controller's firmware: one to four numbers, such as 1.6.5 or 1.7.1.46.
 ///
 /// Versions are ordered by their numbers: 1.5.14 is after 1.5.9, and 1.6 is just before 1.6.0. Read from the text of
@@ -91,7 +93,7 @@ pub struct InvalidFirmwareVersion {
 
 impl fmt::Display for InvalidFirmwareVersion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is no firmware version such as 1.6.5_01_X86", self.text)
+        write!(f, "`{}` is no firmware version such as 1.6.5_01_X86", Visible(&self.text))
     }
 }
 

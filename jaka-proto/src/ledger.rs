@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::fmt;
 
+use crate::text::Visible;
 use crate::{Envelope, Request};
 
 /// One command that was sent.
@@ -51,7 +52,7 @@ pub enum Mistrust {
 impl fmt::Display for Mistrust {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unasked { command } => write!(f, "a reply to `{command}` came that nobody is owed"),
+            Self::Unasked { command } => write!(f, "a reply to `{}` came that nobody is owed", Visible(command)),
             Self::Unsent => f.write_str("a reply came to a command of which nothing had been sent"),
             Self::Nameless => f.write_str("a reply came that names no command"),
             Self::Ambiguous { command } => {

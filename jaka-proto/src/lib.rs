@@ -16,6 +16,7 @@ mod near;
 pub mod python;
 pub mod recording;
 mod request;
+pub mod text;
 pub mod wire;
 
 /// The messages, generated from the spec: a module for each topic, and an enum over all requests.

@@ -1,7 +1,7 @@
 //! What can go wrong, told apart by what the caller can do about it.
 
 use std::error::Error as StdError;
-use std::fmt;
+use std::fmt::{self, Write};
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
@@ -9,6 +9,7 @@ use std::time::Duration;
 use jaka_proto::check::{InvalidArgument, NotSent};
 use jaka_proto::framing::FrameError;
 use jaka_proto::recording::Entry;
+use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{Mistrust, NotInFirmware, Refusal};
 
@@ -258,7 +259,9 @@ impl Error {
         }
     }
 
+    /// In one line, whatever the controller says.
     fn write_text(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut f = VisibleWriter(f);
         match self {
             Self::InvalidArgument(invalid) => write!(f, "{invalid}"),
             Self::NotInFirmware(missing) => write!(f, "{missing}"),
@@ -382,8 +385,10 @@ pub enum Disconnect {
     },
 }
 
+/// In one line, whatever came over the connection: see [`text`](crate::proto::text).
 impl fmt::Display for Disconnect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut f = VisibleWriter(f);
         match self {
             Self::Closed { partial } => {
                 f.write_str("the controller closed the connection")?;
@@ -397,10 +402,10 @@ impl fmt::Display for Disconnect {
             Self::Frame(error) if is_text_line(error) => {
                 write!(f, "this firmware sends status as text lines, which only very old versions do: {error}")
             }
-            Self::Frame(error) => error.fmt(f),
+            Self::Frame(error) => write!(f, "{error}"),
             Self::NotUtf8 => f.write_str("a message came that is no UTF-8"),
             Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
-            Self::Mistrust(mistrust) => mistrust.fmt(f),
+            Self::Mistrust(mistrust) => write!(f, "{mistrust}"),
             Self::Reset { unanswered } => write!(
                 f,
                 "the connection was reset: {unanswered} set-points and the end of servo mode were not answered, \

@@ -8,6 +8,7 @@ pub mod json;
 mod model;
 mod names;
 mod pack;
+pub mod prose;
 mod quote;
 mod read;
 mod report;

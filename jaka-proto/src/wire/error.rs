@@ -1,6 +1,8 @@
 //! Why a message could not be decoded.
 
-use std::fmt;
+use std::fmt::{self, Write};
+
+use crate::text::VisibleWriter;
 
 /// A message, or a field of one, that does not fit its type.
 #[derive(Clone, PartialEq, Eq)]
@@ -82,8 +84,10 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
 }
 
+/// In one line, whatever the message holds: see [`text`](crate::text).
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut f = VisibleWriter(f);
         let Inner { path, kind } = &*self.0;
         if !path.is_empty() {
             write!(f, "field `{path}`: ")?;

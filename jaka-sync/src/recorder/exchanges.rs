@@ -3,6 +3,7 @@
 use std::fmt;
 
 use jaka_proto::recording::{Entry, Event, Message};
+use jaka_proto::text::visible;
 
 /// How many messages an error keeps.
 pub(super) const KEPT: usize = 8;
@@ -51,6 +52,7 @@ pub(crate) fn show(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result
 
 fn show_message(message: &Message, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let text = message.to_string();
+    let text = visible(&text);
     match text.char_indices().nth(SHOWN) {
         Some((end, _)) => write!(f, "{}… ({} bytes)", &text[..end], message.bytes().len()),
         None => f.write_str(&text),

@@ -1,10 +1,11 @@
 //! How motions end.
 
-use std::fmt;
+use std::fmt::{self, Write};
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::ControllerEvent;
+use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
 
 use crate::{Disconnect, Error, Snapshot};
@@ -68,8 +69,10 @@ impl Outcome {
     }
 }
 
+/// In one line, whatever the controller says: see [`text`](crate::proto::text).
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut f = VisibleWriter(f);
         match self {
             Self::Reached => f.write_str("the motion has reached its target"),
             Self::AtRest => f.write_str("the arm is at rest; whether at the target of its motion is not known"),
