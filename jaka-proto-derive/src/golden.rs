@@ -193,6 +193,24 @@ fn commands_in_the_spec_and_in_a_pack_are_the_same() {
 /// The pack of the same crate that has all that is legal and strange.
 const STRANGE: Source<'_> = Source { path: "strange.toml", text: include_str!("../../tests/pack-user/strange.toml") };
 
+/// rustdoc tests what it takes for code, and `cargo test` of this pack's user does so: see there.
+#[test]
+fn no_text_of_a_pack_becomes_code() {
+    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
+    let pack = jaka_spec::load_pack(&spec, STRANGE).expect("the pack is correct");
+    let text = pretty(pack::module(&pack.module(), &quote!(::jaka_sync)));
+    let docs = text.lines().filter_map(|line| line.trim_start().strip_prefix("///"));
+    let mut hostile = 0;
+    for line in docs {
+        hostile += usize::from(line.contains("compile_error!"));
+        let content = line.trim_start_matches(|c: char| matches!(c, ' ' | '>' | '-') || c.is_ascii_digit());
+        assert!(!content.starts_with("```") && !content.starts_with("~~~"), "{line}");
+        assert!(!line.contains("    ") || line.starts_with("    ") && !line.starts_with("     "), "{line}");
+        assert!(!line.contains(['\t', '\u{1b}', '\u{202e}', '\r']) && !line.contains(" <script"), "{line}");
+    }
+    assert!(hostile > 10, "{hostile}");
+}
+
 /// Each line is left out, or has another value: what loads is rendered, and is Rust.
 #[test]
 fn what_loads_can_be_rendered() {

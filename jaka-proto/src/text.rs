@@ -126,12 +126,12 @@ fn escaped_json(text: &str, white: impl Fn(char) -> char) -> Cow<'_, str> {
 mod tests {
     use super::*;
 
-    const HOSTILE: &str = "a\u{1b}[2J\u{9b}31m\u{7f}\r\nb\t\u{202e}c\u{2066}\u{200f}\u{61c}\u{2028}\u{feff}\u{e0041}é关节 1";
+    const HOSTILE: &str =
+        "a\u{1b}[2J\u{9b}31m\u{7f}\r\nb\t\u{202e}c\u{2066}\u{200f}\u{61c}\u{2028}\u{feff}\u{e0041}é关节 1";
 
     #[test]
     fn what_a_terminal_obeys_is_shown_and_all_else_stays() {
-        let shown =
-            r"a\u{1b}[2J\u{9b}31m\u{7f}\r\nb\t\u{202e}c\u{2066}\u{200f}\u{61c}\u{2028}\u{feff}\u{e0041}é关节 1";
+        let shown = r"a\u{1b}[2J\u{9b}31m\u{7f}\r\nb\t\u{202e}c\u{2066}\u{200f}\u{61c}\u{2028}\u{feff}\u{e0041}é关节 1";
         assert_eq!(Visible(HOSTILE).to_string(), shown);
         assert_eq!(visible(HOSTILE), shown);
         assert_eq!(visible_lines(HOSTILE), shown.replace(r"\n", "\n"));

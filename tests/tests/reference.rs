@@ -139,10 +139,10 @@ advisory = true
     let spec = load(&[Source { path: "spec/lamps.toml", text }]).expect("the spec is correct");
     let text = reference(&spec);
     let index = text.find("## Topics").expect("there is an index");
-    expect![[r"
+    expect![[r#"
         ## Topics
 
-        **[Lamps &lt;new>](#lamps-new)**
+        **[Lamps \<new>](#lamps-new)**
 
         - [`set lamp`](#command-set-lamp): Sets a lamp.
         - Types: [`Colour`](#type-colour)
@@ -153,9 +153,9 @@ advisory = true
         | --- | --- | --- |
         | [`set lamp`](#command-set-lamp) | [Lamps &lt;new>](#lamps-new) | setting |
 
-        ## Lamps &lt;new>
+        ## Lamps \<new>
 
-        Lamps a|b and `a<b`.
+        Lamps a\|b and `a<b`.
 
         ### Command `set lamp`
 
@@ -189,6 +189,6 @@ advisory = true
         | `blue` | Blue | Blue. | newer only |
 
         - `blue`: Rare.
-    "]]
+    "#]]
     .assert_eq(&text[index..]);
 }

@@ -2,16 +2,16 @@
 
 use std::fmt::Write as _;
 
-/// The text without what Markdown would take for HTML. Code spans stay as they are.
-pub(super) fn escape(text: &str) -> String {
+pub(super) use crate::prose::{code_span as code, prose as escape};
+
+/// A cell's text, which may have links of ours, without what Markdown would take for HTML or for the cell's end. Code spans stay.
+fn cell(text: &str) -> String {
+    let text: String = text.chars().map(|c| if crate::prose::is_hidden(c) { ' ' } else { c }).collect();
+    // What a link has escaped already.
+    let text = text.replace("\\<", "<").replace("\\|", "|");
     let parts = text.split('`').enumerate();
     let parts = parts.map(|(i, part)| if i % 2 == 0 { part.replace('<', "&lt;") } else { part.to_owned() });
-    parts.collect::<Vec<_>>().join("`")
-}
-
-/// The text as a code span.
-pub(super) fn code(text: &str) -> String {
-    format!("`{text}`")
+    parts.collect::<Vec<_>>().join("`").replace('|', "\\|")
 }
 
 /// A link to the heading of this document whose text is `heading`.
@@ -37,7 +37,7 @@ impl<const N: usize> Table<N> {
     }
 
     pub(super) fn row(&mut self, cells: [String; N]) {
-        self.rows.push(cells.map(|text| escape(&text).replace('|', "\\|").replace('\n', " ")));
+        self.rows.push(cells.map(|text| cell(&text)));
     }
 
     /// Writes the table and an empty line; nothing if it has no rows.

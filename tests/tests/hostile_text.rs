@@ -1,0 +1,87 @@
+//! What a controller says is shown in one line, with nothing in it that a terminal obeys: errors of the library. Those of the
+//! command `jaka` are in its own tests.
+
+use std::error::Error as StdError;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::framing::Framer;
+use jaka_proto::text::is_visible;
+use jaka_proto::wire::DecodeError;
+use jaka_proto::{ErrorCode, FirmwareVersion, Mistrust, Refusal};
+use jaka_sim::{Controller, Fault};
+use jaka_sync::{Client, Config, Disconnect, Error, Exchanges, Explanation, Outcome, Recorder, StatusStream};
+
+/// A character of each kind that a terminal or an editor acts on.
+const HOSTILE: &str = "\u{1b}[2J\u{7}\r\n\u{85}\u{9b}31m\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}";
+
+fn assert_visible(what: &str, text: &str) {
+    let hidden: Vec<_> = text.chars().filter(|&c| !is_visible(c)).collect();
+    assert!(hidden.is_empty(), "{what}: {hidden:?} in {text:?}");
+}
+
+#[test]
+fn what_is_hidden_in_docs_is_what_is_hidden_in_errors() {
+    for c in '\0'..=char::MAX {
+        assert_eq!(jaka_spec::prose::is_hidden(c), !is_visible(c), "{c:?}");
+    }
+}
+
+#[test]
+fn no_error_shows_a_controller_s_text_raw() {
+    let refusal = || Refusal::new(HOSTILE, ErrorCode(2), HOSTILE);
+    let unfit = || DecodeError::unfit("a number", HOSTILE).in_field(HOSTILE);
+    let mut framer = Framer::default();
+    framer.push(HOSTILE.as_bytes());
+    let garbage = framer.next_frame().map(drop).expect_err("it is no frame");
+    let causes = [
+        Disconnect::Frame(garbage),
+        Disconnect::NotJson(unfit()),
+        Disconnect::Mistrust(Mistrust::Unasked { command: HOSTILE.into() }),
+        Disconnect::Ended { by: HOSTILE.to_owned() },
+    ]
+    .map(Arc::new);
+    let exchanges = Exchanges::default;
+    let (command, source) = (HOSTILE.to_owned(), unfit());
+    let mut errors = vec![
+        Error::Refused { refusal: refusal(), exchanges: exchanges() },
+        Error::RefusedBecause { refusal: refusal(), explanation: Explanation::NotPowered, exchanges: exchanges() },
+        Error::Timeout { command: command.clone(), after: Duration::ZERO, exchanges: exchanges() },
+        Error::ReplyLost { command: command.clone(), exchanges: exchanges() },
+        Error::UnexpectedReply { command: command.clone(), source: source.clone(), exchanges: exchanges() },
+        Error::UnexpectedStatus { source, exchanges: exchanges() },
+    ];
+    for cause in causes {
+        let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)) };
+        errors.push(Error::NotAcknowledged { outcome: Box::new(outcome) });
+        errors.push(Error::Disconnected { command: Some(command.clone()), sent: true, cause, exchanges: exchanges() });
+    }
+    let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), message: HOSTILE.to_owned() };
+    assert_visible("an outcome", &outcome.to_string());
+    errors.push(Error::NotAcknowledged { outcome: Box::new(outcome) });
+    for error in &errors {
+        let sources = std::iter::successors(Some(error as &dyn StdError), |&error| error.source());
+        sources.for_each(|part| assert_visible(&format!("{error:?}"), &part.to_string()));
+    }
+    let version = HOSTILE.parse::<FirmwareVersion>().expect_err("it is none");
+    assert_visible("a version", &version.to_string());
+}
+
+#[test]
+fn the_text_itself_is_kept_as_it_came() {
+    let controller = Controller::start().expect("loopback has free ports");
+    let message = serde_json::Value::from(HOSTILE);
+    let reply = format!(r#"{{"errorCode":"7","errorMsg":{message},"cmdName":"get_version"}}"#);
+    controller.inject(Fault::Instead(reply.into_bytes()));
+    let recorder = Recorder::new(std::io::sink()).expect("a thread can be had");
+    let config = Config::new().recorder(recorder);
+    let mut client: Client = config.connect(controller.command_addr()).expect("the controller listens");
+    let error = client.get_version().expect_err("it is refused");
+    assert_eq!(error.refusal().map(|refusal| &*refusal.message), Some(HOSTILE));
+    for line in format!("{error:#}").lines() {
+        assert_visible("the last messages", line);
+    }
+    controller.set_state(|state| state.error_message = HOSTILE.to_owned());
+    let mut packets = StatusStream::connect(controller.status_addr()).expect("the controller listens");
+    assert_eq!(packets.next_packet().expect("a packet comes").error_message.as_deref(), Some(HOSTILE));
+}
