@@ -2,6 +2,7 @@
 
 mod frames;
 mod pipe;
+mod scribe;
 
 use std::io::{self, Write, stderr};
 use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
@@ -14,6 +15,9 @@ use jaka_sync::{Recorder, StatusSampling};
 use socket2::{SockRef, TcpKeepalive};
 
 use self::pipe::Pipe;
+use self::scribe::{Connection, Passed};
+
+pub(crate) use self::scribe::Scribe;
 
 /// How long to wait after a connection that could not be taken, for want of descriptors perhaps.
 const REST: Duration = Duration::from_millis(20);
@@ -32,6 +36,8 @@ pub(crate) struct Gate {
     pub(crate) timeout: Duration,
     /// Where all that passes is recorded.
     pub(crate) recorder: Recorder,
+    /// Who does it.
+    pub(crate) scribe: Scribe,
     /// Which status packets are.
     pub(crate) sampling: StatusSampling,
 }
@@ -62,18 +68,19 @@ impl Gate {
 
     /// Serves a client to the end of its connection.
     fn attend(&self, client: &TcpStream) {
-        let track = self.recorder.track(self.port, self.sampling);
+        let connection = Connection::new(self.recorder.track(self.port, self.sampling), self.port);
+        let record = |event| self.scribe.take(&connection, Passed::Event(event));
         let robot = set_options(client).and_then(|()| self.connect());
         match robot {
             Ok(robot) => {
                 let address = robot.peer_addr().map_or_else(|_| self.robot.clone(), |address| address.to_string());
-                track.record(Event::Connected { address });
-                Pipe { client, robot: &robot, port: self.port, track: &track }.run();
+                record(Event::Connected { address });
+                Pipe { client, robot: &robot, connection: &connection, scribe: &self.scribe }.run();
             }
             Err(error) => {
                 let text = format!("cannot connect to {}: {error}", self.robot);
                 warn(&text);
-                track.record(Event::Error { text });
+                record(Event::Error { text });
                 pipe::reset(client);
             }
         }

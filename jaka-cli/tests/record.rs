@@ -12,7 +12,7 @@ use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use expect_test::expect;
 use jaka_sim::{Controller, Delays, Replay};
@@ -183,6 +183,45 @@ fn bytes_pass_unchanged_and_nothing_is_lost_from_the_recording() {
     let messages = messages(&recording, 1);
     for message in ["sent {\"cmdName\"  :\"b}\"}", "sent xx", "received {\"errorCode\":\"0\"}", "received (1,[2])"] {
         assert!(messages.iter().any(|found| found == message), "{message}: {:?}", &messages[..8]);
+    }
+}
+
+/// How long a stop takes to pass that a client sends behind megabytes of something else.
+fn stop_behind(name: &str, garbage: &[u8], megabytes: usize) -> Duration {
+    let stop = br#"{"cmdName":"stop_program"}"#;
+    let robot = TcpListener::bind("127.0.0.1:0").unwrap();
+    let proxy = Proxy::before(name, &robot);
+    let (mut client, mut controller) = connect(&proxy, &robot);
+    let since = Instant::now();
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            let bytes = garbage.repeat((megabytes << 20) / garbage.len());
+            client.write_all(&bytes).unwrap();
+            client.write_all(stop).unwrap();
+        });
+        let (mut room, mut end) = (vec![0; 1 << 16], Vec::new());
+        while !end.ends_with(stop) {
+            let count = controller.read(&mut room).unwrap();
+            assert!(count > 0, "the stop does not come");
+            end.extend(&room[..count]);
+            end.drain(..end.len().saturating_sub(stop.len()));
+        }
+    });
+    let took = since.elapsed();
+    drop((client, controller));
+    proxy.finish();
+    took
+}
+
+#[test]
+fn a_stop_behind_garbage_is_passed_on_at_once() {
+    for (name, garbage) in
+        [("braces.jsonl", &b"x{}"[..]), ("open.jsonl", b"{"), ("closed.jsonl", b"}"), ("quotes.jsonl", b"{\"")]
+    {
+        let took = stop_behind(name, garbage, 10);
+        println!("{name}: {took:?}");
+        // It takes a fraction of a second; some minutes where the bytes wait for their recording.
+        assert!(took < Duration::from_secs(20), "{name}: {took:?}");
     }
 }
 

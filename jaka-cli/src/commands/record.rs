@@ -12,7 +12,7 @@ use jaka_sync::{Error, Recorder, RecorderReport, StatusSampling, StatusStream};
 
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
-use crate::proxy::Gate;
+use crate::proxy::{Gate, Scribe};
 use crate::seconds::some_seconds;
 use crate::target::{PlaceArgs, Target};
 use crate::{listen, output, record};
@@ -62,26 +62,37 @@ impl Record {
         let (sender, ended) = mpsc::channel();
         let interrupted = sender.clone();
         on_interrupt(move || drop(interrupted.send(Ok(()))))?;
-        let target = match self.listen {
-            Some(address) => self.stand_between(address, target, &recorder)?,
-            None => self.read_packets(target, recorder, sender)?,
+        let (target, scribe) = match self.listen {
+            Some(address) => {
+                let scribe = Scribe::start().map_err(|error| Failure::local("cannot start a thread", error))?;
+                self.stand_between(address, &target, &recorder, &scribe)?;
+                (target, Some(scribe))
+            }
+            None => (self.read_packets(target, recorder, sender)?, None),
         };
         let result = self.wait(&ended);
         drop(target);
-        self.tell(record::finish()?)?;
+        let missing = scribe.map_or(0, |scribe| scribe.finish());
+        self.tell(record::finish()?, missing)?;
         result
     }
 
     /// Serves programs from now on.
-    fn stand_between(&self, address: IpAddr, target: Target, recorder: &Recorder) -> Result<Target, Failure> {
+    fn stand_between(
+        &self,
+        address: IpAddr,
+        target: &Target,
+        recorder: &Recorder,
+        scribe: &Scribe,
+    ) -> Result<(), Failure> {
         let open = |port, own_port| {
             let (robot, timeout) = target.address(port);
-            let (robot, recorder, sampling) = (robot.to_owned(), recorder.clone(), self.sampling());
-            let opened = Gate { port, robot, timeout, recorder, sampling }.open(address, own_port);
+            let (robot, recorder, scribe) = (robot.to_owned(), recorder.clone(), scribe.clone());
+            let gate = Gate { port, robot, timeout, recorder, scribe, sampling: self.sampling() };
+            let opened = gate.open(address, own_port);
             opened.map_err(|error| Failure::local(format!("cannot listen at {address}, port {own_port}"), error))
         };
-        listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)?;
-        Ok(target)
+        listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)
     }
 
     /// Reads status packets from now on, and tells when there have been enough, or there are no more.
@@ -115,13 +126,16 @@ impl Record {
         }
     }
 
-    fn tell(&self, RecorderReport { entries, dropped, .. }: RecorderReport) -> Result<(), Failure> {
+    /// Says what was recorded, and how many pieces had already been missed when they passed.
+    fn tell(&self, RecorderReport { entries, dropped, .. }: RecorderReport, missing: u64) -> Result<(), Failure> {
         let file = self.file.display();
-        output::line(&match (entries, dropped) {
+        output::line(&match (entries, dropped + missing) {
             (0 | 1, _) => "nothing was recorded".to_owned(),
             (_, 0) => format!("{file}: {entries} entries"),
-            _ => {
-                format!("{file}: {entries} entries; {dropped} are missing, since the file could not be written as fast")
+            (_, missing) => {
+                format!(
+                    "{file}: {entries} entries; {missing} are missing, since they came faster than they can be recorded"
+                )
             }
         })
     }

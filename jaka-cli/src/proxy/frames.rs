@@ -37,18 +37,21 @@ impl Frames {
         }
     }
 
-    /// Goes on behind what is no message: at the next brace, or with the next bytes that come.
+    /// Goes on behind what is no message: at the next brace, or with the next bytes that come. What waits behind it stays where it
+    /// is, so that the time for a stream is linear in its length, whatever it is.
     fn skip(&mut self, error: &FrameError, tell: &mut impl FnMut(Piece<'_>)) {
-        let waiting = self.framer.partial().to_vec();
+        let waiting = self.framer.partial();
         let next = match error {
             FrameError::Garbage { .. } => waiting.iter().position(|&byte| byte == b'{'),
             // The braces within it begin no messages.
             _ => None,
         };
-        let (stray, rest) = waiting.split_at(next.unwrap_or(waiting.len()));
-        tell(Piece::Stray(stray));
-        self.framer = Framer::default();
-        self.framer.push(rest);
+        tell(Piece::Stray(&waiting[..next.unwrap_or(waiting.len())]));
+        if next.is_some() {
+            self.framer.resync();
+        } else {
+            self.framer = Framer::default();
+        }
     }
 }
 
@@ -82,6 +85,20 @@ mod tests {
         for cut in 0..=stream.len() {
             assert_eq!(pieces(stream, &[cut]), r#"<{"a":"}"}><{"b":{}}><(1,(2))>"#, "{cut}");
         }
+    }
+
+    /// In one piece, where each stray byte once cost a copy of all that follows: days for this stream.
+    #[test]
+    fn garbage_between_braces_takes_linear_time() {
+        let stream = b"x{}".repeat(2 << 20);
+        let (mut messages, mut stray) = (0, 0);
+        let mut frames = Frames::default();
+        frames.take(&stream, |piece| match piece {
+            Piece::Message(_) => messages += 1,
+            Piece::Stray(bytes) => stray += bytes.len(),
+        });
+        assert_eq!((messages, stray), (2 << 20, 2 << 20));
+        assert!(frames.framer.visited() <= stream.len() as u64);
     }
 
     #[test]

@@ -2,29 +2,29 @@
 
 use std::io::{ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use jaka_sync::Track;
-use jaka_sync::recording::{Ending, Event, Message, Port};
+use jaka_sync::recording::{Ending, Event};
 use socket2::SockRef;
 
-use super::frames::{Frames, Piece};
+use super::scribe::{Connection, Direction, Passed, Scribe};
 
 /// How many bytes are passed on at once.
 const ROOM: usize = 16 << 10;
 
 /// Passes the bytes of both directions on, unchanged, each side's end included.
 ///
-/// They are recorded before they are passed on, so that the recording has each message before what it causes. Recording waits
-/// for no file.
+/// They are passed on as they come, whatever they are: a copy goes to the recording, which nobody waits for. The copy is handed
+/// over before the bytes go out, so that the recording has each message before what it causes.
 #[derive(Debug)]
 pub(super) struct Pipe<'p> {
     pub(super) client: &'p TcpStream,
     pub(super) robot: &'p TcpStream,
-    pub(super) port: Port,
-    pub(super) track: &'p Track,
+    pub(super) connection: &'p Arc<Connection>,
+    pub(super) scribe: &'p Scribe,
 }
 
 /// How a direction ended.
@@ -44,7 +44,7 @@ impl Pipe<'_> {
         let client_left = AtomicBool::new(false);
         thread::scope(|scope| {
             let requests = || {
-                let end = pass(self.client, self.robot, |message| self.sent(message));
+                let end = self.pass(self.client, self.robot, Direction::ToRobot);
                 // How the robot's connection was lost, the other direction tells.
                 if end != End::ReceiverLost {
                     client_left.store(true, Ordering::Release);
@@ -54,22 +54,33 @@ impl Pipe<'_> {
             if thread::Builder::new().spawn_scoped(scope, requests).is_err() {
                 return;
             }
-            let end = pass(self.robot, self.client, |message| self.received(message));
+            let end = self.pass(self.robot, self.client, Direction::ToClient);
             self.closed(end, client_left.load(Ordering::Acquire));
             hand_on(end, self.robot, self.client);
         });
     }
 
-    fn sent(&self, piece: Piece<'_>) {
-        let (Piece::Message(bytes) | Piece::Stray(bytes)) = piece;
-        self.track.record(Event::Sent(Message::new(bytes)));
+    /// Passes the bytes of a direction on, to its end.
+    fn pass(&self, mut from: &TcpStream, mut to: &TcpStream, direction: Direction) -> End {
+        let mut room = vec![0; ROOM];
+        let end = loop {
+            let bytes = match from.read(&mut room) {
+                Ok(0) => break End::Eof,
+                Ok(n) => &room[..n],
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+                Err(_) => break End::SenderLost,
+            };
+            self.record(Passed::Bytes(direction, bytes.to_vec()));
+            if to.write_all(bytes).is_err() {
+                break End::ReceiverLost;
+            }
+        };
+        self.record(Passed::End(direction));
+        end
     }
 
-    fn received(&self, piece: Piece<'_>) {
-        match piece {
-            Piece::Message(bytes) if self.port == Port::Status => self.track.record_packet(Message::new(bytes)),
-            Piece::Message(bytes) | Piece::Stray(bytes) => self.track.record(Event::Received(Message::new(bytes))),
-        }
+    fn record(&self, passed: Passed) {
+        self.scribe.take(self.connection, passed);
     }
 
     fn closed(&self, end: End, client_left: bool) {
@@ -79,27 +90,8 @@ impl Pipe<'_> {
             End::Eof => (Ending::Controller, "the controller has closed it"),
             End::SenderLost => (Ending::Failure, "the controller's connection was lost"),
         };
-        self.track.record(Event::Closed { by, why: why.to_owned() });
+        self.record(Passed::Event(Event::Closed { by, why: why.to_owned() }));
     }
-}
-
-/// Passes the bytes of a direction on, to its end.
-fn pass(mut from: &TcpStream, mut to: &TcpStream, record: impl Fn(Piece<'_>)) -> End {
-    let (mut frames, mut room) = (Frames::default(), vec![0; ROOM]);
-    let end = loop {
-        let bytes = match from.read(&mut room) {
-            Ok(0) => break End::Eof,
-            Ok(n) => &room[..n],
-            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-            Err(_) => break End::SenderLost,
-        };
-        frames.take(bytes, &record);
-        if to.write_all(bytes).is_err() {
-            break End::ReceiverLost;
-        }
-    };
-    frames.finish(record);
-    end
 }
 
 /// Has the other side see that a direction has ended, and how.
