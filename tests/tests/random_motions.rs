@@ -227,6 +227,8 @@ enum Move {
 enum End {
     Joints(JointPosition),
     Pose(Pose),
+    /// The request does not tell it: `Reached` would be a guess.
+    Unknown,
 }
 
 fn any_move(random: &mut Random, state: &State, is_alone: bool) -> (Move, End) {
@@ -245,15 +247,20 @@ fn any_move(random: &mut Random, state: &State, is_alone: bool) -> (Move, End) {
     let zero = random.one_in(8);
     let turn: [f64; 6] = std::array::from_fn(|_| if zero { 0.0 } else { random.offset(4.0) });
     let joints: [f64; 6] = std::array::from_fn(|i| state.joint_position.0[i] + turn[i]);
-    match random.below(if is_alone { 7 } else { 3 }) {
+    let relative = |end: End| if is_alone { end } else { End::Unknown };
+    match random.below(if is_alone { 8 } else { 5 }) {
         0 | 1 => (Move::Joint(joint(MoveMode::Absolute, joints)), End::Joints(joints.into())),
         2 => (Move::Line(line(MoveMode::Absolute, there)), End::Pose(there)),
-        3 => (Move::Joint(joint(MoveMode::Relative, turn)), End::Joints(joints.into())),
+        3 => (Move::Joint(joint(MoveMode::Relative, turn)), relative(End::Joints(joints.into()))),
         4 => {
             let offset = Pose { x: by[0], y: by[1], z: by[2], rx: 0.0, ry: 0.0, rz: 0.0 };
-            (Move::Line(line(MoveMode::Relative, offset)), End::Pose(there))
+            (Move::Line(line(MoveMode::Relative, offset)), relative(End::Pose(there)))
         }
         5 => {
+            let turned = Pose { x: by[0], y: by[1], z: by[2], rx: 0.0, ry: 0.0, rz: 2.0 };
+            (Move::Line(line(MoveMode::Relative, turned)), End::Unknown)
+        }
+        6 => {
             let mid_pose =
                 Pose { x: at.x + by[0] / 2.0 + 4.0, y: at.y + by[1] / 2.0 - 3.0, z: at.z + by[2] / 2.0 + 4.0, ..at };
             let arc =
@@ -279,6 +286,7 @@ fn start(robot: &mut Robot, motion: &Move) -> Result<(), Error> {
 fn is_there(state: &State, end: &End) -> bool {
     match end {
         End::Joints(joints) => state.joint_position.max_distance(joints) <= CLOSE.0,
+        End::Unknown => false,
         End::Pose(pose) => state.tcp_pose.distance_mm(pose) <= CLOSE.1 && state.tcp_pose.angle_deg(pose) <= CLOSE.0,
     }
 }
