@@ -221,12 +221,29 @@ fn raw_is_what_came_also_where_it_does_not_fit() {
 }
 
 #[test]
-fn a_packet_that_does_not_fit_is_told() {
+fn a_field_that_does_not_fit_is_told_once_and_the_rest_is_printed() {
+    let (controller, args) = quiet_controller();
+    let (mut child, mut out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled,protective_stop", "-n3"]));
+    for _ in 0..2 {
+        controller.send_status(br#"{"len": 40, "enabled": [ ], "protective_stop": 1}"#);
+    }
+    let mut rest = String::new();
+    while out.read_line(&mut rest).unwrap() > 0 {}
+    assert_eq!(rest.matches("protective_stop").count(), 3, "{rest}");
+    assert_eq!(rest.matches("true").count(), 2, "{rest}");
+    let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
+    expect!["jaka: warning: field `enabled`: expected a truth value, found `[ ]`; it is left out"]
+        .assert_eq(&errors.join("\n"));
+    assert_eq!(end(child).code(), Some(0));
+}
+
+#[test]
+fn a_packet_that_cannot_be_read_is_told() {
     let (controller, args) = quiet_controller();
     let (mut child, _out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled"]));
-    controller.send_status(br#"{"enabled": [ ]}"#);
+    controller.send_status(br#"{"enabled" true}"#);
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
-    expect!["jaka: a status packet does not fit the spec: field `enabled`: expected a truth value, found `[ ]`"]
+    expect!["jaka: a status packet does not fit the spec: no JSON: expected `:` at byte 11, found `true}`"]
         .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
 }

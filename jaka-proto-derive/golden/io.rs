@@ -925,7 +925,7 @@ pub mod io {
     }
     impl wire::Decode for ExtioSetup {
         fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-            let start = reader.clone();
+            let start = reader.mark();
             reader.begin_array()?;
             match reader.element::<i64>("kind")? {
                 0 => {
@@ -947,7 +947,7 @@ pub mod io {
                     Ok(this)
                 }
                 _ => {
-                    *reader = start;
+                    reader.go_back(start);
                     wire::Decode::decode(reader).map(Self::Other)
                 }
             }
@@ -956,7 +956,7 @@ pub mod io {
             &mut self,
             reader: &mut wire::Reader<'_>,
         ) -> Result<(), wire::DecodeError> {
-            let start = reader.clone();
+            let start = reader.mark();
             reader.begin_array()?;
             match (reader.element::<i64>("kind")?, &mut *self) {
                 (0, Self::Rtu { name, connection, pins }) => {
@@ -972,7 +972,7 @@ pub mod io {
                     reader.end_array()
                 }
                 _ => {
-                    *reader = start;
+                    reader.go_back(start);
                     *self = wire::Decode::decode(reader)?;
                     Ok(())
                 }

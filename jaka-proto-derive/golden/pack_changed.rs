@@ -1071,7 +1071,7 @@ pub mod changed {
             reader: &mut wire::Reader<'_>,
         ) -> Result<(), wire::DecodeError> {
             let mut keys = reader
-                .begin_fields(
+                .begin_status(
                     &[
                         "\"len\":",
                         "\"drag_status\":",
@@ -1134,18 +1134,27 @@ pub mod changed {
                 )?;
             while let Some(key) = reader.next_field(&mut keys)? {
                 match key {
-                    0 => reader.field_into("length", &mut self.length, &mut keys)?,
+                    0 => reader.status_field_into("length", &mut self.length, &mut keys)?,
                     1 => {
                         reader
-                            .field_into("drag_status", &mut self.drag_status, &mut keys)?
+                            .status_field_into(
+                                "drag_status",
+                                &mut self.drag_status,
+                                &mut keys,
+                            )?
                     }
-                    2 => reader.field_into("extio", &mut self.extio, &mut keys)?,
+                    2 => reader.status_field_into("extio", &mut self.extio, &mut keys)?,
                     3 => {
-                        reader.field_into("error_code", &mut self.error_code, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "error_code",
+                                &mut self.error_code,
+                                &mut keys,
+                            )?
                     }
                     4 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "error_message",
                                 &mut self.error_message,
                                 &mut keys,
@@ -1153,7 +1162,7 @@ pub mod changed {
                     }
                     5 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "monitor_data",
                                 &mut self.monitor_data,
                                 &mut keys,
@@ -1161,7 +1170,7 @@ pub mod changed {
                     }
                     6 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "torque_sensor",
                                 &mut self.torque_sensor,
                                 &mut keys,
@@ -1169,7 +1178,7 @@ pub mod changed {
                     }
                     7 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "joint_actual_position",
                                 &mut self.joint_actual_position,
                                 &mut keys,
@@ -1177,7 +1186,7 @@ pub mod changed {
                     }
                     8 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "actual_position",
                                 &mut self.actual_position,
                                 &mut keys,
@@ -1185,7 +1194,7 @@ pub mod changed {
                     }
                     9 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "digital_inputs",
                                 &mut self.digital_inputs,
                                 &mut keys,
@@ -1193,7 +1202,7 @@ pub mod changed {
                     }
                     10 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "digital_outputs",
                                 &mut self.digital_outputs,
                                 &mut keys,
@@ -1201,7 +1210,7 @@ pub mod changed {
                     }
                     11 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "analog_inputs",
                                 &mut self.analog_inputs,
                                 &mut keys,
@@ -1209,7 +1218,7 @@ pub mod changed {
                     }
                     12 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "analog_outputs",
                                 &mut self.analog_outputs,
                                 &mut keys,
@@ -1217,7 +1226,7 @@ pub mod changed {
                     }
                     13 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_digital_inputs",
                                 &mut self.tool_digital_inputs,
                                 &mut keys,
@@ -1225,7 +1234,7 @@ pub mod changed {
                     }
                     14 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_digital_outputs",
                                 &mut self.tool_digital_outputs,
                                 &mut keys,
@@ -1233,33 +1242,55 @@ pub mod changed {
                     }
                     15 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_analog_inputs",
                                 &mut self.tool_analog_inputs,
                                 &mut keys,
                             )?
                     }
                     16 => {
-                        reader.field_into("task_state", &mut self.task_state, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "task_state",
+                                &mut self.task_state,
+                                &mut keys,
+                            )?
                     }
-                    17 => reader.field_into("homed", &mut self.homed, &mut keys)?,
-                    18 => reader.field_into("task_mode", &mut self.task_mode, &mut keys)?,
+                    17 => reader.status_field_into("homed", &mut self.homed, &mut keys)?,
+                    18 => {
+                        reader
+                            .status_field_into(
+                                "task_mode",
+                                &mut self.task_mode,
+                                &mut keys,
+                            )?
+                    }
                     19 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "interpreter_state",
                                 &mut self.interpreter_state,
                                 &mut keys,
                             )?
                     }
-                    20 => reader.field_into("enabled", &mut self.enabled, &mut keys)?,
-                    21 => reader.field_into("paused", &mut self.paused, &mut keys)?,
+                    20 => {
+                        reader
+                            .status_field_into("enabled", &mut self.enabled, &mut keys)?
+                    }
+                    21 => {
+                        reader.status_field_into("paused", &mut self.paused, &mut keys)?
+                    }
                     22 => {
-                        reader.field_into("rapid_rate", &mut self.rapid_rate, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "rapid_rate",
+                                &mut self.rapid_rate,
+                                &mut keys,
+                            )?
                     }
                     23 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "current_tool_id",
                                 &mut self.current_tool_id,
                                 &mut keys,
@@ -1267,7 +1298,7 @@ pub mod changed {
                     }
                     24 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "current_user_frame_id",
                                 &mut self.current_user_frame_id,
                                 &mut keys,
@@ -1275,7 +1306,7 @@ pub mod changed {
                     }
                     25 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "on_soft_limit",
                                 &mut self.on_soft_limit,
                                 &mut keys,
@@ -1283,7 +1314,7 @@ pub mod changed {
                     }
                     26 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "emergency_stop",
                                 &mut self.emergency_stop,
                                 &mut keys,
@@ -1291,7 +1322,7 @@ pub mod changed {
                     }
                     27 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "drag_near_limit",
                                 &mut self.drag_near_limit,
                                 &mut keys,
@@ -1299,36 +1330,63 @@ pub mod changed {
                     }
                     28 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "function_inputs",
                                 &mut self.function_inputs,
                                 &mut keys,
                             )?
                     }
                     29 => {
-                        reader.field_into("powered_on", &mut self.powered_on, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "powered_on",
+                                &mut self.powered_on,
+                                &mut keys,
+                            )?
                     }
                     30 => {
                         reader
-                            .field_into("in_position", &mut self.in_position, &mut keys)?
+                            .status_field_into(
+                                "in_position",
+                                &mut self.in_position,
+                                &mut keys,
+                            )?
                     }
                     31 => {
                         reader
-                            .field_into("motion_mode", &mut self.motion_mode, &mut keys)?
+                            .status_field_into(
+                                "motion_mode",
+                                &mut self.motion_mode,
+                                &mut keys,
+                            )?
                     }
-                    32 => reader.field_into("tcp_speed", &mut self.tcp_speed, &mut keys)?,
+                    32 => {
+                        reader
+                            .status_field_into(
+                                "tcp_speed",
+                                &mut self.tcp_speed,
+                                &mut keys,
+                            )?
+                    }
                     33 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "protective_stop",
                                 &mut self.protective_stop,
                                 &mut keys,
                             )?
                     }
-                    34 => reader.field_into("point_key", &mut self.point_key, &mut keys)?,
+                    34 => {
+                        reader
+                            .status_field_into(
+                                "point_key",
+                                &mut self.point_key,
+                                &mut keys,
+                            )?
+                    }
                     35 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "network_state",
                                 &mut self.network_state,
                                 &mut keys,
@@ -1336,7 +1394,7 @@ pub mod changed {
                     }
                     36 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "joint_commanded_position",
                                 &mut self.joint_commanded_position,
                                 &mut keys,
@@ -1344,16 +1402,23 @@ pub mod changed {
                     }
                     37 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "commanded_position",
                                 &mut self.commanded_position,
                                 &mut keys,
                             )?
                     }
-                    38 => reader.field_into("tool_keys", &mut self.tool_keys, &mut keys)?,
+                    38 => {
+                        reader
+                            .status_field_into(
+                                "tool_keys",
+                                &mut self.tool_keys,
+                                &mut keys,
+                            )?
+                    }
                     39 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "instantaneous_velocities",
                                 &mut self.instantaneous_velocities,
                                 &mut keys,
@@ -1361,7 +1426,7 @@ pub mod changed {
                     }
                     40 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "relay_outputs",
                                 &mut self.relay_outputs,
                                 &mut keys,
@@ -1369,7 +1434,7 @@ pub mod changed {
                     }
                     41 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_digital_inputs",
                                 &mut self.modbus_slave_digital_inputs,
                                 &mut keys,
@@ -1377,7 +1442,7 @@ pub mod changed {
                     }
                     42 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_digital_outputs",
                                 &mut self.modbus_slave_digital_outputs,
                                 &mut keys,
@@ -1385,7 +1450,7 @@ pub mod changed {
                     }
                     43 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_analog_inputs",
                                 &mut self.modbus_slave_analog_inputs,
                                 &mut keys,
@@ -1393,7 +1458,7 @@ pub mod changed {
                     }
                     44 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_analog_outputs",
                                 &mut self.modbus_slave_analog_outputs,
                                 &mut keys,
@@ -1401,7 +1466,7 @@ pub mod changed {
                     }
                     45 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_digital_inputs",
                                 &mut self.profinet_device_digital_inputs,
                                 &mut keys,
@@ -1409,7 +1474,7 @@ pub mod changed {
                     }
                     46 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_digital_outputs",
                                 &mut self.profinet_device_digital_outputs,
                                 &mut keys,
@@ -1417,7 +1482,7 @@ pub mod changed {
                     }
                     47 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_analog_inputs",
                                 &mut self.profinet_device_analog_inputs,
                                 &mut keys,
@@ -1425,7 +1490,7 @@ pub mod changed {
                     }
                     48 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_analog_outputs",
                                 &mut self.profinet_device_analog_outputs,
                                 &mut keys,
@@ -1433,7 +1498,7 @@ pub mod changed {
                     }
                     49 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_digital_inputs",
                                 &mut self.ethernet_ip_adapter_digital_inputs,
                                 &mut keys,
@@ -1441,7 +1506,7 @@ pub mod changed {
                     }
                     50 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_digital_outputs",
                                 &mut self.ethernet_ip_adapter_digital_outputs,
                                 &mut keys,
@@ -1449,7 +1514,7 @@ pub mod changed {
                     }
                     51 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_analog_inputs",
                                 &mut self.ethernet_ip_adapter_analog_inputs,
                                 &mut keys,
@@ -1457,7 +1522,7 @@ pub mod changed {
                     }
                     52 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_analog_outputs",
                                 &mut self.ethernet_ip_adapter_analog_outputs,
                                 &mut keys,
@@ -1465,7 +1530,7 @@ pub mod changed {
                     }
                     53 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_rs_signals",
                                 &mut self.tool_rs_signals,
                                 &mut keys,
@@ -1473,11 +1538,15 @@ pub mod changed {
                     }
                     54 => {
                         reader
-                            .field_into("motion_line", &mut self.motion_line, &mut keys)?
+                            .status_field_into(
+                                "motion_line",
+                                &mut self.motion_line,
+                                &mut keys,
+                            )?
                     }
                     55 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "error_add_line",
                                 &mut self.error_add_line,
                                 &mut keys,
@@ -1485,9 +1554,13 @@ pub mod changed {
                     }
                     56 => {
                         reader
-                            .field_into("brake_state", &mut self.brake_state, &mut keys)?
+                            .status_field_into(
+                                "brake_state",
+                                &mut self.brake_state,
+                                &mut keys,
+                            )?
                     }
-                    _ => reader.skip()?,
+                    _ => reader.skip_unknown(&keys)?,
                 }
             }
             keys.absent(0, &mut self.length);

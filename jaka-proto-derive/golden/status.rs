@@ -716,7 +716,7 @@ pub mod status {
             reader: &mut wire::Reader<'_>,
         ) -> Result<(), wire::DecodeError> {
             let mut keys = reader
-                .begin_fields(
+                .begin_status(
                     &[
                         "\"len\":",
                         "\"drag_status\":",
@@ -778,18 +778,27 @@ pub mod status {
                 )?;
             while let Some(key) = reader.next_field(&mut keys)? {
                 match key {
-                    0 => reader.field_into("length", &mut self.length, &mut keys)?,
+                    0 => reader.status_field_into("length", &mut self.length, &mut keys)?,
                     1 => {
                         reader
-                            .field_into("drag_status", &mut self.drag_status, &mut keys)?
+                            .status_field_into(
+                                "drag_status",
+                                &mut self.drag_status,
+                                &mut keys,
+                            )?
                     }
-                    2 => reader.field_into("extio", &mut self.extio, &mut keys)?,
+                    2 => reader.status_field_into("extio", &mut self.extio, &mut keys)?,
                     3 => {
-                        reader.field_into("error_code", &mut self.error_code, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "error_code",
+                                &mut self.error_code,
+                                &mut keys,
+                            )?
                     }
                     4 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "error_message",
                                 &mut self.error_message,
                                 &mut keys,
@@ -797,7 +806,7 @@ pub mod status {
                     }
                     5 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "monitor_data",
                                 &mut self.monitor_data,
                                 &mut keys,
@@ -805,7 +814,7 @@ pub mod status {
                     }
                     6 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "torque_sensor",
                                 &mut self.torque_sensor,
                                 &mut keys,
@@ -813,7 +822,7 @@ pub mod status {
                     }
                     7 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "joint_actual_position",
                                 &mut self.joint_actual_position,
                                 &mut keys,
@@ -821,7 +830,7 @@ pub mod status {
                     }
                     8 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "actual_position",
                                 &mut self.actual_position,
                                 &mut keys,
@@ -829,7 +838,7 @@ pub mod status {
                     }
                     9 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "digital_inputs",
                                 &mut self.digital_inputs,
                                 &mut keys,
@@ -837,7 +846,7 @@ pub mod status {
                     }
                     10 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "digital_outputs",
                                 &mut self.digital_outputs,
                                 &mut keys,
@@ -845,7 +854,7 @@ pub mod status {
                     }
                     11 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "analog_inputs",
                                 &mut self.analog_inputs,
                                 &mut keys,
@@ -853,7 +862,7 @@ pub mod status {
                     }
                     12 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "analog_outputs",
                                 &mut self.analog_outputs,
                                 &mut keys,
@@ -861,7 +870,7 @@ pub mod status {
                     }
                     13 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_digital_inputs",
                                 &mut self.tool_digital_inputs,
                                 &mut keys,
@@ -869,7 +878,7 @@ pub mod status {
                     }
                     14 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_digital_outputs",
                                 &mut self.tool_digital_outputs,
                                 &mut keys,
@@ -877,33 +886,55 @@ pub mod status {
                     }
                     15 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_analog_inputs",
                                 &mut self.tool_analog_inputs,
                                 &mut keys,
                             )?
                     }
                     16 => {
-                        reader.field_into("task_state", &mut self.task_state, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "task_state",
+                                &mut self.task_state,
+                                &mut keys,
+                            )?
                     }
-                    17 => reader.field_into("homed", &mut self.homed, &mut keys)?,
-                    18 => reader.field_into("task_mode", &mut self.task_mode, &mut keys)?,
+                    17 => reader.status_field_into("homed", &mut self.homed, &mut keys)?,
+                    18 => {
+                        reader
+                            .status_field_into(
+                                "task_mode",
+                                &mut self.task_mode,
+                                &mut keys,
+                            )?
+                    }
                     19 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "interpreter_state",
                                 &mut self.interpreter_state,
                                 &mut keys,
                             )?
                     }
-                    20 => reader.field_into("enabled", &mut self.enabled, &mut keys)?,
-                    21 => reader.field_into("paused", &mut self.paused, &mut keys)?,
+                    20 => {
+                        reader
+                            .status_field_into("enabled", &mut self.enabled, &mut keys)?
+                    }
+                    21 => {
+                        reader.status_field_into("paused", &mut self.paused, &mut keys)?
+                    }
                     22 => {
-                        reader.field_into("rapid_rate", &mut self.rapid_rate, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "rapid_rate",
+                                &mut self.rapid_rate,
+                                &mut keys,
+                            )?
                     }
                     23 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "current_tool_id",
                                 &mut self.current_tool_id,
                                 &mut keys,
@@ -911,7 +942,7 @@ pub mod status {
                     }
                     24 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "current_user_frame_id",
                                 &mut self.current_user_frame_id,
                                 &mut keys,
@@ -919,7 +950,7 @@ pub mod status {
                     }
                     25 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "on_soft_limit",
                                 &mut self.on_soft_limit,
                                 &mut keys,
@@ -927,7 +958,7 @@ pub mod status {
                     }
                     26 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "emergency_stop",
                                 &mut self.emergency_stop,
                                 &mut keys,
@@ -935,7 +966,7 @@ pub mod status {
                     }
                     27 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "drag_near_limit",
                                 &mut self.drag_near_limit,
                                 &mut keys,
@@ -943,36 +974,63 @@ pub mod status {
                     }
                     28 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "function_inputs",
                                 &mut self.function_inputs,
                                 &mut keys,
                             )?
                     }
                     29 => {
-                        reader.field_into("powered_on", &mut self.powered_on, &mut keys)?
+                        reader
+                            .status_field_into(
+                                "powered_on",
+                                &mut self.powered_on,
+                                &mut keys,
+                            )?
                     }
                     30 => {
                         reader
-                            .field_into("in_position", &mut self.in_position, &mut keys)?
+                            .status_field_into(
+                                "in_position",
+                                &mut self.in_position,
+                                &mut keys,
+                            )?
                     }
                     31 => {
                         reader
-                            .field_into("motion_mode", &mut self.motion_mode, &mut keys)?
+                            .status_field_into(
+                                "motion_mode",
+                                &mut self.motion_mode,
+                                &mut keys,
+                            )?
                     }
-                    32 => reader.field_into("tcp_speed", &mut self.tcp_speed, &mut keys)?,
+                    32 => {
+                        reader
+                            .status_field_into(
+                                "tcp_speed",
+                                &mut self.tcp_speed,
+                                &mut keys,
+                            )?
+                    }
                     33 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "protective_stop",
                                 &mut self.protective_stop,
                                 &mut keys,
                             )?
                     }
-                    34 => reader.field_into("point_key", &mut self.point_key, &mut keys)?,
+                    34 => {
+                        reader
+                            .status_field_into(
+                                "point_key",
+                                &mut self.point_key,
+                                &mut keys,
+                            )?
+                    }
                     35 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "network_state",
                                 &mut self.network_state,
                                 &mut keys,
@@ -980,7 +1038,7 @@ pub mod status {
                     }
                     36 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "joint_commanded_position",
                                 &mut self.joint_commanded_position,
                                 &mut keys,
@@ -988,16 +1046,23 @@ pub mod status {
                     }
                     37 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "commanded_position",
                                 &mut self.commanded_position,
                                 &mut keys,
                             )?
                     }
-                    38 => reader.field_into("tool_keys", &mut self.tool_keys, &mut keys)?,
+                    38 => {
+                        reader
+                            .status_field_into(
+                                "tool_keys",
+                                &mut self.tool_keys,
+                                &mut keys,
+                            )?
+                    }
                     39 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "instantaneous_velocities",
                                 &mut self.instantaneous_velocities,
                                 &mut keys,
@@ -1005,7 +1070,7 @@ pub mod status {
                     }
                     40 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "relay_outputs",
                                 &mut self.relay_outputs,
                                 &mut keys,
@@ -1013,7 +1078,7 @@ pub mod status {
                     }
                     41 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_digital_inputs",
                                 &mut self.modbus_slave_digital_inputs,
                                 &mut keys,
@@ -1021,7 +1086,7 @@ pub mod status {
                     }
                     42 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_digital_outputs",
                                 &mut self.modbus_slave_digital_outputs,
                                 &mut keys,
@@ -1029,7 +1094,7 @@ pub mod status {
                     }
                     43 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_analog_inputs",
                                 &mut self.modbus_slave_analog_inputs,
                                 &mut keys,
@@ -1037,7 +1102,7 @@ pub mod status {
                     }
                     44 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "modbus_slave_analog_outputs",
                                 &mut self.modbus_slave_analog_outputs,
                                 &mut keys,
@@ -1045,7 +1110,7 @@ pub mod status {
                     }
                     45 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_digital_inputs",
                                 &mut self.profinet_device_digital_inputs,
                                 &mut keys,
@@ -1053,7 +1118,7 @@ pub mod status {
                     }
                     46 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_digital_outputs",
                                 &mut self.profinet_device_digital_outputs,
                                 &mut keys,
@@ -1061,7 +1126,7 @@ pub mod status {
                     }
                     47 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_analog_inputs",
                                 &mut self.profinet_device_analog_inputs,
                                 &mut keys,
@@ -1069,7 +1134,7 @@ pub mod status {
                     }
                     48 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "profinet_device_analog_outputs",
                                 &mut self.profinet_device_analog_outputs,
                                 &mut keys,
@@ -1077,7 +1142,7 @@ pub mod status {
                     }
                     49 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_digital_inputs",
                                 &mut self.ethernet_ip_adapter_digital_inputs,
                                 &mut keys,
@@ -1085,7 +1150,7 @@ pub mod status {
                     }
                     50 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_digital_outputs",
                                 &mut self.ethernet_ip_adapter_digital_outputs,
                                 &mut keys,
@@ -1093,7 +1158,7 @@ pub mod status {
                     }
                     51 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_analog_inputs",
                                 &mut self.ethernet_ip_adapter_analog_inputs,
                                 &mut keys,
@@ -1101,7 +1166,7 @@ pub mod status {
                     }
                     52 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "ethernet_ip_adapter_analog_outputs",
                                 &mut self.ethernet_ip_adapter_analog_outputs,
                                 &mut keys,
@@ -1109,7 +1174,7 @@ pub mod status {
                     }
                     53 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "tool_rs_signals",
                                 &mut self.tool_rs_signals,
                                 &mut keys,
@@ -1117,17 +1182,21 @@ pub mod status {
                     }
                     54 => {
                         reader
-                            .field_into("motion_line", &mut self.motion_line, &mut keys)?
+                            .status_field_into(
+                                "motion_line",
+                                &mut self.motion_line,
+                                &mut keys,
+                            )?
                     }
                     55 => {
                         reader
-                            .field_into(
+                            .status_field_into(
                                 "error_add_line",
                                 &mut self.error_add_line,
                                 &mut keys,
                             )?
                     }
-                    _ => reader.skip()?,
+                    _ => reader.skip_unknown(&keys)?,
                 }
             }
             keys.absent(0, &mut self.length);
@@ -1829,7 +1898,7 @@ pub mod status {
     }
     impl wire::Decode for ExtioReportSetup {
         fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-            let start = reader.clone();
+            let start = reader.mark();
             reader.begin_array()?;
             match reader.element::<i64>("kind")? {
                 0 => {
@@ -1851,7 +1920,7 @@ pub mod status {
                     Ok(this)
                 }
                 _ => {
-                    *reader = start;
+                    reader.go_back(start);
                     wire::Decode::decode(reader).map(Self::Other)
                 }
             }
@@ -1860,7 +1929,7 @@ pub mod status {
             &mut self,
             reader: &mut wire::Reader<'_>,
         ) -> Result<(), wire::DecodeError> {
-            let start = reader.clone();
+            let start = reader.mark();
             reader.begin_array()?;
             match (reader.element::<i64>("kind")?, &mut *self) {
                 (0, Self::Rtu { name, connection, pins }) => {
@@ -1876,7 +1945,7 @@ pub mod status {
                     reader.end_array()
                 }
                 _ => {
-                    *reader = start;
+                    reader.go_back(start);
                     *self = wire::Decode::decode(reader)?;
                     Ok(())
                 }
@@ -2415,7 +2484,7 @@ pub mod status {
     }
     impl wire::Decode for TorqueSensorSettings {
         fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-            let start = reader.clone();
+            let start = reader.mark();
             reader.begin_array()?;
             match reader.element::<i64>("kind")? {
                 0 => {
@@ -2435,7 +2504,7 @@ pub mod status {
                     Ok(this)
                 }
                 _ => {
-                    *reader = start;
+                    reader.go_back(start);
                     wire::Decode::decode(reader).map(Self::Other)
                 }
             }
@@ -2444,7 +2513,7 @@ pub mod status {
             &mut self,
             reader: &mut wire::Reader<'_>,
         ) -> Result<(), wire::DecodeError> {
-            let start = reader.clone();
+            let start = reader.mark();
             reader.begin_array()?;
             match (reader.element::<i64>("kind")?, &mut *self) {
                 (0, Self::Tcp { connection, payload }) => {
@@ -2458,7 +2527,7 @@ pub mod status {
                     reader.end_array()
                 }
                 _ => {
-                    *reader = start;
+                    reader.go_back(start);
                     *self = wire::Decode::decode(reader)?;
                     Ok(())
                 }

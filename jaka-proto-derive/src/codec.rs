@@ -176,12 +176,42 @@ fn is_truth(ty: &Type) -> bool {
     }
 }
 
+/// How an object is read.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Manner {
+    /// A value that does not fit is an error.
+    Strict,
+    /// A status packet: a value that does not fit is left out.
+    Status,
+    /// The same, and the values of other keys are not looked at.
+    StatusSubset,
+}
+
+impl Manner {
+    /// How a named type is read.
+    pub(crate) fn of(type_name: &str) -> Self {
+        if type_name == STATUS { Self::Status } else { Self::Strict }
+    }
+
+    /// How the reader goes to the next key.
+    fn next(self) -> TokenStream {
+        if self == Self::StatusSubset { quote!(next_wanted) } else { quote!(next_field) }
+    }
+}
+
+/// The spec's name of the status packet.
+pub(crate) const STATUS: &str = "RobotStatus";
+
 /// Statements and an expression that read an object and construct `constructor` from its fields.
-pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenStream {
+pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream, manner: Manner) -> TokenStream {
     let names = names(fields);
     let arms = fields.iter().enumerate().map(|(at, field)| {
         let (name, method) = (ident(&field.name), read_method(field));
-        arm(at, field, &method, &quote!(&mut #name))
+        if manner == Manner::Strict || !field.optional {
+            return arm(at, field, &method, &quote!(&mut #name));
+        }
+        let (text, at, read) = (&field.name, Literal::usize_unsuffixed(at), read_call(field, &method, &quote!(slot)));
+        quote!(#at => reader.status_field(#text, &mut #name, &keys, |reader, slot| #read)?,)
     });
     let values = fields.iter().map(|field| {
         let name = ident(&field.name);
@@ -191,7 +221,7 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
         let (text, key) = (&field.name, &field.wire);
         quote!(#name: #name.ok_or_else(|| wire::DecodeError::missing(#text, #key))?)
     });
-    let walk = walk_object(fields, arms, &quote!(next_field));
+    let walk = walk_object(fields, arms, manner);
     quote! {
         #(let mut #names = None;)*
         #walk
@@ -199,14 +229,15 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream) -> TokenS
     }
 }
 
-/// The same over the fields of `self`, whose memory is used again; `next` is how the reader goes to the next key.
-pub(crate) fn read_object_in_place(fields: &[Field], next: &TokenStream) -> TokenStream {
+/// The same over the fields of `self`, whose memory is used again.
+pub(crate) fn read_object_in_place(fields: &[Field], manner: Manner) -> TokenStream {
     let arms = fields.iter().enumerate().map(|(at, field)| {
         let name = ident(&field.name);
         if !field.optional {
             return arm(at, field, &quote!(required_into), &quote!(&mut self.#name, &mut keys));
         }
-        arm(at, field, &quote!(field_into), &quote!(&mut self.#name, &mut keys))
+        let method = if manner == Manner::Strict { quote!(field_into) } else { quote!(status_field_into) };
+        arm(at, field, &method, &quote!(&mut self.#name, &mut keys))
     });
     let ends = fields.iter().enumerate().map(|(at, field)| {
         let (name, at) = (ident(&field.name), Literal::usize_unsuffixed(at));
@@ -216,7 +247,7 @@ pub(crate) fn read_object_in_place(fields: &[Field], next: &TokenStream) -> Toke
         let (text, key) = (&field.name, &field.wire);
         quote!(keys.required(#at, #text, #key)?;)
     });
-    let walk = walk_object(fields, arms, next);
+    let walk = walk_object(fields, arms, manner);
     quote! {
         #walk
         #(#ends)*
@@ -234,27 +265,38 @@ pub(crate) fn in_place(fields: &[Field]) -> bool {
 const MAX_IN_PLACE: usize = 128;
 
 /// Goes through an object, and leaves the value of each known key to its arm.
-fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, next: &TokenStream) -> TokenStream {
+fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, manner: Manner) -> TokenStream {
     let keys = fields.iter().map(Field::key);
+    let (begin, skip) = match manner {
+        Manner::Strict => (quote!(begin_fields), quote!(skip())),
+        Manner::Status | Manner::StatusSubset => (quote!(begin_status), quote!(skip_unknown(&keys))),
+    };
+    let next = manner.next();
     quote! {
-        let mut keys = reader.begin_fields(&[#(#keys),*])?;
+        let mut keys = reader.#begin(&[#(#keys),*])?;
         while let Some(key) = reader.#next(&mut keys)? {
             match key {
                 #(#arms)*
-                _ => reader.skip()?,
+                _ => reader.#skip?,
             }
         }
     }
 }
 
 fn arm(at: usize, field: &Field, method: &TokenStream, slot: &TokenStream) -> TokenStream {
-    let (at, text) = (Literal::usize_unsuffixed(at), &field.name);
+    let (at, read) = (Literal::usize_unsuffixed(at), read_call(field, method, slot));
+    quote!(#at => #read?,)
+}
+
+/// The call that reads a field into a slot.
+fn read_call(field: &Field, method: &TokenStream, slot: &TokenStream) -> TokenStream {
+    let text = &field.name;
     match &field.ty {
         Type::Bool { off, on } if field.ty.has_words() => {
             let (off, on) = (off.trim_matches('"'), on.trim_matches('"'));
-            quote!(#at => reader.#method(#text, #slot, #off, #on)?,)
+            quote!(reader.#method(#text, #slot, #off, #on))
         }
-        _ => quote!(#at => reader.#method(#text, #slot)?,),
+        _ => quote!(reader.#method(#text, #slot)),
     }
 }
 

@@ -7,10 +7,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Token, braced, bracketed, parenthesized};
 
-use crate::codec::{Scope, read_object_in_place};
-
-/// The spec's name of the status packet.
-const STATUS: &str = "RobotStatus";
+use crate::codec::{Manner, STATUS, Scope, read_object_in_place};
 
 /// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the fields.
 pub(crate) struct Input {
@@ -40,7 +37,7 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let scope = Scope { spec: &spec, topic: None, elsewhere: sync, wire: &wire };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
-    let read = read_object_in_place(&fields, &quote!(next_wanted));
+    let read = read_object_in_place(&fields, Manner::StatusSubset);
     Ok(quote! {
         #[derive(Debug, Clone, #copy PartialEq, Default)]
         #[allow(unreachable_pub)]

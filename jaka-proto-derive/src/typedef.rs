@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::codec::{
-    Scope, declare_variants, ident, in_place, names, read_array, read_array_in_place, read_object,
+    Manner, Scope, declare_variants, ident, in_place, names, read_array, read_array_in_place, read_object,
     read_object_in_place, variant_path, write_array, write_further_elements, write_further_fields, write_object,
     write_type,
 };
@@ -18,8 +18,10 @@ pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let docs = docs::attributes(&def.doc);
     let item = match &def.kind {
-        TypeKind::Object(fields) if is_used_again(scope, fields) => object_in_place(scope, &name, &docs, fields),
-        TypeKind::Object(fields) => object(scope, &name, &docs, fields),
+        TypeKind::Object(fields) if is_used_again(scope, fields) => {
+            object_in_place(scope, &name, &docs, fields, Manner::of(&def.name))
+        }
+        TypeKind::Object(fields) => plain_object(scope, &name, &docs, fields, Manner::of(&def.name)),
         TypeKind::Array { fields, exact } => array(scope, &name, &docs, fields, *exact),
         TypeKind::IntEnum(values) => int_enum(&name, &docs, values),
         TypeKind::TextEnum(values) => text_enum(&name, &docs, values),
@@ -44,12 +46,22 @@ fn is_used_again(scope: Scope<'_>, fields: &[Field]) -> bool {
 
 /// A struct whose fields stand in a JSON object, and its codec.
 pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
-    let item = object_with(scope, name, docs, fields, &read_fields(fields));
+    plain_object(scope, name, docs, fields, Manner::Strict)
+}
+
+fn plain_object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], manner: Manner) -> TokenStream {
+    let item = object_with(scope, name, docs, fields, &read_fields(fields, manner));
     quote!(#item proto::__object_impls!(#name);)
 }
 
 /// The same, read in place as well.
-fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
+fn object_in_place(
+    scope: Scope<'_>,
+    name: &Ident,
+    docs: &TokenStream,
+    fields: &[Field],
+    manner: Manner,
+) -> TokenStream {
     let is_empty_at_first = fields.iter().all(|field| field.optional);
     let read = if is_empty_at_first {
         quote! {
@@ -60,9 +72,9 @@ fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &
             }
         }
     } else {
-        read_fields(fields)
+        read_fields(fields, manner)
     };
-    let read_in_place = read_object_in_place(fields, &quote!(next_field));
+    let read_in_place = read_object_in_place(fields, manner);
     let read = quote! {
         #read
 
@@ -72,8 +84,8 @@ fn object_in_place(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &
     quote!(#item proto::__object_impls!(#name, in_place);)
 }
 
-fn read_fields(fields: &[Field]) -> TokenStream {
-    let read = read_object(fields, &quote!(Self));
+fn read_fields(fields: &[Field], manner: Manner) -> TokenStream {
+    let read = read_object(fields, &quote!(Self), manner);
     quote!(fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> { #read })
 }
 
@@ -316,12 +328,12 @@ fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Cho
         quote!((#tag, #path { #(#names),* }) => { #read })
     });
     let in_place = decode_into(&quote! {
-        let start = reader.clone();
+        let start = reader.mark();
         reader.begin_array()?;
         match (reader.element::<i64>("kind")?, &mut *self) {
             #(#read_in_place)*
             _ => {
-                *reader = start;
+                reader.go_back(start);
                 *self = wire::Decode::decode(reader)?;
                 Ok(())
             }
@@ -349,12 +361,12 @@ fn array_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Cho
 
         impl wire::Decode for #name {
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                let start = reader.clone();
+                let start = reader.mark();
                 reader.begin_array()?;
                 match reader.element::<i64>("kind")? {
                     #(#read)*
                     _ => {
-                        *reader = start;
+                        reader.go_back(start);
                         wire::Decode::decode(reader).map(Self::Other)
                     }
                 }
@@ -380,7 +392,7 @@ pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, 
         quote!(#path { #(#names),* } => { out.key(#tag); #write })
     });
     let read = choice.variants.iter().map(|variant| {
-        let (value, read) = (tag(variant), read_object(&variant.fields, &variant_path(variant)));
+        let (value, read) = (tag(variant), read_object(&variant.fields, &variant_path(variant), Manner::Strict));
         quote!(#value => { #read })
     });
     let known: Vec<_> = choice.variants.iter().map(|variant| variant.wire.to_string()).collect();

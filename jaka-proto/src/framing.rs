@@ -8,9 +8,11 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Range;
 
-use memchr::memchr;
+use memchr::{memchr, memmem};
 
 use crate::near::first_of;
+
+pub use self::text::text;
 
 /// The longest frame, in bytes, that [`Framer::default`] lets pass: 1 MiB, some seventy times the longest seen.
 pub const DEFAULT_MAX_FRAME: usize = 1 << 20;
@@ -43,6 +45,7 @@ const EXCERPT: usize = 64;
 /// # Ok::<(), jaka_proto::framing::FrameError>(())
 /// ```
 pub struct Framer {
+    stream: Stream,
     /// Bytes taken and given: `..start` is consumed, `start..scan` visited, `scan..end` received, `end..` room.
     buffer: Vec<u8>,
     start: usize,
@@ -57,7 +60,34 @@ pub struct Framer {
 impl Framer {
     /// Makes a framer that refuses frames longer than `max_frame` bytes.
     pub fn new(max_frame: usize) -> Self {
-        Self { buffer: Vec::new(), start: 0, scan: 0, end: 0, state: State::Gap, error: None, max_frame, visited: 0 }
+        Self::with_stream(max_frame, Stream::Replies)
+    }
+
+    /// Makes a framer for status packets, which finds the next one behind a packet that was cut.
+    ///
+    /// A cut packet does not end: whatever follows would stand inside it. So `{"len"`, with which each packet begins, is a
+    /// [`Cut`](FrameError::Cut) where no JSON has it: inside a string, or behind something after which no object can come.
+    /// [`resync`](Self::resync) then goes on there. An object inside a packet that begins so is left in peace; a packet behind
+    /// one that was cut where an object may stand is lost with it. What is in a packet's text is no mark, since quotes
+    /// are escaped there.
+    ///
+    /// ```
+    /// use jaka_proto::framing::{FrameError, Framer};
+    ///
+    /// let mut framer = Framer::for_status(1000);
+    /// framer.push(br#"{"len": 40, "errmsg": "cut he{"len": 27, "enabled": true}"#);
+    /// assert!(matches!(framer.next_frame(), Err(FrameError::Cut { .. })));
+    /// assert_eq!(framer.resync(), 30);
+    /// assert_eq!(framer.next_frame()?, Some(br#"{"len": 27, "enabled": true}"#.as_slice()));
+    /// # Ok::<(), FrameError>(())
+    /// ```
+    pub fn for_status(max_frame: usize) -> Self {
+        Self::with_stream(max_frame, Stream::Status)
+    }
+
+    fn with_stream(max_frame: usize, stream: Stream) -> Self {
+        let state = State::Gap;
+        Self { stream, buffer: Vec::new(), start: 0, scan: 0, end: 0, state, error: None, max_frame, visited: 0 }
     }
 
     /// Room to read a socket into, at least 8 KiB; [`filled`](Self::filled) then says how much was read.
@@ -105,18 +135,33 @@ impl Framer {
     /// Leaves the error state for the next `{` behind the error, and returns how many bytes it dropped at once.
     ///
     /// For streams that are only read, such as port 10000. Garbage is dropped as a whole; of a frame that is
-    /// too long, all that was visited. Where the next `{` is still to come, what precedes it will be dropped
-    /// as it comes. The frame found may be an object inside a broken one: its reader must expect any keys.
-    /// Without an error, nothing is dropped.
+    /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to come,
+    /// what precedes it will be dropped as it comes: [`lost`](Self::lost) has it. A framer
+    /// [for status packets](Self::for_status) goes on at `{"len"`; the frame that another one finds may be an object inside
+    /// a broken one: its reader must expect any keys. Without an error, nothing is dropped.
     pub fn resync(&mut self) -> usize {
-        if self.error.take().is_none() {
-            return 0;
-        }
+        let Some(error) = self.error.take() else { return 0 };
         let dropped = self.start;
         self.start = self.scan;
-        self.state = State::Lost;
-        self.skip_gap();
+        self.state = match (error, &self.state) {
+            // Its brace was taken for a part of a string that did not end.
+            (FrameError::Cut { .. }, State::Frame(Nesting { quote: Some(_), .. })) => {
+                self.start -= 1;
+                State::Frame(Nesting::new(Form::Status))
+            }
+            (FrameError::Cut { .. }, _) => State::Gap,
+            _ => State::Lost,
+        };
+        if matches!(self.state, State::Lost) {
+            self.skip_gap();
+        }
         self.start - dropped
+    }
+
+    /// The bytes received that the next call of [`next_frame`](Self::next_frame) drops, while the next packet is searched for.
+    pub fn lost(&self) -> &[u8] {
+        let len = if matches!(self.state, State::Lost) { self.lost_len() } else { 0 };
+        &self.partial()[..len]
     }
 
     /// The bytes received that are not part of a frame taken yet.
@@ -154,17 +199,19 @@ impl Framer {
         let State::Frame(nesting) = &mut self.state else { return None };
         // Nothing is visited behind the limit, so that the outcome is the same however the stream was cut.
         let limit = self.start.saturating_add(self.max_frame);
-        let window = &self.buffer[self.scan..self.end.min(limit).max(self.scan)];
-        let (all, end) = (window.len(), nesting.find_end(window));
-        self.visit(end.unwrap_or(all));
-        if end.is_some() {
-            let frame = self.start..self.scan;
-            self.start = self.scan;
-            self.state = State::Gap;
-            return Some(frame);
-        }
-        if self.end > limit {
-            self.error = Some(self.too_long());
+        let frame = &self.buffer[self.start..self.end.min(limit).max(self.scan)];
+        let (visited, found) = nesting.find_end(frame, self.scan - self.start);
+        self.visit(visited);
+        match found {
+            Scanned::Frame => {
+                let frame = self.start..self.scan;
+                self.start = self.scan;
+                self.state = State::Gap;
+                return Some(frame);
+            }
+            Scanned::Cut => self.error = Some(self.cut()),
+            Scanned::All if self.end > limit => self.error = Some(self.too_long()),
+            Scanned::All => {}
         }
         None
     }
@@ -172,27 +219,40 @@ impl Framer {
     /// Skips the gap and visits the first byte of a frame, if it has come.
     fn begin_frame(&mut self) {
         self.skip_gap();
-        let form = match self.partial().first() {
-            None => return,
-            Some(b'{') => Form::Json,
-            Some(b'(') => Form::Python,
-            Some(_) => {
+        if matches!(self.state, State::Lost) && !self.partial().starts_with(self.stream.beginning()) {
+            return;
+        }
+        let form = match (self.partial().first(), self.stream) {
+            (None, _) => return,
+            (Some(b'{'), Stream::Replies) => Form::Json,
+            (Some(b'{'), Stream::Status) => Form::Status,
+            (Some(b'('), Stream::Replies) => Form::Python,
+            (Some(_), _) => {
                 self.error = Some(self.garbage());
                 return;
             }
         };
-        self.state = State::Frame(Nesting { form, depth: 1, quote: None, escaped: false });
+        self.state = State::Frame(Nesting::new(form));
         self.visit(1);
     }
 
     fn skip_gap(&mut self) {
         let waiting = self.partial();
         let gap = match self.state {
-            State::Lost => memchr(b'{', waiting),
-            State::Gap | State::Frame(_) => waiting.iter().position(|&byte| !is_white(byte)),
+            State::Lost => self.lost_len(),
+            State::Gap | State::Frame(_) => waiting.iter().position(|&byte| !is_white(byte)).unwrap_or(waiting.len()),
         };
-        self.visit(gap.unwrap_or(waiting.len()));
+        self.visit(gap);
         self.start = self.scan;
+    }
+
+    /// How many of the bytes that wait come before the next frame, or before what may be its beginning.
+    fn lost_len(&self) -> usize {
+        let (waiting, beginning) = (self.partial(), self.stream.beginning());
+        memmem::find(waiting, beginning).unwrap_or_else(|| {
+            let is_begun = |len: &usize| waiting.ends_with(&beginning[..*len]);
+            waiting.len() - (1..beginning.len()).rev().find(is_begun).unwrap_or(0)
+        })
     }
 
     fn visit(&mut self, n: usize) {
@@ -204,6 +264,13 @@ impl Framer {
         let excerpt = Excerpt::of(self.partial());
         let len = memchr(b'{', excerpt.bytes()).unwrap_or(EXCERPT);
         FrameError::Garbage { excerpt: excerpt.first(len) }
+    }
+
+    /// The last bytes before the frame that begins inside this one.
+    fn cut(&self) -> FrameError {
+        let is_inside = matches!(self.state, State::Frame(Nesting { quote: Some(_), .. }));
+        let end = self.scan - usize::from(is_inside);
+        FrameError::Cut { excerpt: Excerpt::of(&self.buffer[self.start.max(end.saturating_sub(EXCERPT))..end]) }
     }
 
     fn too_long(&self) -> FrameError {
@@ -273,6 +340,11 @@ pub enum FrameError {
         /// How the frame begins.
         excerpt: Excerpt,
     },
+    /// A status packet inside of which the next one begins.
+    Cut {
+        /// What came last of it.
+        excerpt: Excerpt,
+    },
 }
 
 impl fmt::Display for FrameError {
@@ -280,6 +352,7 @@ impl fmt::Display for FrameError {
         match self {
             Self::Garbage { excerpt } => write!(f, "bytes that begin no frame: `{excerpt}`"),
             Self::TooLong { limit, excerpt } => write!(f, "frame longer than {limit} bytes: `{excerpt}`"),
+            Self::Cut { excerpt } => write!(f, "packet that breaks off at `{excerpt}`"),
         }
     }
 }
@@ -317,6 +390,23 @@ impl fmt::Display for Excerpt {
     }
 }
 
+/// What comes on a stream.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stream {
+    Replies,
+    Status,
+}
+
+impl Stream {
+    /// How the frame begins that ends a search.
+    fn beginning(self) -> &'static [u8] {
+        match self {
+            Self::Replies => b"{",
+            Self::Status => b"{\"len\"",
+        }
+    }
+}
+
 /// Where the scanner stands.
 #[derive(Debug)]
 enum State {
@@ -340,23 +430,62 @@ struct Nesting {
     escaped: bool,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Form {
     Json,
     Python,
+    /// JSON whose end may be missing.
+    Status,
+}
+
+/// What was found of a frame.
+#[derive(Debug, PartialEq, Eq)]
+enum Scanned {
+    /// Its end.
+    Frame,
+    /// The beginning of the next one, before its end.
+    Cut,
+    /// Neither: all, or all but what may be such a beginning, is inside.
+    All,
 }
 
 impl Nesting {
-    /// Visits the bytes that follow, up to the end of the frame: the count up to there, or `None` if all are inside.
-    fn find_end(&mut self, bytes: &[u8]) -> Option<usize> {
-        let mut at = 0;
-        while let Some(found) = self.next_mark(&bytes[at..]) {
-            at += found + 1;
-            if self.ends_with(bytes[at - 1]) {
-                return Some(at);
+    /// Behind the first byte.
+    fn new(form: Form) -> Self {
+        Self { form, depth: 1, quote: None, escaped: false }
+    }
+
+    /// Visits the bytes of a frame from a place on: how many, and what was found behind them.
+    fn find_end(&mut self, frame: &[u8], from: usize) -> (usize, Scanned) {
+        let mut at = from;
+        while let Some(found) = self.next_mark(&frame[at..]) {
+            at += found;
+            if self.form == Form::Status {
+                match self.is_cut(frame, at) {
+                    Some(false) => {}
+                    Some(true) => return (at - from, Scanned::Cut),
+                    None => return (at - from, Scanned::All),
+                }
+            }
+            at += 1;
+            if self.ends_with(frame[at - 1]) {
+                return (at - from, Scanned::Frame);
             }
         }
-        None
+        (frame.len() - from, Scanned::All)
+    }
+
+    /// Whether another packet begins where no JSON has an object: `None` where the next bytes must tell.
+    #[inline]
+    fn is_cut(&self, frame: &[u8], at: usize) -> Option<bool> {
+        match frame[at] {
+            b'{' if self.quote.is_none() && !may_have_value(&frame[..at]) => begins_with(&frame[at + 1..], b"\"len\""),
+            // In a string that has not ended, the packet's first quote seems to end it.
+            b'"' if self.quote.is_some() && !self.escaped && frame[at - 1] == b'{' => {
+                begins_with(&frame[at + 1..], b"len\"")
+            }
+            _ => Some(false),
+        }
     }
 
     /// Whether a byte may change anything.
@@ -371,7 +500,7 @@ impl Nesting {
         match (self.quote, self.form) {
             (Some(_), _) if self.escaped => (!bytes.is_empty()).then_some(0),
             (Some(quote), _) => first_of([quote, b'\\'], bytes),
-            (None, Form::Json) => first_of(*b"\"{}", bytes),
+            (None, Form::Json | Form::Status) => first_of(*b"\"{}", bytes),
             (None, Form::Python) => first_of(*b"\"'()", bytes),
         }
     }
@@ -396,9 +525,23 @@ impl Nesting {
     }
 }
 
+/// Whether a value can follow in JSON.
+fn may_have_value(before: &[u8]) -> bool {
+    before.iter().rfind(|byte| !is_white(**byte)).is_some_and(|byte| b":,[".contains(byte))
+}
+
+/// Whether `bytes` begin so; `None` if they are too few to tell.
+fn begins_with(bytes: &[u8], beginning: &[u8]) -> Option<bool> {
+    let len = bytes.len().min(beginning.len());
+    let begins = bytes[..len] == beginning[..len];
+    (!begins || len == beginning.len()).then_some(begins)
+}
+
 fn is_white(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\r' | b'\n')
 }
+
+mod text;
 
 #[cfg(test)]
 mod tests;

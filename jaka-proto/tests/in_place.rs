@@ -6,6 +6,37 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Reader, Typed, Value};
 use jaka_proto::{Command, Envelope, read_payload, read_reply};
 
+/// Packets each with a field that does not fit, and perhaps `len`, which is 7 or does not fit.
+const UNFIT: [(&str, &str); 21] = [
+    (r#"{"len": 7, "din": [0, 2]}"#, "field `digital_inputs[1]`: expected a truth value, found `2`"),
+    (r#"{"din": [0,], "len": 7}"#, "field `digital_inputs`: no JSON: expected a value behind the comma at byte 11"),
+    (r#"{"len": 7, "din": [0 1]}"#, "field `digital_inputs`: no JSON: expected `,` or `]` at byte 21"),
+    (r#"{"len": 1, "len": 2}"#, "field `length`: the key appears twice"),
+    (r#"{"len": 1, "len": null}"#, "field `length`: the key appears twice"),
+    (r#"{"len": "?", "len": 7}"#, "field `length`: expected a whole number, found `\"?\"`"),
+    (r#"{"len": 7, "len": 7, "len": 7}"#, "field `length`: the key appears twice"),
+    (r#"{"errmsg": 7, "len": 7}"#, "field `error_message`: expected a string, found `7`"),
+    (r#"{"errmsg": "once", "errmsg": "twice", "len": 7}"#, "field `error_message`: the key appears twice"),
+    (r#"{"errmsg": "\ud83d", "len": 7}"#, "field `error_message`: no JSON: expected valid escapes in a string"),
+    (
+        r#"{"actual_position": [1, 2, 3, 4, 5, 6, 7], "len": 7}"#,
+        "field `actual_position`: expected the end of the array",
+    ),
+    (r#"{"actual_position": [1, 2, 3, NaN, 5, 6], "len": 7}"#, "field `actual_position.rx`: no JSON: expected a value"),
+    (r#"{"ain": [1, 2, "three"], "len": 7}"#, "field `analog_inputs[2]`: expected a number, found `\"three\"`"),
+    (r#"{"len": 7, "rapidrate": "100%"}"#, "field `rapid_rate`: expected a number, found `\"100%\"`"),
+    (r#"{"len": 7, "drag_status": 2}"#, "field `drag_status`: expected a truth value, found `2`"),
+    (
+        r#"{"len": 7, "drag_status": {"new": [{}, "}"]}}"#,
+        "field `drag_status`: expected a truth value, found `{\"new\"",
+    ),
+    (r#"{"protective_stop": 0x1, "len": 7}"#, "field `protective_stop`: no JSON: expected `,` or `}`"),
+    (r#"{"protective_stop": 1x, "len": 7}"#, "field `protective_stop`: no JSON: expected `,` or `}`"),
+    (r#"{"protective_stop": True , "len": 7}"#, "field `protective_stop`: no JSON: expected a value"),
+    (r#"{"protective_stop": nullx, "len": 7}"#, "field `protective_stop`: expected a truth value, found `null`"),
+    (r#"{"rapidrate": Infinity, "len": 7}"#, "field `rapid_rate`: no JSON: expected a value"),
+];
+
 /// Packets that differ in everything that can be used again.
 const PACKETS: [&str; 15] = [
     "{}",
@@ -50,26 +81,78 @@ fn what_lacks_a_key_is_kept_raw() {
 
 #[test]
 fn errors_over_a_packet_are_the_same() {
-    for packet in [
-        r#"{"din": [0, 2]}"#,
-        r#"{"din": [0,]}"#,
-        r#"{"din": [0 1]}"#,
-        r#"{"din": [0}"#,
-        r#"{"len": 1, "len": 2}"#,
-        r#"{"len": 1, "len": null}"#,
-        r#"{"errmsg": 7}"#,
-        r#"{"errmsg": "once", "errmsg": "twice"}"#,
-        r#"{"actual_position": [1, 2, 3, 4, 5, 6, 7]}"#,
-        r#"{"ain": [1, 2, "three"]}"#,
-        r#"{"extio": {"num": 1, "num": 1"#,
-        "[]",
-        "{\"len\": 1",
-    ] {
+    for packet in [r#"{"din": [0}"#, r#"{"extio": {"num": 1, "num": 1"#, "[]", "{\"len\": 1"] {
         let mut status = afresh(PACKETS[1]).expect("it is one");
         let error = status.decode_into(&mut Reader::new(packet)).expect_err(packet);
         assert_eq!(Err(error), afresh(packet));
     }
     assert!(afresh(r#"{"len": null, "len": 2}"#).is_ok_and(|status| status.length == Some(2)));
+}
+
+#[test]
+fn a_field_that_does_not_fit_is_absent_and_told_and_the_packet_stays() {
+    let full = RobotStatus::decode(&mut Reader::new(FULL)).expect("it is one");
+    for (packet, expected) in UNFIT {
+        for before in [RobotStatus::default(), full.clone()] {
+            let (mut status, mut reader) = (before, Reader::new(packet));
+            status.decode_into(&mut reader).expect(packet);
+            reader.end().expect(packet);
+            let [unfit] = &reader.take_unfit()[..] else { panic!("{packet}: one is told") };
+            assert!(unfit.to_string().starts_with(expected), "{packet}: {unfit}");
+            let length = if unfit.is_in("length") { None } else { Some(7) };
+            assert_eq!(
+                status,
+                RobotStatus::with_length(length),
+                "{packet}: nothing else is there, also not from before"
+            );
+            assert_eq!(reader.take_unfit(), [], "it is told once");
+        }
+    }
+}
+
+/// A packet that has each field of [`UNFIT`].
+const FULL: &str = r#"{"len": 1, "din": [1], "errmsg": "text", "actual_position": [1, 2, 3, 4, 5, 6], "ain": [1, 2],
+    "rapidrate": 1, "drag_status": 1, "protective_stop": 0, "extio": {"mode": 1}}"#;
+
+/// What tests say of packets.
+trait WithLength {
+    fn with_length(length: Option<i64>) -> Self;
+}
+
+impl WithLength for RobotStatus {
+    fn with_length(length: Option<i64>) -> Self {
+        let mut status = Self::default();
+        status.length = length;
+        status
+    }
+}
+
+#[test]
+fn several_fields_that_do_not_fit_are_each_told_once() {
+    let packet = r#"{"rapidrate": "100%", "protective_stop": 1, "drag_status": 2, "unknown": NaN, "drag_status": 1}"#;
+    let mut reader = Reader::new(packet);
+    let status = RobotStatus::decode(&mut reader).expect("it is an object");
+    assert_eq!((status.protective_stop, status.rapid_rate, status.drag_status), (Some(true), None, None));
+    let unfit = reader.take_unfit();
+    assert_eq!(unfit.iter().map(DecodeError::field).collect::<Vec<_>>(), ["rapid_rate", "drag_status"]);
+}
+
+#[test]
+fn values_of_unknown_keys_make_no_packet_unreadable() {
+    let deep = format!("{}1{}", "[".repeat(10_000), "]".repeat(10_000));
+    for value in ["NaN", "-Infinity", "0x10", r#""\ud83d""#, r#"{"a": NaN, "b": [}"#, &deep, "None", "1.2.3"] {
+        let packet = format!(r#"{{"unknown": {value}, "protective_stop": 1}}"#);
+        let status = afresh(&packet);
+        let is_whole = !value.contains("[}");
+        assert_eq!(status.is_ok_and(|status| status.protective_stop == Some(true)), is_whole, "{value}");
+    }
+}
+
+#[test]
+fn a_status_packet_inside_another_message_is_read_strictly() {
+    assert!(Vec::<RobotStatus>::decode(&mut Reader::new(r#"[{"len": 1}]"#)).is_ok());
+    assert!(Vec::<RobotStatus>::decode(&mut Reader::new(r#"[{"len": "?"}]"#)).is_err());
+    assert!(serde_json::from_str::<RobotStatus>(r#"{"len": "?"}"#).is_err());
 }
 
 #[test]

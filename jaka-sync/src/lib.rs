@@ -13,6 +13,7 @@ mod pipeline;
 mod receive;
 mod recorder;
 mod reply;
+mod resync;
 mod robot;
 mod servo_session;
 mod status_stream;

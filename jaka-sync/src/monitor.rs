@@ -65,13 +65,27 @@ pub struct Snapshot<S = RobotStatus> {
     pub status: S,
     /// When it came.
     pub received: Instant,
-    /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped or did not fit.
+    /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
     pub number: u64,
-    /// SHIM
+    /// The fields that the packet has and that do not fit, each once, with what was expected and what was found: they are
+    /// absent in [`status`](Self::status), where they say neither good nor bad. Usually none.
     pub unfit: Vec<DecodeError>,
 }
 
 impl<S> Snapshot<S> {
+    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: what it says
+    /// is not known.
+    ///
+    /// ```no_run
+    /// # let monitor = jaka_sync::Monitor::connect("10.5.5.100")?;
+    /// let now = monitor.next()?;
+    /// let is_stopped = now.status.protective_stop == Some(true) || now.is_unfit("protective_stop");
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    pub fn is_unfit(&self, field: &str) -> bool {
+        self.unfit.iter().any(|error| error.is_in(field))
+    }
+
     /// How long ago the packet came.
     pub fn age(&self) -> Duration {
         self.received.elapsed()

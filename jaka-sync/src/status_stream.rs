@@ -5,13 +5,14 @@ use std::net::TcpStream;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jaka_proto::framing::Framer;
+use jaka_proto::framing::{self, Framer};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
+use crate::resync::{record_lost, resync};
 use crate::{Config, Disconnect, Error, Exchanges};
 
 /// A reader of the status packets that a controller sends on port 10000.
@@ -19,6 +20,9 @@ use crate::{Config, Disconnect, Error, Exchanges};
 /// Packets come every 30 to 100 ms, depending on firmware, and wait in the system's buffer until they are read: use
 /// [`newest_packet`](Self::newest_packet) where the present matters, [`next_packet`](Self::next_packet) where every
 /// packet does. Several readers can be connected at once.
+///
+/// A field that does not fit the spec is absent, and [`unfit`](Self::unfit) tells of it. Bytes that belong to no packet, such
+/// as one that breaks off, are passed over: the next packet is found behind them.
 ///
 /// ```no_run
 /// use jaka_sync::StatusStream;
@@ -36,6 +40,7 @@ pub struct StatusStream {
     socket_timeout: receive::Timeout,
     timeout: Duration,
     packet: String,
+    unfit: Vec<DecodeError>,
     broken: Option<Arc<Disconnect>>,
 }
 
@@ -53,10 +58,11 @@ impl StatusStream {
         Ok(Self {
             stream,
             tap,
-            framer: Framer::new(config.max_frame),
+            framer: Framer::for_status(config.max_frame),
             socket_timeout: receive::Timeout::default(),
             timeout: config.reply_timeout,
             packet: String::new(),
+            unfit: Vec::new(),
             broken: None,
         })
     }
@@ -65,7 +71,8 @@ impl StatusStream {
     ///
     /// # Errors
     /// - [`StatusTimeout`](Error::StatusTimeout): no packet within the reply timeout.
-    /// - [`UnexpectedStatus`](Error::UnexpectedStatus): a packet does not fit the spec; its text is kept.
+    /// - [`UnexpectedStatus`](Error::UnexpectedStatus): a packet is no JSON object, or a [`Decode`] of your own refuses it; its
+    ///   text is kept.
     /// - [`Disconnected`](Error::Disconnected): the stream is broken for good.
     pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
         self.next_packet_as()
@@ -117,17 +124,32 @@ impl StatusStream {
         self.decode_into(status)
     }
 
-    /// The text of the last packet, as it came.
+    /// The text of the last packet, as it came; with `\udcNN` for each byte that is no UTF-8.
     pub fn last_packet(&self) -> Option<&str> {
         (!self.packet.is_empty()).then_some(&*self.packet)
     }
 
-    fn decode<S: Decode>(&self) -> Result<S, Error> {
-        S::decode(&mut Reader::new(&self.packet)).map_err(|source| self.unexpected(source))
+    /// The fields that the last packet has and that do not fit, each once, with what was expected and what was found: they are
+    /// absent in what was read of it. Usually none.
+    ///
+    /// [`DecodeError::is_in`] asks for a field by its name.
+    pub fn unfit(&self) -> &[DecodeError] {
+        &self.unfit
     }
 
-    fn decode_into<S: Decode>(&self, status: &mut S) -> Result<(), Error> {
-        status.decode_into(&mut Reader::new(&self.packet)).map_err(|source| self.unexpected(source))
+    fn decode<S: Decode>(&mut self) -> Result<S, Error> {
+        self.read_packet(S::decode)
+    }
+
+    fn decode_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
+        self.read_packet(|reader| status.decode_into(reader))
+    }
+
+    fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
+        let mut reader = Reader::new(&self.packet);
+        let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
+        self.unfit = reader.take_unfit();
+        found.map_err(|source| self.unexpected(source))
     }
 
     fn unexpected(&self, source: DecodeError) -> Error {
@@ -194,20 +216,22 @@ impl StatusStream {
 
     /// Keeps the text of the next packet that has arrived in full, if there is one.
     fn take_next(&mut self) -> Result<bool, Error> {
-        let cause = match self.framer.next_frame() {
-            Ok(None) => return Ok(false),
-            Ok(Some(frame)) => {
-                self.tap.packet(frame);
-                if let Ok(text) = std::str::from_utf8(frame) {
+        record_lost(&self.framer, &self.tap);
+        loop {
+            let error = match self.framer.next_frame() {
+                Ok(None) => return Ok(false),
+                Ok(Some(frame)) => {
+                    self.tap.packet(frame);
                     self.packet.clear();
-                    self.packet.push_str(text);
+                    self.packet.push_str(&framing::text(frame));
                     return Ok(true);
                 }
-                Disconnect::NotUtf8
+                Err(error) => error,
+            };
+            if let Err(cause) = resync(&mut self.framer, &self.tap, error) {
+                return Err(self.break_off(cause));
             }
-            Err(error) => Disconnect::Frame(error),
-        };
-        Err(self.break_off(cause))
+        }
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -22,7 +22,8 @@
 ///
 /// A packet takes a fraction of the time that all of it takes: the values of other keys are passed over by their quotes and
 /// brackets, and not looked at, so that a broken one among them goes unnoticed. A field that is named is read and checked as in a
-/// full packet, and a key that comes twice is an error. A key that does not come is `None`.
+/// full packet: a key that does not come is `None`, and so is one that does not fit or that comes twice, which
+/// [`StatusStream::unfit`](crate::StatusStream::unfit) and [`Snapshot::unfit`](crate::Snapshot::unfit) tell.
 ///
 /// A field that the packet does not have is a compiler error at its name:
 ///

@@ -112,15 +112,17 @@ fn packets_cut_anywhere_and_packets_in_one_piece() {
 }
 
 #[test]
-fn a_packet_that_does_not_fit_is_an_error_and_the_stream_goes_on() {
+fn a_field_that_does_not_fit_is_absent_and_told() {
     let (controller, mut status) = quiet();
     controller.send_status(b"{\"len\": 42, \"enabled\": \"perhaps\"}");
-    let error = status.next_packet().expect_err("that is no truth value");
-    let Error::UnexpectedStatus { source, .. } = &error else { panic!("it is told apart: {error:?}") };
-    assert_eq!(source.to_string(), "field `enabled`: expected a truth value, found `\"perhaps\"`");
+    let packet = status.next_packet().expect("the packet stays");
+    assert_eq!((packet.length, packet.enabled), (Some(42), None));
+    let unfit: Vec<_> = status.unfit().iter().map(ToString::to_string).collect();
+    assert_eq!(unfit, ["field `enabled`: expected a truth value, found `\"perhaps\"`"]);
     assert_eq!(status.last_packet(), Some("{\"len\": 42, \"enabled\": \"perhaps\"}"));
     controller.publish();
     status.next_packet().expect("the next one fits");
+    assert_eq!(status.unfit(), []);
 }
 
 #[test]

@@ -26,6 +26,8 @@ pub(crate) struct Feed {
     silent: bool,
     /// How often the connection had been made anew when packets last came.
     reconnects: u64,
+    /// Fields that were told not to fit.
+    unfit: Vec<String>,
     /// Packets counted at times of late.
     counts: VecDeque<(Instant, u64)>,
 }
@@ -33,7 +35,16 @@ pub(crate) struct Feed {
 impl Feed {
     pub(crate) fn new(monitor: Monitor) -> Self {
         let queue = monitor.subscribe(CAPACITY);
-        Self { monitor, queue, newest: None, shown: None, silent: false, reconnects: 0, counts: VecDeque::new() }
+        Self {
+            monitor,
+            queue,
+            newest: None,
+            shown: None,
+            silent: false,
+            reconnects: 0,
+            unfit: Vec::new(),
+            counts: VecDeque::new(),
+        }
     }
 
     /// Brings the view up to date.
@@ -61,7 +72,18 @@ impl Feed {
             view.alarms.add(time, Tone::Good, format!("{again}{after}"));
         }
         (self.silent, self.reconnects) = (false, reconnects);
+        self.tell_unfit(packet, view, time);
         view.alarms.packet(&packet.status, time);
+    }
+
+    /// Tells once of each field that does not fit: what it says is not known.
+    fn tell_unfit(&mut self, packet: &Snapshot, view: &mut View, time: SystemTime) {
+        for error in &packet.unfit {
+            if !self.unfit.iter().any(|told| told == error.field()) {
+                self.unfit.push(error.field().to_owned());
+                view.alarms.add(time, Tone::Bad, error.to_string());
+            }
+        }
     }
 
     /// Tells once that packets have stopped coming.
@@ -152,6 +174,18 @@ mod tests {
         controller.disconnect();
         update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("connected anew after"));
         assert_eq!(view.link.reconnects, 1);
+    }
+
+    #[test]
+    fn a_field_that_does_not_fit_is_told_once_beside_what_fits() {
+        let (controller, mut feed, mut view) = started();
+        for _ in 0..2 {
+            controller.send_status(br#"{"len": 55, "rapidrate": "100%", "protective_stop": 1}"#);
+        }
+        update_until(&mut feed, &mut view, |view| view.link.unfit == 2 && newest_alarm(view) == "protective stop");
+        let unfit: Vec<_> = view.alarms.entries().filter(|alarm| alarm.text.contains("rapid_rate")).collect();
+        assert_eq!(unfit.len(), 1, "{unfit:?}");
+        assert_eq!(view.status.as_ref().and_then(|status| status.rapid_rate), None);
     }
 
     #[test]

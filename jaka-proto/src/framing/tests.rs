@@ -3,6 +3,8 @@ use serde_json::{Map, Value};
 
 use super::*;
 
+mod cut;
+
 /// Documents with all that a scanner can trip over.
 const DOCUMENTS: [&[u8]; 9] = [
     b"{}",

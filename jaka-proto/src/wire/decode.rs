@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::error::DecodeError;
 use super::number::Scalar;
-use super::reader::Reader;
+use super::reader::{Mark, Reader};
 
 /// A value that can be read from the wire, in any of the forms that controllers use.
 pub trait Decode: Sized {
@@ -43,8 +43,8 @@ pub trait Decode: Sized {
     /// Reads an array of exactly `N` values. Types that need no allocation for it have a way of their own.
     #[doc(hidden)]
     fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        let start = reader.clone();
-        Vec::decode(reader)?.try_into().map_err(|_| not_an_array_of(N, start))
+        let start = reader.mark();
+        Vec::decode(reader)?.try_into().map_err(|_| not_an_array_of(N, reader, start))
     }
 }
 
@@ -66,9 +66,9 @@ impl Decode for f64 {
 
 #[inline(never)]
 fn unusual_float(reader: &mut Reader<'_>) -> Result<f64, DecodeError> {
-    let start = reader.clone();
+    let start = reader.mark();
     let value = reader.scalar()?.and_then(|text| text.parse::<f64>().ok());
-    value.filter(|value| value.is_finite()).ok_or_else(|| unfit(start, "a number"))
+    value.filter(|value| value.is_finite()).ok_or_else(|| unfit(reader, start, "a number"))
 }
 
 /// A whole number, also one written with a fraction of zero, or a string that holds one.
@@ -89,9 +89,9 @@ impl Decode for i64 {
 
 #[inline(never)]
 fn unusual_int(reader: &mut Reader<'_>) -> Result<i64, DecodeError> {
-    let start = reader.clone();
+    let start = reader.mark();
     let value = reader.scalar()?.and_then(|text| whole(&text));
-    value.ok_or_else(|| unfit(start, "a whole number"))
+    value.ok_or_else(|| unfit(reader, start, "a whole number"))
 }
 
 /// The whole number that `text` holds.
@@ -124,14 +124,14 @@ impl Decode for bool {
 
 #[inline(never)]
 fn unusual_truth(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
-    let start = reader.clone();
+    let start = reader.mark();
     let value = match reader.scalar()? {
         Some(text) if text.eq_ignore_ascii_case("true") => Some(true),
         Some(text) if text.eq_ignore_ascii_case("false") => Some(false),
         Some(text) => whole(&text).and_then(zero_or_one),
         None => None,
     };
-    value.ok_or_else(|| unfit(start, "a truth value"))
+    value.ok_or_else(|| unfit(reader, start, "a truth value"))
 }
 
 fn zero_or_one(int: i64) -> Option<bool> {
@@ -207,7 +207,7 @@ fn scalar_list<T: Scalar>(list: &mut Vec<T>, reader: &mut Reader<'_>) -> Result<
 
 /// An array of numbers or truth values, without an allocation.
 fn scalar_array<T: Scalar, const N: usize>(reader: &mut Reader<'_>) -> Result<[T; N], DecodeError> {
-    let start = reader.clone();
+    let start = reader.mark();
     let mut values = [T::default(); N];
     let mut len = 0;
     let mut slots = values.iter_mut();
@@ -224,17 +224,18 @@ fn scalar_array<T: Scalar, const N: usize>(reader: &mut Reader<'_>) -> Result<[T
         }
         len += usual.max(1);
     }
-    if len == N { Ok(values) } else { Err(not_an_array_of(N, start)) }
+    if len == N { Ok(values) } else { Err(not_an_array_of(N, reader, start)) }
 }
 
 #[cold]
-fn not_an_array_of(len: usize, start: Reader<'_>) -> DecodeError {
-    unfit(start, &format!("an array of {len}"))
+fn not_an_array_of(len: usize, reader: &mut Reader<'_>, start: Mark) -> DecodeError {
+    unfit(reader, start, &format!("an array of {len}"))
 }
 
-/// The error for the value at which `reader` stands.
+/// The error for the value at which `reader` stood.
 #[cold]
-fn unfit(mut reader: Reader<'_>, expected: &str) -> DecodeError {
+fn unfit(reader: &mut Reader<'_>, start: Mark, expected: &str) -> DecodeError {
+    reader.go_back(start);
     match reader.raw() {
         Ok(raw) => DecodeError::unfit(expected, raw),
         Err(malformed) => malformed,

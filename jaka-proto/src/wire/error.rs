@@ -65,9 +65,23 @@ impl DecodeError {
         self
     }
 
-    /// The field concerned, such as `torque_sensor.settings`; empty for the message as a whole.
+    /// The field concerned, such as `torque_sensor.settings`; empty for the message as a whole. [`is_in`](Self::is_in) asks
+    /// for the outermost field.
     pub fn field(&self) -> &str {
         &self.0.path
+    }
+
+    /// True if the error concerns this field of the message, or something inside it.
+    ///
+    /// ```
+    /// # use jaka_proto::wire::DecodeError;
+    /// let error = DecodeError::unfit("a number", "\"x\"").in_element(2).in_field("joint_actual_position");
+    /// assert_eq!(error.field(), "joint_actual_position[2]");
+    /// assert!(error.is_in("joint_actual_position") && !error.is_in("joint"));
+    /// ```
+    pub fn is_in(&self, field: &str) -> bool {
+        let inner = self.0.path.strip_prefix(field).filter(|_| !field.is_empty());
+        inner.is_some_and(|inner| inner.is_empty() || inner.starts_with(['.', '[']))
     }
 
     /// True if the text is no JSON at all, rather than JSON of another shape.

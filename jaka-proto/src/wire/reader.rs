@@ -3,6 +3,7 @@
 mod fields;
 mod reply;
 mod skip;
+mod status;
 
 use std::borrow::Cow;
 
@@ -24,12 +25,35 @@ pub struct Reader<'a> {
     comma: bool,
     /// What a reply says beside its payload, where that is wanted.
     reply: reply::Slots<'a>,
+    /// What was left out of a status packet, and why.
+    left_out: Vec<DecodeError>,
+}
+
+/// A place to which a reader can go back.
+#[derive(Debug, Clone, Copy)]
+pub struct Mark {
+    at: usize,
+    comma: bool,
 }
 
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self { text, at: 0, comma: false, reply: reply::Slots::default() }
+        Self { text, at: 0, comma: false, reply: reply::Slots::default(), left_out: Vec::new() }
+    }
+
+    /// Where the reader stands.
+    #[doc(hidden)]
+    #[inline]
+    pub fn mark(&self) -> Mark {
+        Mark { at: self.at, comma: self.comma }
+    }
+
+    /// Goes back to where it stood.
+    #[doc(hidden)]
+    #[inline]
+    pub fn go_back(&mut self, to: Mark) {
+        (self.at, self.comma) = (to.at, to.comma);
     }
 
     #[inline]
@@ -217,10 +241,10 @@ impl<'a> Reader<'a> {
 
     /// Reads a string of which `read` makes something; otherwise stays before it.
     pub(crate) fn text_with<T>(&mut self, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
-        let start = (self.at, self.comma);
+        let start = self.mark();
         let value = if self.is_text() { self.string("a string").ok().and_then(|text| read(&text)) } else { None };
         if value.is_none() {
-            (self.at, self.comma) = start;
+            self.go_back(start);
         }
         value
     }
@@ -317,11 +341,11 @@ impl<'a> Reader<'a> {
         &mut self,
         read: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
     ) -> Result<Result<T, &'a str>, DecodeError> {
-        let start = (self.at, self.comma);
+        let start = self.mark();
         if let Ok(value) = read(self) {
             return Ok(Ok(value));
         }
-        (self.at, self.comma) = start;
+        self.go_back(start);
         self.raw().map(Err)
     }
 
@@ -330,17 +354,14 @@ impl<'a> Reader<'a> {
         let is = |text: &str, word: &str| {
             text.eq_ignore_ascii_case(word) || whole(text).is_some_and(|number| whole(word) == Some(number))
         };
-        let mut ahead = self.clone();
-        match ahead.scalar()? {
-            Some(text) if is(&text, off) => {
-                *self = ahead;
-                Ok(false)
+        let start = self.mark();
+        match self.scalar()? {
+            Some(text) if is(&text, off) => Ok(false),
+            Some(text) if is(&text, on) => Ok(true),
+            _ => {
+                self.go_back(start);
+                bool::decode(self)
             }
-            Some(text) if is(&text, on) => {
-                *self = ahead;
-                Ok(true)
-            }
-            _ => bool::decode(self),
         }
     }
 }

@@ -13,10 +13,12 @@ pub fn serialize<T: Encode, S: Serializer>(value: &T, serializer: S) -> Result<S
     json.serialize(serializer)
 }
 
-/// Deserialises a value from its JSON on the wire.
+/// Deserialises a value from its JSON on the wire. Nothing is left out, also not of a status packet.
 pub fn deserialize<'de, T: Decode, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     let json = Value::deserialize(deserializer)?.to_string();
-    T::decode(&mut Reader::new(&json)).map_err(de::Error::custom)
+    let mut reader = Reader::new(&json);
+    let value = T::decode(&mut reader).map_err(de::Error::custom)?;
+    reader.take_unfit().into_iter().next().map_or(Ok(value), |unfit| Err(de::Error::custom(unfit)))
 }
 
 /// Implements serde's traits for types that implement [`Encode`] and [`Decode`].

@@ -39,7 +39,8 @@ fn two_packets(mut worker: Worker<i64>) {
     for packet in 1..=2 {
         worker.number += 1;
         let (received, number) = (Instant::now(), worker.number);
-        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number })));
+        let unfit = Vec::new();
+        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number, unfit })));
     }
     assert!(worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
     worker.end();

@@ -6,13 +6,15 @@ use std::time::{Duration, Instant};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct MonitorStatistics {
-    /// Packets that came and fitted.
+    /// Packets that came and were read, also those with fields that do not fit.
     pub packets: u64,
-    /// Packets that came and did not fit the type asked for.
+    /// Packets with at least one field that does not fit ([`Snapshot::unfit`](super::Snapshot::unfit)), which
+    /// [`packets`](Self::packets) counts too; and packets that could not be read at all: what is no JSON object, or what a
+    /// [`Decode`](jaka_proto::wire::Decode) of your own refuses.
     pub unfit: u64,
     /// Packets that were passed over since a newer one had come.
     pub skipped: u64,
-    /// Bytes that belonged to no packet.
+    /// Bytes that belonged to no packet, or to one that breaks off.
     pub dropped_bytes: u64,
     /// How often the beginning of a packet had to be searched for.
     pub resyncs: u64,
@@ -43,7 +45,7 @@ pub(super) struct Counters {
 }
 
 impl Counters {
-    /// A packet came that fits.
+    /// A packet came that can be read.
     pub(super) fn packet(&mut self, now: Instant) {
         self.packets += 1;
         let Some((last, last_gap)) = self.last else {

@@ -4,13 +4,14 @@ use std::net::TcpStream;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jaka_proto::framing::{FrameError, Framer};
+use jaka_proto::framing::{self, FrameError, Framer};
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
+use crate::resync;
 use crate::{Config, Disconnect, Error};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
@@ -23,15 +24,13 @@ pub(super) struct Worker<S> {
     config: Config,
     pub(super) number: u64,
     tap: Tap,
-    /// The framer drops what comes until a packet begins.
-    is_lost: bool,
     /// The packet before the latest, whose memory is used again.
     spare: Option<Arc<Snapshot<S>>>,
 }
 
 impl<S: Decode> Worker<S> {
     pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
-        Self { board, address, config, number: 0, tap: Tap::default(), is_lost: false, spare: None }
+        Self { board, address, config, number: 0, tap: Tap::default(), spare: None }
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made anew.
@@ -61,8 +60,7 @@ impl<S: Decode> Worker<S> {
 
     /// Reads until the connection ends, and says why it did.
     fn read(&mut self, stream: &TcpStream) -> Disconnect {
-        let mut framer = Framer::new(self.config.max_frame);
-        self.is_lost = false;
+        let mut framer = Framer::for_status(self.config.max_frame);
         let cause = self.read_into(&mut framer, stream);
         self.tap.stray(framer.partial());
         cause
@@ -90,20 +88,16 @@ impl<S: Decode> Worker<S> {
 
     /// Keeps the text of the newest packet that has arrived in full; false if there is none.
     fn take_newest(&mut self, framer: &mut Framer, newest: &mut String) -> Result<bool, Disconnect> {
-        self.record_dropped(framer.partial());
+        self.count_dropped(resync::record_lost(framer, &self.tap));
         let mut found = 0;
         loop {
             match framer.next_frame() {
                 Ok(None) => break,
                 Ok(Some(frame)) => {
                     self.tap.packet(frame);
-                    if let Ok(text) = std::str::from_utf8(frame) {
-                        newest.clear();
-                        newest.push_str(text);
-                        found += 1;
-                    } else {
-                        self.board.lock().counters.unfit += 1;
-                    }
+                    newest.clear();
+                    newest.push_str(&framing::text(frame));
+                    found += 1;
                 }
                 Err(error) => self.resync(framer, error)?,
             }
@@ -113,29 +107,18 @@ impl<S: Decode> Worker<S> {
         Ok(found > 0)
     }
 
-    /// Records what the framer is about to drop.
-    fn record_dropped(&mut self, arrived: &[u8]) {
-        if self.is_lost {
-            let packet = arrived.iter().position(|byte| *byte == b'{');
-            self.tap.stray(&arrived[..packet.unwrap_or(arrived.len())]);
-            self.is_lost = packet.is_none();
-        }
+    /// Goes on at the next packet.
+    fn resync(&mut self, framer: &mut Framer, error: FrameError) -> Result<(), Disconnect> {
+        let dropped = resync::resync(framer, &self.tap, error)?;
+        self.board.lock().counters.resyncs += 1;
+        self.count_dropped(dropped);
+        Ok(())
     }
 
-    /// Goes on at the next packet; old firmware that sends text has none.
-    fn resync(&mut self, framer: &mut Framer, error: FrameError) -> Result<(), Disconnect> {
-        if crate::error::is_text_line(&error) {
-            return Err(Disconnect::Frame(error));
+    fn count_dropped(&self, bytes: usize) {
+        if bytes > 0 {
+            self.board.lock().counters.dropped_bytes += u64::try_from(bytes).unwrap_or(u64::MAX);
         }
-        let before = self.tap.copy(framer.partial());
-        let dropped = framer.resync();
-        self.tap.stray(before.get(..dropped).unwrap_or_default());
-        self.is_lost = framer.partial().is_empty();
-        let mut state = self.board.lock();
-        state.counters.resyncs += 1;
-        state.counters.dropped_bytes += u64::try_from(dropped).unwrap_or(u64::MAX);
-        log::debug!(target: "jaka_sync::wire", "status: {dropped} bytes dropped, {error}");
-        Ok(())
     }
 
     /// Decodes a packet, in the place of an earlier one that nobody holds any more if there is one.
@@ -144,11 +127,16 @@ impl<S: Decode> Worker<S> {
         let mut spare = self.spare.take();
         if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
             snapshot.status.decode_into(&mut reader)?;
-            (snapshot.received, snapshot.number) = (received, number);
+            reader.end()?;
+            (snapshot.received, snapshot.number, snapshot.unfit) = (received, number, reader.take_unfit());
         }
         match spare {
             Some(snapshot) if snapshot.number == number => Ok(snapshot),
-            _ => Ok(Arc::new(Snapshot { status: S::decode(&mut reader)?, received, number, unfit: Vec::new() })),
+            _ => {
+                let status = S::decode(&mut reader)?;
+                reader.end()?;
+                Ok(Arc::new(Snapshot { status, received, number, unfit: reader.take_unfit() }))
+            }
         }
     }
 
@@ -157,6 +145,7 @@ impl<S: Decode> Worker<S> {
         match decoded {
             Ok(snapshot) => {
                 state.counters.packet(snapshot.received);
+                state.counters.unfit += u64::from(!snapshot.unfit.is_empty());
                 state.unfit = None;
                 state.reconnecting = false;
                 // A queue that nobody else holds has lost its subscription.

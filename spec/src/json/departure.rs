@@ -46,7 +46,7 @@ pub enum DepartureKind {
 pub enum Reading {
     /// It decodes: to the same value, to raw JSON, or by being skipped.
     Lenient,
-    /// It does not, and so neither does the message.
+    /// It does not, and so neither does the message; of a status packet, the field is left out.
     Unreadable,
 }
 

@@ -217,6 +217,10 @@ impl Draft<'_, '_> {
                 return is_wrong.then_some(read::OPTIONAL_ONLY);
             }
             Target::Type(name) => match &self.spec.type_def(name)?.kind {
+                // One that does not fit is left out of the packet.
+                TypeKind::Object(fields) if name == STATUS_TYPE => {
+                    return fields.iter().any(|field| !field.optional).then_some(OPTIONAL_STATUS);
+                }
                 TypeKind::Array { fields, .. } => in_order(fields),
                 TypeKind::Choice(choice) => choice.variants.iter().all(|variant| in_order(&variant.fields)),
                 _ => true,
@@ -226,6 +230,10 @@ impl Draft<'_, '_> {
     }
 }
 
+/// The type of the packets of port 10000.
+const STATUS_TYPE: &str = "RobotStatus";
+
+const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";
 const SAME: &str = "the spec says the same already; this override changes nothing and can be deleted";
 const UNDISPUTED: &str = "`settled` is for a disputed field, and no source disputes this one; it can be deleted";
 

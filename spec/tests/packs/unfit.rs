@@ -299,6 +299,16 @@ fn a_type_that_comes_to_contain_itself() {
 }
 
 #[test]
+fn a_field_of_the_status_packet_that_must_be_there() {
+    wrong(
+        "\n[[extend]]\ntarget = \"RobotStatus\"\n[[extend.field]]\nwire = \"last\"\ntype = \"int\"\ndoc = \"Last.\"\n",
+        &expect![[r"
+            newer.toml:2:1: extension of `RobotStatus`: a field of the status packet must be optional: its key may not come, or not fit
+        "]],
+    );
+}
+
+#[test]
 fn a_value_that_an_enum_has_already_and_a_value_of_no_enum() {
     wrong(
         r#"

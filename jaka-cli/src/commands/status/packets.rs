@@ -1,5 +1,6 @@
 //! Packets at the pace that is asked for.
 
+use std::io::{Write, stderr};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use jaka_sync::{Error, StatusStream};
@@ -22,18 +23,32 @@ pub(super) struct Packets {
     stream: StatusStream,
     period: Duration,
     due: Option<Instant>,
+    /// Fields that were told not to fit.
+    told: Vec<String>,
 }
 
 impl Packets {
     pub(super) fn new(stream: StatusStream, period: Duration) -> Self {
-        Self { stream, period, due: None }
+        Self { stream, period, due: None, told: Vec::new() }
     }
 
     /// The next packet that is due.
     pub(super) fn next(&mut self) -> Result<Packet, Failure> {
         let status = self.next_due(StatusStream::next_packet)?;
+        self.tell_unfit();
         let json = serde_json::to_value(status);
         Ok(Packet { time: unix_time(), json: json.map_err(|error| Failure::local("no JSON", error.into()))? })
+    }
+
+    /// Tells of each field that does not fit once: it is missing from what is printed.
+    fn tell_unfit(&mut self) {
+        for error in self.stream.unfit() {
+            if !self.told.iter().any(|told| told == error.field()) {
+                self.told.push(error.field().to_owned());
+                // Where nobody can be told, the packet is printed all the same.
+                writeln!(stderr(), "jaka: warning: {error}; it is left out").ok();
+            }
+        }
     }
 
     /// The text of the next packet that is due, also of one that does not fit the spec.

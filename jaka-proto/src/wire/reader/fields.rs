@@ -14,6 +14,8 @@ pub struct Keys {
     seen: u128,
     /// Whether keys that the type does not know may be those of a reply.
     in_reply: bool,
+    /// Whether a value that does not fit is left out: so it is in a status packet.
+    pub(super) lenient: bool,
 }
 
 impl Keys {
@@ -39,13 +41,13 @@ impl Keys {
 
     /// Whether the key found last had a value before.
     #[inline]
-    fn has_seen(&self) -> bool {
+    pub(super) fn has_seen(&self) -> bool {
         self.seen >> self.found & 1 == 1
     }
 
     /// Notes that the key found last has a value.
     #[inline]
-    fn note(&mut self) {
+    pub(super) fn note(&mut self) {
         self.seen |= 1 << self.found;
     }
 
@@ -72,7 +74,7 @@ impl Reader<'_> {
     /// The next value is no object.
     pub fn begin_fields(&mut self, names: &'static [&'static str]) -> Result<Keys, DecodeError> {
         self.begin_object()?;
-        Ok(Keys { names, found: usize::MAX, seen: 0, in_reply: self.reply.enter() })
+        Ok(Keys { names, found: usize::MAX, seen: 0, in_reply: self.reply.enter(), lenient: false })
     }
 
     /// Goes to the next key, and tells its place among those of the type: the one behind the last for any other key.
@@ -123,7 +125,10 @@ impl Reader<'_> {
             if place < keys.names.len() {
                 return Ok(Some(place));
             }
-            self.pass()?;
+            let start = self.mark();
+            if self.pass().is_err() || !self.is_delimited() {
+                self.pass_odd(keys, start)?;
+            }
         }
         Ok(None)
     }
@@ -320,12 +325,13 @@ impl Reader<'_> {
     /// # Errors
     /// The tag is missing or no whole number.
     pub fn tag(&mut self, name: &'static str, key: &'static str) -> Result<i64, DecodeError> {
-        let mut ahead = self.clone();
+        let start = self.mark();
         let mut tag = None;
-        ahead.begin_object()?;
-        while let Some(found) = ahead.next_key()? {
-            if found == key { ahead.field(name, &mut tag)? } else { ahead.skip()? }
+        self.begin_object()?;
+        while let Some(found) = self.next_key()? {
+            if found == key { self.field(name, &mut tag)? } else { self.skip()? }
         }
+        self.go_back(start);
         tag.ok_or_else(|| DecodeError::missing(name, key))
     }
 }
@@ -337,6 +343,6 @@ fn begins_with(text: &[u8], key: &str) -> bool {
 }
 
 #[cold]
-fn repeated(name: &'static str) -> DecodeError {
+pub(super) fn repeated(name: &'static str) -> DecodeError {
     DecodeError::repeated().in_field(name)
 }

@@ -99,7 +99,7 @@ impl Reader<'_> {
 }
 
 /// Where the string ends whose first character is at `at`.
-fn behind_string(bytes: &[u8], mut at: usize) -> Option<usize> {
+pub(super) fn behind_string(bytes: &[u8], mut at: usize) -> Option<usize> {
     loop {
         at += first_of(*b"\"\\", bytes.get(at..)?)? + 1;
         if bytes[at - 1] == b'"' {

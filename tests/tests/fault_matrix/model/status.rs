@@ -16,7 +16,7 @@ enum Packets {
     None,
     /// Packets with bytes between them that are none.
     Noisy,
-    /// The beginnings of packets, one within the other.
+    /// The beginnings of packets.
     Torn,
     /// Objects without the keys of a packet.
     Empty,
@@ -42,12 +42,8 @@ fn packets(fault: &StatusFault) -> Packets {
 pub(super) fn expected(fault: &StatusFault, kind: Kind) -> Expected {
     let packets = packets(fault);
     match kind {
-        Kind::StatusStream => {
-            let (first, other) = stream(packets);
-            Expected { first, beside: None, other, same: None }
-        }
-        Kind::Monitor => {
-            let (first, other) = monitor(packets);
+        Kind::StatusStream | Kind::Monitor => {
+            let (first, other) = reader(packets);
             Expected { first, beside: None, other, same: None }
         }
         Kind::Motion => {
@@ -69,24 +65,14 @@ fn is_end(packets: Packets) -> bool {
     matches!(packets, Packets::End | Packets::Old)
 }
 
-/// A stream takes no byte that is no packet.
-fn stream(packets: Packets) -> (Outcome, Outcome) {
+/// A stream and a monitor look for the next packet behind what is none.
+fn reader(packets: Packets) -> (Outcome, Outcome) {
     let broken = |cause| (Outcome::Broken(cause), Outcome::Broken(cause));
-    match packets {
-        Packets::Good => (Outcome::Ok, Outcome::Ok),
-        Packets::None | Packets::Empty => (Outcome::Timeout, Outcome::Ok),
-        Packets::Torn => (Outcome::Timeout, Outcome::Broken(Cause::TooLong)),
-        Packets::Noisy | Packets::Old => broken(Cause::Garbage),
-        Packets::End => broken(Cause::End),
-    }
-}
-
-/// A monitor looks for the next packet behind what is none.
-fn monitor(packets: Packets) -> (Outcome, Outcome) {
     match packets {
         Packets::Good | Packets::Noisy => (Outcome::Ok, Outcome::Ok),
         Packets::None | Packets::Empty | Packets::Torn => (Outcome::Timeout, Outcome::Ok),
-        Packets::Old | Packets::End => stream(packets),
+        Packets::Old => broken(Cause::Garbage),
+        Packets::End => broken(Cause::End),
     }
 }
 
