@@ -2,13 +2,13 @@
 
 use std::error::Error as StdError;
 use std::fmt;
-use std::io::{self, ErrorKind, Write, stderr};
+use std::io::{self, ErrorKind};
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
 use jaka_sync::{Explanation, Refusal};
 
-use crate::exit;
+use crate::{exit, output};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -66,8 +66,7 @@ impl Failure {
             Self::Differs(impact) => return ExitCode::from(exit::difference(*impact)),
             Self::OutputClosed => return ExitCode::SUCCESS,
         };
-        // Nobody may be reading: the code tells enough.
-        writeln!(stderr(), "jaka: {}", chain(self)).ok();
+        output::tell(&chain(self));
         ExitCode::from(code)
     }
 }

@@ -22,6 +22,7 @@ use std::io::{Write, stderr};
 use std::process::ExitCode;
 
 use clap::Parser;
+use jaka_sync::proto::text::visible_lines;
 
 use crate::commands::Command;
 
@@ -73,7 +74,7 @@ fn main() -> ExitCode {
 fn told(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     let told = match text.strip_prefix("error: ") {
-        Some(text) => write!(stderr(), "jaka: {text}"),
+        Some(text) => write!(stderr(), "jaka: {}", visible_lines(text)),
         // With colours.
         None => error.print(),
     };

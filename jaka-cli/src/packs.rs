@@ -7,6 +7,7 @@ use clap::Args;
 use jaka_spec::{Source, Spec};
 
 use crate::failure::Failure;
+use crate::output;
 use crate::target::usual_packs;
 
 /// The option by which a command learns of packs.
@@ -66,7 +67,7 @@ pub(crate) fn add(spec: &Spec, path: &Path) -> Result<Spec, Failure> {
     let pack = jaka_spec::load_pack(spec, Source { path: &name, text: &text })
         .map_err(|errors| Failure::Usage(format!("the pack {name} has errors:\n{errors}")))?;
     for note in &pack.notes {
-        eprintln!("jaka: warning: {note}");
+        output::tell(&format!("warning: {note}"));
     }
     Ok(pack.spec)
 }

@@ -4,15 +4,18 @@ mod frames;
 mod pipe;
 mod scribe;
 
-use std::io::{self, Write, stderr};
+use std::io;
 use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
+use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Event, Port};
 use jaka_sync::{Recorder, StatusSampling};
 use socket2::{SockRef, TcpKeepalive};
+
+use crate::output;
 
 use self::pipe::Pipe;
 use self::scribe::{Connection, Passed};
@@ -107,6 +110,5 @@ fn set_options(stream: &TcpStream) -> io::Result<()> {
 }
 
 fn warn(text: &str) {
-    // Nobody may be reading.
-    writeln!(stderr(), "jaka: warning: {text}").ok();
+    output::tell(&format!("warning: {}", visible(text)));
 }

@@ -1,5 +1,6 @@
 //! Prints what the controller logs.
 
+use jaka_proto::text::visible;
 use log::{LevelFilter, Log, Metadata, Record};
 
 struct Printer;
@@ -11,7 +12,8 @@ impl Log for Printer {
 
     fn log(&self, record: &Record<'_>) {
         if self.enabled(record.metadata()) {
-            println!("{}", record.args());
+            // A request may have anything in it that a terminal obeys.
+            println!("{}", visible(&record.args().to_string()));
         }
     }
 

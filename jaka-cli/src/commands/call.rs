@@ -53,11 +53,11 @@ impl Call {
         };
         let line = Parser::of(spec, command).parse(outline.rest)?;
         if let Some(topic) = &line.options.list {
-            return output::write(list::text(spec, topic)?.as_bytes());
+            return output::lines(&list::text(spec, topic)?);
         }
         match Request::of(spec, command, name, &line)? {
             Some(request) => exchange::carry_out(&protocol, &line.options, &request),
-            None => output::write(list::text(spec, "")?.as_bytes()),
+            None => output::lines(&list::text(spec, "")?),
         }
     }
 }

@@ -8,6 +8,8 @@ mod queries;
 mod report;
 mod status;
 
+use std::fs::File;
+use std::io::{ErrorKind, Write};
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 
@@ -35,7 +37,7 @@ pub(crate) struct Probe {
     /// Write a draft of a command pack with the keys that the spec does not know
     ///
     /// Each is optional and has the type that its value looks like; its meaning is left to do. What cannot be read at all
-    /// stands there as a suggestion, commented out.
+    /// stands there as a suggestion, commented out. A file that exists is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
     #[command(flatten)]
@@ -52,7 +54,7 @@ impl Probe {
         let status = status::take(&protocol.spec, &target, self.packets.get());
         let findings = Findings::new(commands, status, &protocol.packs);
         let text = if self.json { json::text(&findings) } else { report::text(&findings) };
-        output::write(text.as_bytes())?;
+        if self.json { output::json(&text) } else { output::lines(&text) }?;
         if let Some(path) = &self.draft {
             write_draft(path, &protocol.spec, &findings)?;
         }
@@ -65,8 +67,16 @@ impl Probe {
 
 fn write_draft(path: &Path, spec: &Spec, findings: &Findings) -> Result<(), Failure> {
     let Some(draft) = draft::text(spec, findings) else {
-        eprintln!("jaka: no draft is written: no message has a key that the spec does not know");
+        output::tell("no draft is written: no message has a key that the spec does not know");
         return Ok(());
     };
-    std::fs::write(path, draft).map_err(|error| Failure::local(format!("cannot write {}", path.display()), error))
+    let failed = |error| Failure::local(format!("cannot write {}", path.display()), error);
+    let mut file = File::create_new(path).map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => Failure::Usage(format!(
+            "{} exists already, and packs are not overwritten: somebody may have finished it",
+            path.display()
+        )),
+        _ => failed(error),
+    })?;
+    file.write_all(draft.as_bytes()).map_err(failed)
 }

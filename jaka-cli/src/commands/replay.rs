@@ -97,7 +97,7 @@ fn read(path: &Path) -> Result<Recording, Failure> {
     let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
     let recording = Recording::read(&file).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
     if let Some(error) = &recording.truncated {
-        eprintln!("jaka: warning: {}: the file ends within a line: {error}", path.display());
+        output::tell(&format!("warning: {}: the file ends within a line: {error}", path.display()));
     }
     Ok(recording)
 }

@@ -6,6 +6,7 @@ mod document;
 mod files;
 
 use clap::{Args, Subcommand};
+use jaka_sync::proto::text::{visible_json, visible_lines};
 
 use crate::failure::Failure;
 
@@ -33,8 +34,8 @@ impl Spec {
         match self.command {
             SpecCommand::Check(command) => command.run(),
             SpecCommand::Diff(command) => command.run(),
-            SpecCommand::Doc(command) => command.run(jaka_spec::tools::reference),
-            SpecCommand::Schema(command) => command.run(document::schema),
+            SpecCommand::Doc(command) => command.run(jaka_spec::tools::reference, visible_lines),
+            SpecCommand::Schema(command) => command.run(document::schema, visible_json),
         }
     }
 }

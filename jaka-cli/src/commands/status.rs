@@ -9,6 +9,7 @@ use std::num::NonZeroU64;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use jaka_sync::proto::text::visible_json_line;
 
 use self::csv::Columns;
 use self::packets::Packets;
@@ -44,7 +45,7 @@ pub(crate) struct Status {
     /// How to print it
     #[arg(long, value_enum, default_value_t, conflicts_with = "raw")]
     format: Format,
-    /// Print each packet's own text
+    /// Print each packet's own text, in a line, with JSON's escapes for what cannot be seen
     #[arg(long)]
     raw: bool,
     #[command(flatten)]
@@ -71,7 +72,7 @@ impl Status {
         let period = self.watch.unwrap_or(Duration::from_secs(1));
         let mut packets = Packets::new(target.status_stream()?, period);
         if self.raw {
-            return self.print(|| Ok(packets.next_text()? + "\n"));
+            return self.print(|| Ok(visible_json_line(&packets.next_text()?).into_owned() + "\n"));
         }
         match self.format {
             Format::Table => {

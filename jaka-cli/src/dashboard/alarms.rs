@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use jaka_sync::Severity;
+use jaka_sync::proto::text::visible;
 use jaka_sync::status::RobotStatus;
 
 use crate::event;
@@ -71,7 +72,7 @@ impl Alarms {
 
     /// Adds one.
     pub(super) fn add(&mut self, time: SystemTime, tone: Tone, text: impl Into<String>) {
-        self.entries.push_front(Alarm { time, tone, text: text.into() });
+        self.entries.push_front(Alarm { time, tone, text: visible(&text.into()).into_owned() });
         self.entries.truncate(MOST);
     }
 

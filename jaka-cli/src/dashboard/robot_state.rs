@@ -1,6 +1,7 @@
 //! The robot's state: power, stops, modes, event.
 
 use jaka_sync::Severity;
+use jaka_sync::proto::text::visible;
 use jaka_sync::status::{InterpreterState, RobotStatus, TaskMode};
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
@@ -115,7 +116,7 @@ fn event_cell(status: &RobotStatus) -> Cell {
         let Some(severity) = event::severity(&reading) else { return ("none".to_owned(), Style::new()) };
         let message = status.error_message.as_deref().filter(|message| !message.is_empty());
         let message = message.or(event::meaning(&reading)).unwrap_or_default();
-        let text = format!("{severity} {code} {message}");
+        let text = visible(&format!("{severity} {code} {message}")).into_owned();
         match severity {
             Severity::Information => (text, Style::new()),
             Severity::Warning => (text, style::notable()),

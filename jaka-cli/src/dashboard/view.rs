@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use jaka_sync::proto::text::visible;
 use jaka_sync::status::RobotStatus;
 
 use super::alarms::Alarms;
@@ -40,7 +41,7 @@ impl View {
 
     /// A view of a robot of which nothing is known yet.
     pub(crate) fn new(title: &str) -> Self {
-        Self { title: title.to_owned(), ..Self::default() }
+        Self { title: visible(title).into_owned(), ..Self::default() }
     }
 
     /// True if what is shown is what the robot said just now.

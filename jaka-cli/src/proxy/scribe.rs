@@ -76,7 +76,7 @@ impl Connection {
     fn record(&self, passed: Passed) {
         match passed {
             Passed::Bytes(direction, bytes) => {
-                self.frames(direction).take(&bytes, |piece| self.piece(direction, piece))
+                self.frames(direction).take(&bytes, |piece| self.piece(direction, piece));
             }
             Passed::Missing(direction, count) => {
                 self.flush(direction);

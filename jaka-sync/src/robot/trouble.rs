@@ -56,8 +56,5 @@ pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
 pub(crate) fn unreadable(snapshot: &Snapshot) -> Option<&DecodeError> {
     const NEEDED: [&str; 6] =
         ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
-    snapshot.unfit.iter().find(|error| {
-        let text = error.to_string();
-        NEEDED.iter().any(|field| text.contains(field))
-    })
+    snapshot.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)))
 }

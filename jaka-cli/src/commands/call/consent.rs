@@ -6,6 +6,7 @@ use jaka_spec::Effect;
 use jaka_spec::words::first_sentence;
 use jaka_sync::motion::Jog;
 use jaka_sync::proto;
+use jaka_sync::proto::text::{visible, visible_json_line};
 
 use super::help;
 use super::options::Options;
@@ -59,7 +60,8 @@ fn effect(request: &Request<'_>) -> &'static str {
 
 fn question(request: &Request<'_>, title: &str) -> String {
     let about = request.command.map_or("", |command| first_sentence(&command.doc).0);
-    format!("To {title}:\n  {}\n`{}` {}. {about}\nSend it? [y/N] ", request.text, request.name, effect(request))
+    let (sent, name) = (visible_json_line(&request.text), visible(&request.name));
+    format!("To {title}:\n  {sent}\n`{name}` {}. {}\nSend it? [y/N] ", effect(request), visible(about))
 }
 
 /// True if the answer is yes.

@@ -5,6 +5,7 @@ use std::time::Duration;
 use jaka_spec::json::{Reading, departures};
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Spec};
+use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::DecodeError;
 use jaka_sync::{Client, Disconnect, Error, Exchanges, Explanation};
 
@@ -19,7 +20,8 @@ use crate::target::Target;
 /// Sends the request, unless the bytes alone are wanted, and prints the reply.
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
     if options.dry_run {
-        return output::line(&request.text);
+        // The bytes that would go out, which are the user's own.
+        return output::write(format!("{}\n", request.text).as_bytes());
     }
     let target = options.robot.target_with_packs(&protocol.packs)?;
     consent::obtain(request, options, target.title())?;
@@ -33,7 +35,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
             let raw = client.last_reply().filter(|_| options.json && answered(&error));
-            raw.map_or(Ok(()), output::line)?;
+            raw.map_or(Ok(()), json_line)?;
             Err(explained(&protocol.spec, &target, error))
         }
     }
@@ -71,11 +73,16 @@ fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
 
 fn show(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
     if options.json {
-        output::line(text)?;
+        json_line(text)?;
     } else {
-        output::write(reply::table(spec, request.command, text).as_bytes())?;
+        output::lines(&reply::table(spec, request.command, text))?;
     }
     request.command.map_or(Ok(()), |command| must_fit(spec, command, text))
+}
+
+/// The controller's own JSON in one line, with escapes for what cannot be seen.
+fn json_line(text: &str) -> Result<(), Failure> {
+    output::line(&visible_json_line(text))
 }
 
 /// Fails if the reply cannot be read as the spec has it.

@@ -1,14 +1,16 @@
 //! What the help of a command says, from the spec.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use jaka_spec::json::{Argument, arguments};
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Effect, Request, Requirement, Spec};
+use jaka_sync::proto::text::{visible, visible_lines};
 
 /// What a command does, in a sentence.
-pub(super) fn about(command: &Command) -> &str {
-    first_sentence(&command.doc).0
+pub(super) fn about(command: &Command) -> Cow<'_, str> {
+    visible_lines(first_sentence(&command.doc).0)
 }
 
 /// What a command does, needs and takes.
@@ -21,7 +23,7 @@ pub(super) fn long_about(command: &Command) -> String {
     if let Some(evidence) = &command.reconstructed {
         let _ = write!(text, "\n\nThe document's text is lost. Evidence: {evidence}");
     }
-    text
+    visible_lines(&text).into_owned()
 }
 
 fn facts(command: &Command) -> Vec<String> {
@@ -69,12 +71,12 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     }
     let width = fields.iter().map(|field| field.field.len()).max().unwrap_or_default();
     let rows = fields.iter().map(|field| format!("\n  {:width$}  {}", field.field, field.help.replace('\n', " ")));
-    format!("Reply:{}", rows.collect::<String>())
+    visible_lines(&format!("Reply:{}", rows.collect::<String>())).into_owned()
 }
 
 /// A field's help: what it means, and where it belongs.
 pub(super) fn field(argument: &Argument) -> String {
-    let mut help = argument.help.replace('\n', " ");
+    let mut help = visible(&argument.help.replace('\n', " ")).into_owned();
     if !argument.variants.is_empty() {
         help = format!("{help} [with {}]", argument.variants.join(", "));
     }

@@ -115,7 +115,7 @@ fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Co
         .mut_args(|arg| if is_field(&arg) { arg } else { arg.hide_short_help(true) })
         .mut_arg("list", |arg| arg.hide(true))
         .override_usage(help::usage(command, arguments, &longs))
-        .about(help::about(command).to_owned())
+        .about(help::about(command).into_owned())
         .long_about(help::long_about(command))
         .after_long_help(help::notes(spec, command))
 }

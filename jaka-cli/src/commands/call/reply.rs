@@ -3,9 +3,11 @@
 use jaka_spec::json::{ENVELOPE, value as read};
 use jaka_spec::{Choice, Command, EnumValue, Field, Spec, Type, TypeKind};
 use jaka_sync::proto::python;
+use jaka_sync::proto::text::{visible, visible_json};
 use serde_json::{Map, Value};
 
 use crate::number::fixed;
+use crate::output;
 
 /// A reply's JSON; its text as a JSON string where it is none, as a bare Python tuple.
 pub(crate) fn json(text: &str) -> Value {
@@ -48,7 +50,7 @@ impl Table<'_> {
     }
 
     fn add(&mut self, name: impl Into<String>, value: String) {
-        self.rows.push((name.into(), value));
+        self.rows.push((visible(&name.into()).into_owned(), visible(&value).into_owned()));
     }
 
     fn object(&mut self, place: &str, fields: &[Field], object: &Map<String, Value>) {
@@ -181,11 +183,10 @@ fn decimals(number: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A value as it came. A terminal would act on control characters.
+/// A value as it came, but for what a terminal would act on.
 fn plain(value: &Value) -> String {
     match value {
-        Value::String(text) if text.is_empty() || text.contains(char::is_control) => format!("{text:?}"),
-        Value::String(text) => text.clone(),
-        _ => value.to_string(),
+        Value::String(text) => output::cell(text).into_owned(),
+        _ => visible_json(&value.to_string()).into_owned(),
     }
 }

@@ -1,7 +1,10 @@
 //! A draft of a command pack.
 
+use std::fmt::Write;
+
 use jaka_spec::json::{Departure, DepartureKind, Reading, notation};
 use jaka_spec::{Source, Spec, TypeKind, load_pack};
+use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;
 
 use super::finding::{Finding, Findings};
@@ -28,8 +31,9 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
 }
 
 fn head(version: &str, packs: &[String]) -> String {
-    let title = quoted(&format!("What {version} sends beyond the spec"));
-    let behind = if packs.is_empty() { String::new() } else { format!("# It stands behind {}.\n", packs.join(", ")) };
+    let title = quoted(&visible(&format!("What {version} sends beyond the spec")));
+    let behind =
+        if packs.is_empty() { String::new() } else { format!("# It stands behind {}.\n", visible(&packs.join(", "))) };
     format!(
         "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\n\
          {behind}title = {title}\n"
@@ -79,7 +83,7 @@ impl Draft<'_> {
             quoted(target),
             quoted(key),
             departure.expected,
-            quoted(&doc),
+            quoted(&visible(&doc)),
         )
     }
 
@@ -98,7 +102,7 @@ impl Draft<'_> {
             change,
         ];
         for line in lines {
-            self.suggestions.extend(["# ", &line.replace(char::is_control, " "), "\n"]);
+            self.suggestions.extend(["# ", &visible(&line), "\n"]);
         }
     }
 }
@@ -122,7 +126,18 @@ fn snake(key: &str) -> String {
     name.trim_end_matches('_').to_owned()
 }
 
-/// A string in TOML, which has the escapes of JSON, and allows one character less.
+/// A string in TOML, with escapes for all that cannot be seen, and the same string all the same.
 fn quoted(text: &str) -> String {
-    Value::from(text).to_string().replace('\u{7f}', "\\u007F")
+    let mut out = String::from('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            c if is_visible(c) => out.push(c),
+            c => {
+                // A string takes all that is written.
+                let _ = write!(out, "\\U{:08X}", u32::from(c));
+            }
+        }
+    }
+    out + "\""
 }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use jaka_sync::proto::text::{visible, visible_json_line};
+
 use super::finding::{Finding, Findings, Outcome};
 
 /// Each message with what was found in it, then the text of those that depart.
@@ -13,15 +15,15 @@ pub(super) fn text(findings: &Findings) -> String {
     let width = findings.all().map(|finding| finding.name.len()).max().unwrap_or_default();
     for finding in findings.all() {
         // A string takes all that is written.
-        let _ = writeln!(text, "{:width$}  {}", finding.name, in_short(finding));
+        let _ = writeln!(text, "{:width$}  {}", finding.name, visible(&in_short(finding)));
         for departure in &finding.departures {
-            let _ = writeln!(text, "    {departure}");
+            let _ = writeln!(text, "    {}", visible(&departure.to_string()));
         }
     }
     let _ = writeln!(text, "\n{} asked, {} depart from the spec", findings.asked(), findings.departing());
     let departing = findings.all().filter(|finding| finding.departs());
     for (name, raw) in departing.filter_map(|finding| Some((&finding.name, finding.raw.as_ref()?))) {
-        let _ = write!(text, "\n{name}:\n{raw}\n");
+        let _ = write!(text, "\n{name}:\n{}\n", visible_json_line(raw));
     }
     text
 }

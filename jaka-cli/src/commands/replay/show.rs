@@ -1,5 +1,6 @@
 //! A recording as text.
 
+use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::recording::{Entry, Event, Message, Recording};
 
 use super::filter::Filter;
@@ -18,7 +19,7 @@ pub(super) fn print(recording: &Recording, filter: &Filter) -> Result<(), Failur
     for entry in recording.entries.iter().filter(|entry| filter.shows(entry)) {
         output::line(&line(entry))?;
     }
-    output::write(format!("\n{}", Summary::new(recording, filter)).as_bytes())
+    output::lines(&format!("\n{}", Summary::new(recording, filter)))
 }
 
 fn line(entry: &Entry) -> String {
@@ -40,9 +41,10 @@ fn words(event: &Event) -> String {
 
 /// A message in one line.
 fn shortened(message: &Message) -> String {
-    let text = message.to_string().replace(char::is_control, " ");
+    let text = message.to_string();
+    let text = visible_json_line(&text);
     match text.char_indices().nth(SHOWN) {
         Some((end, _)) => format!("{}… ({} bytes)", &text[..end], message.bytes().len()),
-        None => text,
+        None => text.into_owned(),
     }
 }

@@ -5,6 +5,7 @@ use std::fmt;
 use std::time::Duration;
 
 use jaka_sync::proto::Envelope;
+use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Event, Message, Port, Recording};
 
 use super::filter::{Filter, name};
@@ -69,7 +70,7 @@ impl Summary {
 impl Line {
     fn new(answered: &Answered, after: Duration) -> Self {
         let command = name(&answered.request).unwrap_or_else(|| "a request without a name".to_owned());
-        Self { command, sent: answered.sent, after }
+        Self { command: visible(&command).into_owned(), sent: answered.sent, after }
     }
 }
 

@@ -38,7 +38,7 @@ impl Diff {
         let new = self.packs.iter().try_fold(new, |spec, pack| packs::add(&spec, pack))?;
         let changes = tools::diff(&old, &new);
         let text = if self.json { json(&changes) } else { text(&changes) };
-        output::write(text.as_bytes())?;
+        if self.json { output::json(&text) } else { output::lines(&text) }?;
         match tools::impact(&changes) {
             Some(impact) if self.exit_code => Err(Failure::Differs(impact)),
             _ => Ok(()),

@@ -1,5 +1,6 @@
 //! `jaka spec doc` and `jaka spec schema`: documents made from the spec.
 
+use std::borrow::Cow;
 use std::fs;
 use std::path::PathBuf;
 
@@ -20,11 +21,16 @@ pub(super) struct Document {
 }
 
 impl Document {
-    /// Writes what `make` makes of the built-in spec with its packs.
-    pub(super) fn run(&self, make: impl Fn(&Spec) -> String) -> Result<(), Failure> {
+    /// Writes what `make` makes of the built-in spec with its packs, with what cannot be seen in it made `visible`.
+    pub(super) fn run(
+        &self,
+        make: impl Fn(&Spec) -> String,
+        visible: impl Fn(&str) -> Cow<'_, str>,
+    ) -> Result<(), Failure> {
         let text = make(&self.spec.load(None)?.spec);
+        let text = visible(&text);
         let Some(path) = &self.output else { return output::write(text.as_bytes()) };
-        fs::write(path, text).map_err(|error| Failure::local(format!("cannot write {}", path.display()), error))
+        fs::write(path, &*text).map_err(|error| Failure::local(format!("cannot write {}", path.display()), error))
     }
 }
 

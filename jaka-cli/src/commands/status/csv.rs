@@ -1,5 +1,6 @@
 //! Packets as CSV.
 
+use jaka_sync::proto::text::{visible, visible_json};
 use serde_json::Value;
 
 use super::packets::Packet;
@@ -37,13 +38,20 @@ fn row(first: String, rest: impl Iterator<Item = String>) -> String {
     cells.join(",") + "\n"
 }
 
+/// What cannot be seen is escaped, so that a packet is a line, whatever is in it. A spreadsheet would take text that begins like a
+/// formula for one, and run it.
 fn cell(value: Option<Value>) -> String {
     let text = match value {
         None => return String::new(),
-        Some(Value::String(text)) => text,
-        Some(value) => value.to_string(),
+        Some(Value::String(text)) if is_formula(&text) => format!("'{}", visible(&text)),
+        Some(Value::String(text)) => visible(&text).into_owned(),
+        Some(value) => visible_json(&value.to_string()).into_owned(),
     };
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}
+
+fn is_formula(text: &str) -> bool {
+    text.trim_start().starts_with(['=', '+', '-', '@']) && text.parse::<f64>().is_err()
 }
 
 #[cfg(test)]
@@ -58,5 +66,23 @@ mod tests {
         assert_eq!(cell(Some(json!([1, 2]))), "\"[1,2]\"");
         assert_eq!(cell(Some(json!(true))), "true");
         assert_eq!(cell(None), "");
+    }
+
+    #[test]
+    fn text_is_neither_a_formula_nor_a_line_and_numbers_stay_numbers() {
+        for (text, expected) in [
+            ("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"),
+            ("@SUM(1,2)", "\"'@SUM(1,2)\""),
+            (" +1+1", "' +1+1"),
+            ("-", "'-"),
+            ("-5.5", "-5.5"),
+            ("+1e3", "+1e3"),
+            ("0x10", "0x10"),
+            ("a\r\n=1\u{1b}\u{202e}", r"a\r\n=1\u{1b}\u{202e}"),
+        ] {
+            assert_eq!(cell(Some(json!(text))), expected);
+        }
+        assert_eq!(cell(Some(json!(-5.5))), "-5.5");
+        assert_eq!(cell(Some(json!(["\u{202e}"]))), "\"[\"\"\\u202e\"\"]\"");
     }
 }

@@ -1,5 +1,6 @@
 //! Packets as lines of JSON.
 
+use jaka_sync::proto::text::visible_json;
 use serde_json::Value;
 
 use super::packets::Packet;
@@ -21,7 +22,7 @@ pub(super) fn line(fields: &[Field], packet: &Packet) -> String {
             entries.push(entry("event_meaning", event::meaning(&event).map(Value::from)));
         }
     }
-    format!("{{{}}}\n", entries.join(","))
+    visible_json(&format!("{{{}}}\n", entries.join(","))).into_owned()
 }
 
 fn entry(name: &str, value: Option<Value>) -> String {

@@ -2,12 +2,13 @@
 
 use std::io::{IsTerminal, stdout};
 
+use jaka_sync::proto::text::visible;
 use serde_json::Value;
 
 use crate::event;
 use crate::fields::{Field, Shape};
 use crate::number::fixed;
-use crate::output::ABSENT;
+use crate::output::{self, ABSENT};
 
 /// Lists with more values than this are told in short.
 const SHORT: usize = 8;
@@ -48,7 +49,7 @@ fn add(field: &Field, packet: &Value, rows: &mut Vec<(String, String)>) {
     let parts = field.parts(packet);
     let single = field.value(packet).is_none() || field.is_other(packet) || parts.is_empty();
     if single || field.shape() != Shape::Nested {
-        rows.push((field.name.clone(), with_unit(field, packet)));
+        rows.push((field.name.clone(), visible(&with_unit(field, packet)).into_owned()));
         return;
     }
     for part in &parts {
@@ -92,9 +93,7 @@ fn single(field: &Field, value: &Value) -> String {
         Value::Number(number) if field.is_float() => {
             number.as_f64().map_or_else(|| number.to_string(), |number| fixed(number, 3))
         }
-        // A terminal would act on control characters.
-        Value::String(text) if text.is_empty() || text.contains(char::is_control) => format!("{text:?}"),
-        Value::String(text) => text.clone(),
+        Value::String(text) => output::cell(text).into_owned(),
         _ => field.value_name(value).map_or_else(|| value.to_string(), |name| format!("{name} ({value})")),
     }
 }
