@@ -48,7 +48,8 @@ pub(super) struct Connection {
 struct Sent {
     text: String,
     fate: Fate,
-    repeats: bool,
+    /// How often it may have been sent in a row.
+    most: usize,
 }
 
 /// Stops of other threads. They carry no number, so they are counted.
@@ -64,17 +65,14 @@ impl Connection {
     }
 
     pub(super) fn note(&mut self, text: String, fate: Fate) {
-        self.add(text, fate, false);
+        self.note_repeated(text, fate, 1);
     }
 
-    /// A command that is sent once or several times in a row.
-    pub(super) fn note_repeated(&mut self, text: String, fate: Fate) {
-        self.add(text, fate, true);
-    }
-
-    fn add(&mut self, text: String, fate: Fate, repeats: bool) {
+    /// A command that is sent at least once and at most so often in a row; where it is sent [perhaps](Fate::Perhaps), also not at
+    /// all.
+    pub(super) fn note_repeated(&mut self, text: String, fate: Fate, most: usize) {
         if fate != Fate::NotSent {
-            self.commands.push(Sent { text, fate, repeats });
+            self.commands.push(Sent { text, fate, most });
         }
     }
 
@@ -98,9 +96,8 @@ impl Connection {
     fn check_commands(&self, mut seen: VecDeque<&String>) -> Result<(), String> {
         let answered = self.commands.iter().rposition(|sent| sent.fate == Fate::Seen);
         for (at, sent) in self.commands.iter().enumerate() {
-            let came = seen.pop_front_if_eq(&sent.text);
-            while came && sent.repeats && seen.pop_front_if_eq(&sent.text) {}
-            if !came && sent.fate != Fate::Perhaps {
+            let came = (0..sent.most).take_while(|_| seen.pop_front_if_eq(&sent.text)).count();
+            if came == 0 && sent.fate != Fate::Perhaps {
                 if answered.is_some_and(|last| at <= last) {
                     return Err(format!("{} did not come, but {:?}", sent.text, seen.front()));
                 }
@@ -163,7 +160,7 @@ mod tests {
             connection
         };
         let mut second = sent(&[("b", Fate::Seen), ("b1", Fate::Perhaps), ("b2", Fate::Sent), ("b3", Fate::Sent)]);
-        second.note_repeated("b4".to_owned(), Fate::Sent);
+        second.note_repeated("b4".to_owned(), Fate::Sent, 2);
         second.stops = Stops { sent: 2, seen: 1 };
         vec![sent(&[("a", Fate::Sent), ("x", Fate::NotSent), ("a1", Fate::Seen)]), second]
     }
@@ -198,6 +195,7 @@ mod tests {
             "a a1 b stop stop stop",
             "b stop a a1",
             "a a1 b stop b2 b3 b4 b5",
+            "a a1 b stop b2 b3 b4 b4 b4",
         ] {
             assert!(findings(seen) > 0, "{seen}");
         }

@@ -133,7 +133,12 @@ impl Arm {
         count(&mut self.tally, result);
         let fate = Fate::of(result);
         session.connection.note(text, fate);
-        session.silent = if fate == Fate::Seen { 0 } else { session.silent + 1 };
+        session.silent = match fate {
+            Fate::Seen => 0,
+            // What is kept back asks for no answer.
+            Fate::NotSent => session.silent,
+            Fate::Sent | Fate::Perhaps => session.silent + 1,
+        };
         if fate == Fate::Seen {
             self.mass.answered();
             self.variable.answered();

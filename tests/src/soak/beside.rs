@@ -40,8 +40,11 @@ pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
         Err(Error::ReplyLost { .. }) => "replies lost",
         Err(Error::UnexpectedReply { .. }) => "unexpected replies",
         Err(error) if error.may_have_run() => "broken off",
-        Err(_) => {
+        Err(error) => {
             tally.one("not sent");
+            if matches!(error, Error::StatusUnknown { .. }) {
+                tally.one("motions kept back without status");
+            }
             return;
         }
     };

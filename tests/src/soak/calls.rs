@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_proto::read_payload;
 use jaka_sync::io::GetFuncdiStatus;
-use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
+use jaka_sync::kinematics::{GetDhParam, GetJointPos, GetJointPosReply, KineForward};
 use jaka_sync::motion::JointMove;
 use jaka_sync::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
 use jaka_sync::power::{GetRobotState, GetVersion};
@@ -12,7 +12,7 @@ use jaka_sync::program::{LoadProgram, RapidRate};
 use jaka_sync::servo::ServoMove;
 use jaka_sync::types::{JointPosition, MoveMode};
 use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
-use jaka_sync::{Command, Error, Outcome};
+use jaka_sync::{Command, Error, MotionEnd, Outcome};
 use serde_json::{Value, json};
 
 use super::account::Fate;
@@ -26,6 +26,9 @@ pub(super) const FIRST: &str = GetRobotState::INFO.name;
 
 /// How long a motion is waited for, its reply included.
 const MOTION: Duration = Duration::from_secs(1);
+
+/// The shortest time between two questions where the arm is.
+const QUESTION_PERIOD: Duration = Duration::from_millis(100);
 
 /// How long a status packet may take to show what was set, on a machine however slow.
 const SHOWN: Duration = Duration::from_secs(120);
@@ -195,12 +198,42 @@ fn motion(arm: &mut Arm, session: &mut Session) {
         JointMove { mode: MoveMode::Absolute, joint_position: target, speed: 170.0, acceleration: Some(700.0) };
     let result = session.robot.run(&command, MOTION);
     arm.note(session, text(&command), &result);
-    let Ok(end) = result else { return };
-    arm.tally.one(ended(&end.outcome));
-    if end.outcome.is_reached() {
-        if let Ok(reply) = call(arm, session, &GetJointPos) {
-            check_position(arm, target, reply.joint_position);
+    match result {
+        Ok(end) => {
+            note_questions(session, &end);
+            check_end(arm, session, &end, target);
         }
+        // A refusal is explained by the robot's state, if the controller tells it.
+        Err(error) if error.is_refused() => session.connection.note(text(&GetRobotState), Fate::Perhaps),
+        Err(_) => {}
+    }
+}
+
+/// While a motion is waited for, the robot asks where the arm is, from time to time; what has been reached was answered.
+fn note_questions(session: &mut Session, end: &MotionEnd) {
+    let fate = if end.outcome.is_reached() { Fate::Seen } else { Fate::Perhaps };
+    // The first at once, and one where the times are not exact.
+    let most = end.waited.as_millis() / QUESTION_PERIOD.as_millis() + 2;
+    session.connection.note_repeated(text(&GetJointPos), fate, usize::try_from(most).unwrap_or(usize::MAX));
+}
+
+fn check_end(arm: &mut Arm, session: &mut Session, end: &MotionEnd, target: JointPosition) {
+    arm.tally.one(ended(&end.outcome));
+    match &end.outcome {
+        Outcome::Reached => {
+            let reply = raw(arm, session, GetJointPos::INFO.name, json!({})).map(|reply| reply.to_string());
+            let reply = reply.map(|reply| read_payload::<GetJointPosReply>(GetJointPos::INFO, &reply));
+            match reply {
+                Some(Ok(reply)) => check_position(arm, target, reply.joint_position),
+                Some(Err(error)) => arm.find(&format!("a position that cannot be read: {error}")),
+                None => {}
+            }
+        }
+        Outcome::AtRest if end.not_answered.is_none() => {
+            arm.find(&format!("the target of a motion is known, and its end is said to be unknown: {end:?}"));
+        }
+        Outcome::NoMotion => arm.find("a motion was accepted, and there is said to be none"),
+        _ => {}
     }
 }
 
@@ -214,6 +247,7 @@ fn check_position(arm: &mut Arm, target: JointPosition, found: JointPosition) {
 fn ended(outcome: &Outcome) -> &'static str {
     match outcome {
         Outcome::Reached => "motions reached",
+        Outcome::AtRest => "motions at rest somewhere",
         Outcome::Stopped => "motions stopped",
         Outcome::Deadline => "motions at their deadline",
         Outcome::StatusLost { .. } => "motions without status",

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use jaka_sim::{Fault, FaultPlan, StatusFault};
+use jaka_sim::{Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, StatusFault};
 use jaka_sync::Command;
 use jaka_sync::io::GetFuncdiStatus;
 use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
@@ -50,6 +50,39 @@ const RARITY: [u32; 4] = [25, 10, 60, 0];
 /// Set-points are many.
 const SET_POINT_RARITY: u32 = 5;
 
+/// Something is wrong with a link once in so long, for less than that.
+const LINK_PERIOD: Duration = Duration::from_secs(1);
+
+/// So often in a round; the links are well behind that.
+const LINK_FAULTS: u32 = 60;
+
+/// On which links.
+type On = fn(LinkEvent) -> LinkEvent;
+
+const OF_PORT: [On; 3] = [|event| event, |event| event.port(Port::Status), |event| event.port(Port::Command)];
+const OF_WAY: [On; 3] = [|event| event, LinkEvent::to_client, |event| event.direction(Direction::ToController)];
+
+/// What is wrong with the links of an arm in a round: one after the other, by the clock.
+pub(super) fn links(seed: u64, round: u32, arm: u32) -> Vec<LinkEvent> {
+    let mut random = Random::new(seed, [round, arm, 2]);
+    if RARITY[arm as usize % RARITY.len()] == 0 {
+        return Vec::new();
+    }
+    let links = (0..LINK_FAULTS).map(|number| {
+        let begin = LINK_PERIOD * number + millis(&mut random, 0, 200);
+        let late = LinkFault::Delay(millis(&mut random, 5, 200));
+        let fault = *random.pick(&[LinkFault::Hold, LinkFault::Hold, late, LinkFault::Slow(100_000)]);
+        let event = LinkEvent::new(fault).after(begin).lasting(millis(&mut random, 20, 700));
+        let event = random.pick(&OF_PORT)(event);
+        random.pick(&OF_WAY)(event)
+    });
+    links.collect()
+}
+
+fn millis(random: &mut Random, least: u32, more: u32) -> Duration {
+    Duration::from_millis(u64::from(least + random.below(more)))
+}
+
 /// The faults of an arm in a round.
 pub(super) fn script(seed: u64, round: u32, arm: u32) -> Script {
     let mut random = Random::new(seed, [round, arm, 1]);
@@ -95,12 +128,13 @@ fn faults(more: &[Fault]) -> Vec<Fault> {
 }
 
 /// The script as a controller takes it.
-pub(super) fn plan(script: &Script) -> FaultPlan {
+pub(super) fn plan(script: &Script, links: &[LinkEvent]) -> FaultPlan {
     let longest = script.values().map(Vec::len).max().unwrap_or_default();
     // Those that come first stand first.
     let in_order =
         (0..longest).flat_map(|at| script.iter().filter_map(move |(name, faults)| Some((*name, faults.get(at)?))));
-    in_order.fold(FaultPlan::new(), |plan, (name, fault)| plan.then_for(name, fault.clone()))
+    let plan = in_order.fold(FaultPlan::new(), |plan, (name, fault)| plan.then_for(name, fault.clone()));
+    links.iter().fold(plan, |plan, event| plan.link(*event))
 }
 
 /// The kind of a fault: the first word of its text.

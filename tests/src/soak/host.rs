@@ -148,7 +148,7 @@ impl Controllers {
 
 fn controller(seed: u64, round: u32, arm: u32) -> Controller {
     let builder = Controller::builder().delays(Delays::NONE).status_period(PERIOD);
-    let plan = faults::plan(&faults::script(seed, round, arm));
+    let plan = faults::plan(&faults::script(seed, round, arm), &faults::links(seed, round, arm));
     let controller = builder.faults(plan).start().expect("loopback has free ports");
     controller.set_state(|state| {
         state.powered = true;

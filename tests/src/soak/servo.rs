@@ -1,100 +1,181 @@
 //! Servo sessions.
 
-use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::servo::{IsInServomove, ServoJ, ServoMove};
-use jaka_sync::types::{MoveMode, Switch};
-use jaka_sync::{Error, ServoConfig, ServoReport, ServoSession};
+use std::time::Duration;
 
-use super::account::Fate;
+use jaka_proto::read_payload;
+use jaka_sync::kinematics::GetJointPos;
+use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, ServoMove};
+use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::{Command, Error, Explanation, ServoConfig, ServoReport, ServoSession};
+use serde_json::json;
+
+use super::account::{Connection, Fate};
 use super::arm::{Arm, text};
-use super::calls::is_ready;
+use super::calls::{is_ready, raw};
 use super::session::Session;
 
 /// How many set-points a session has at least, and at most.
 const SET_POINTS: (u32, u32) = (10, 50);
 
+/// How long the arm may take to come to rest, and the controller to enter servo mode.
+const ENTER: Duration = Duration::from_secs(1);
+
+/// Longer than any session: its set-points need no answers.
+const LONG: Duration = Duration::from_secs(60);
+
 /// The command that leaves servo mode.
 pub(super) const LEAVE: ServoMove = ServoMove { servo_mode: Switch::Off };
+
+/// A command, what became of it, and how often it may have been sent in a row.
+type Sent = (String, Fate, usize);
 
 /// What was sent, in order, and what it ended with; no report from a session that was dropped.
 #[derive(Debug)]
 struct Outcome {
-    sent: Vec<(String, Fate)>,
+    sent: Vec<Sent>,
     result: Result<Option<ServoReport>, Error>,
 }
 
-/// A session of some set-points, each with a number.
+/// A session of some set-points, each with a number. In every other one set-points may be unanswered for as long as it lasts.
 pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     if !is_ready(arm, session) {
         return;
     }
-    let outcome = match session.robot.servo(&ServoConfig::new().max_unanswered(std::time::Duration::from_secs(30))) {
+    let config = ServoConfig::new().enter_timeout(ENTER);
+    let config = if arm.random.one_in(2) { config.max_unanswered(LONG) } else { config };
+    let outcome = match session.robot.servo(&config) {
         Ok(servo) => go_through(arm, servo),
-        Err(error) => not_entered(error),
+        Err(error) => Outcome { sent: not_entered(&error), result: Err(error) },
     };
-    let repeated = text(&IsInServomove);
-    for (text, fate) in outcome.sent {
-        if text == repeated {
-            session.connection.note_repeated(text, fate);
-        } else {
-            session.connection.note(text, fate);
-        }
+    note(&mut session.connection, outcome.sent);
+    arm.tally.one(ended(&outcome.result));
+    session.silent = if outcome.result.is_ok() { 0 } else { session.silent + 1 };
+    see_that_it_was_left(arm, session, &outcome.result);
+}
+
+fn note(connection: &mut Connection, sent: Vec<Sent>) {
+    for (text, fate, most) in sent {
+        connection.note_repeated(text, fate, most);
     }
-    arm.in_servo_mode = !matches!(outcome.result, Ok(Some(_)));
-    arm.tally.one(match &outcome.result {
+}
+
+fn ended(result: &Result<Option<ServoReport>, Error>) -> &'static str {
+    match result {
         Ok(Some(_)) => "servo sessions finished",
         Ok(None) => "servo sessions dropped",
+        Err(Error::ServoModeNotLeft { .. }) => "servo sessions not left",
+        Err(Error::SetPointsUnanswered { .. }) => "servo sessions without answers",
+        Err(Error::StatusUnknown { .. }) => "servo sessions without status",
         Err(_) => "servo sessions failed",
-    });
-    session.silent = if outcome.result.is_ok() { 0 } else { session.silent + 1 };
+    }
 }
 
-/// How the session began, and what it did.
-fn commands(fate: Fate) -> Vec<(String, Fate)> {
-    vec![(text(&GetJointPos), fate), (text(&ServoMove { servo_mode: Switch::On }), fate), (text(&IsInServomove), fate)]
+/// A session that does not say otherwise has left servo mode.
+fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Option<ServoReport>, Error>) {
+    // One that was dropped says nothing.
+    arm.in_servo_mode = matches!(result, Ok(None) | Err(Error::ServoModeNotLeft { .. }));
+    if arm.in_servo_mode {
+        return;
+    }
+    let reply = raw(arm, session, IsInServomove::INFO.name, json!({})).map(|reply| reply.to_string());
+    match reply.map(|reply| read_payload::<IsInServomoveReply>(IsInServomove::INFO, &reply)) {
+        Some(Ok(reply)) if !reply.in_servo_mode => {}
+        Some(reply) => arm.find(&format!("servo mode was not left, after {result:?}: {reply:?}")),
+        None => arm.in_servo_mode = true,
+    }
 }
 
-fn not_entered(error: Error) -> Outcome {
-    let mut sent = commands(Fate::Perhaps);
-    match error {
-        Error::NotAcknowledged { .. } => sent.clear(),
-        // On a connection that works on, the first has gone out.
-        _ if !error.is_disconnected() => sent[0].1 = Fate::Sent,
-        _ => {}
-    }
-    if !sent.is_empty() {
-        sent.push((text(&LEAVE), Fate::Perhaps));
-    }
-    Outcome { sent, result: Err(error) }
+/// What a session begins with.
+fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
+    vec![
+        (text(&ServoMove { servo_mode: Switch::On }), switched, 1),
+        (text(&IsInServomove), entered, usize::MAX),
+        (text(&GetJointPos), entered, 1),
+    ]
+}
+
+/// What it ends with. That servo mode was left is known by an answer.
+fn leaving(fate: Fate) -> [Sent; 2] {
+    [(text(&LEAVE), fate, 1), (text(&IsInServomove), fate, usize::MAX)]
+}
+
+/// What went out of a session that did not begin.
+fn not_entered(error: &Error) -> Vec<Sent> {
+    let (switched, left) = match error {
+        Error::ServoModeNotLeft { .. } => (Fate::Sent, Fate::Perhaps),
+        // Of the first command there is nothing to leave, of the others there is.
+        Error::Refused { .. } => (Fate::Seen, Fate::Perhaps),
+        Error::Timeout { .. } | Error::ReplyLost { .. } | Error::UnexpectedReply { .. } => (Fate::Seen, Fate::Seen),
+        Error::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
+        // Nothing went out: the arm moves, the status is not known, somebody must look first, or the connection is broken.
+        _ => return Vec::new(),
+    };
+    entering(switched, Fate::Perhaps).into_iter().chain(leaving(left)).collect()
 }
 
 fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
-    let mut sent = commands(Fate::Seen);
+    let mut sent = entering(Fate::Seen, Fate::Seen);
     let count = SET_POINTS.0 + arm.random.below(SET_POINTS.1 - SET_POINTS.0);
     let before = sent.len();
+    let mut failed = None;
     for at in 0..count {
         let step = if at % 2 == 0 { 0.05 } else { -0.05 };
         let offset = [step, 0.0, 0.0, 0.0, 0.0, f64::from(arm.serial()) * 1e-7].into();
         let result = servo.joints_by(offset);
         let command = ServoJ { mode: MoveMode::Relative, joint_position: offset, step_count: Some(1) };
-        let fate = match &result {
-            Ok(()) => Fate::Sent,
-            Err(error) if error.may_have_run() => Fate::Perhaps,
-            Err(_) => Fate::NotSent,
-        };
-        sent.push((text(&command), fate));
-        if result.is_err() {
+        sent.push((text(&command), set_point(&result), 1));
+        failed = result.err();
+        if failed.is_some() {
             break;
         }
     }
-    let set_points = sent[before..].iter().filter(|(_, fate)| *fate == Fate::Sent).count();
+    let set_points = sent[before..].iter().filter(|(_, fate, _)| *fate == Fate::Sent).count();
     arm.tally.add("set-points", u64::try_from(set_points).unwrap_or_default());
-    let result = if arm.random.one_in(4) { Ok(None) } else { servo.finish().map(Some) };
+    let finished = if arm.random.one_in(4) { None } else { Some(servo.finish()) };
+    let (result, left) = leave(failed, finished);
     if let Ok(Some(report)) = &result {
         check(arm, report, set_points);
     }
-    sent.push((text(&LEAVE), if matches!(result, Ok(Some(_))) { Fate::Seen } else { Fate::Perhaps }));
+    sent.extend(leaving(left));
     Outcome { sent, result }
+}
+
+/// Whether a set-point went out.
+fn set_point(result: &Result<(), Error>) -> Fate {
+    let error = match result {
+        Ok(()) => return Fate::Sent,
+        Err(Error::ServoModeNotLeft { first: Some(first), .. }) => first,
+        Err(error) => error,
+    };
+    match error {
+        // Those before it are meant.
+        Error::SetPointsUnanswered { .. } => Fate::NotSent,
+        error if error.may_have_run() => Fate::Perhaps,
+        _ => Fate::NotSent,
+    }
+}
+
+/// What a session ended with, by its first error and how it was finished, if it was; and whether servo mode was left.
+fn leave(
+    failed: Option<Error>,
+    finished: Option<Result<ServoReport, Error>>,
+) -> (Result<Option<ServoReport>, Error>, Fate) {
+    let known =
+        |error: &Error| if matches!(error, Error::ServoModeNotLeft { .. }) { Fate::Perhaps } else { Fate::Seen };
+    match (failed, finished) {
+        // It ended with its error.
+        (Some(error), Some(Err(Error::SessionEnded { .. }))) => {
+            let left = known(&error);
+            (Err(error), left)
+        }
+        (_, Some(Ok(report))) => (Ok(Some(report)), Fate::Seen),
+        (_, Some(Err(error))) => {
+            let left = known(&error);
+            (Err(error), left)
+        }
+        // It ends when it is dropped, or has ended before.
+        (_, None) => (Ok(None), Fate::Perhaps),
+    }
 }
 
 fn check(arm: &mut Arm, report: &ServoReport, sent: usize) {
