@@ -11,8 +11,8 @@ use std::fmt;
 use crate::text::Visible;
 use crate::{Envelope, Request};
 
-/// One command that was sent.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+/// One command that was sent. The default is none that any ledger gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Ticket(u64);
 
 /// What a reply settles.

@@ -14,7 +14,7 @@ use jaka_proto::wire::{DecodeError, Fields, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::link::{Gate, Link};
+use crate::link::{Gate, Link, Posting};
 use crate::reply::{Payload, TextAlone, Typed};
 use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
 
@@ -23,7 +23,8 @@ use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
 /// Each method sends one command and waits for its reply. A command that the controller refuses is an error, with the
 /// controller's code and message. A motion that was accepted has only begun.
 ///
-/// The command port serves one client. Dropping the client closes the connection and leaves the robot as it is.
+/// The command port serves one client. Dropping the client closes the connection, also where stop handles live, and leaves the
+/// robot as it is: motions that were accepted go on, and nobody can stop them but through a new connection.
 ///
 /// ```no_run
 /// use jaka_sync::Client;
@@ -107,10 +108,26 @@ impl Client {
         Rules { ranges: self.config.advisory_ranges, firmware: self.firmware }
     }
 
-    /// Sends commands in one write without waiting for their replies, which are counted, and says how many are outstanding.
+    /// Sends commands without waiting for their replies, which are counted, and says how many are outstanding.
     pub(crate) fn post<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<usize, Error> {
-        commands.iter().try_for_each(|command| command.check(self.rules()))?;
-        self.link.post(C::INFO.name, gate, commands.len(), &mut |index, out| commands[index].write_request(out))
+        self.check(commands)?;
+        let (mut rest, mut outstanding) = (commands, 0);
+        while !rest.is_empty() {
+            let posting = self.post_some(gate, rest)?;
+            (rest, outstanding) = (&rest[posting.sent..], posting.outstanding);
+        }
+        Ok(outstanding)
+    }
+
+    /// Sends the first of some commands that have been checked, at least one, in one write.
+    pub(crate) fn post_some<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<Posting, Error> {
+        let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
+        self.link.post(C::INFO.name, self.config.reply_timeout, gate, commands.len(), write)
+    }
+
+    /// Checks commands against the spec and the firmware.
+    pub(crate) fn check<C: Command>(&self, commands: &[C]) -> Result<(), Error> {
+        Ok(commands.iter().try_for_each(|command| command.check(self.rules()))?)
     }
 
     /// The connection, for those who post.
@@ -118,7 +135,8 @@ impl Client {
         &self.link
     }
 
-    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, and at least one.
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, at least one and at
+    /// most 256.
     pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
         Pipeline::new(self, window)
     }
@@ -233,6 +251,13 @@ impl Client {
     /// The connection is closed, in the system's words.
     pub fn peer_addr(&self) -> io::Result<SocketAddr> {
         self.link.peer_addr()
+    }
+}
+
+/// Closes the connection, so that another client can be served: stop handles then fail, and say why.
+impl Drop for Client {
+    fn drop(&mut self) {
+        self.link.close();
     }
 }
 

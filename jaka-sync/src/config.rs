@@ -7,7 +7,7 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 use jaka_proto::wire::Decode;
 
-use crate::{Client, Error, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
+use crate::{Client, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream, address};
 
 /// How a connection behaves: timeouts, keepalive, frame size and checks.
 ///
@@ -21,7 +21,6 @@ use crate::{Client, Error, Monitor, Reconnect, Recorder, StatusSampling, StatusS
 #[derive(Debug, Clone)]
 pub struct Config {
     pub(crate) connect_timeout: Duration,
-    pub(crate) write_timeout: Duration,
     pub(crate) reply_timeout: Duration,
     pub(crate) keepalive: Option<Duration>,
     pub(crate) max_frame: usize,
@@ -36,7 +35,6 @@ impl Default for Config {
     fn default() -> Self {
         Self {
             connect_timeout: Duration::from_secs(5),
-            write_timeout: Duration::from_secs(5),
             reply_timeout: Duration::from_secs(5),
             keepalive: Some(Duration::from_secs(9)),
             max_frame: DEFAULT_MAX_FRAME,
@@ -58,22 +56,16 @@ impl Config {
         Self::default()
     }
 
-    /// How long connecting may take, over all addresses of a name. 5 s by default.
+    /// How long connecting may take, over all addresses of a name, which share the time. 5 s by default.
     #[must_use]
     pub fn connect_timeout(mut self, timeout: Duration) -> Self {
         self.connect_timeout = timeout.max(SHORTEST);
         self
     }
 
-    /// How long sending may take; a controller that reads nothing lets it run out. 5 s by default.
-    #[must_use]
-    pub fn write_timeout(mut self, timeout: Duration) -> Self {
-        self.write_timeout = timeout.max(SHORTEST);
-        self
-    }
-
     /// How long a reply, or a status packet, may take from the moment of the call. 5 s by default.
     ///
+    /// A call's time has in it the wait for other threads that send, and the sending: a controller that reads nothing lets it run out.
     /// Commands for which the spec names a longer time, such as `power_on` and the motions, get that longer time.
     #[must_use]
     pub fn reply_timeout(mut self, timeout: Duration) -> Self {
@@ -83,6 +75,9 @@ impl Config {
 
     /// After how long a silence TCP probes the controller, so that a pulled cable is noticed; `None` for never.
     /// 9 s by default, and a third of it between probes.
+    ///
+    /// Systems take whole seconds from 1 to 32767: other times are rounded up to the next second, or taken as the nearest of these. Between
+    /// probes there is a second at least.
     #[must_use]
     pub fn keepalive(mut self, idle: Option<Duration>) -> Self {
         self.keepalive = idle;
@@ -137,6 +132,37 @@ impl Config {
     /// As [`Client::connect`].
     pub fn connect(&self, address: impl Display) -> Result<Client, Error> {
         Client::with_config(&address.to_string(), self)
+    }
+
+    /// Connects a [`Robot`] to a controller at the protocol's ports, 10001 and 10000.
+    ///
+    /// # Errors
+    /// As [`Robot::connect`].
+    pub fn robot(&self, address: impl Display) -> Result<Robot, Error> {
+        let address = address.to_string();
+        if address::names_a_port(&address) {
+            return Err(Error::PortInAddress { address });
+        }
+        self.connect_robot(&address, &address)
+    }
+
+    /// Connects a [`Robot`] to a controller whose two ports have addresses of their own: a simulated one, or one behind a proxy.
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    /// use jaka_sync::Config;
+    ///
+    /// let controller = Controller::start()?;
+    /// let robot = Config::new().connect_robot(controller.command_addr(), controller.status_addr())?;
+    /// # drop(robot);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect) and [`monitor`](Self::monitor).
+    pub fn connect_robot(&self, commands: impl Display, status: impl Display) -> Result<Robot, Error> {
+        let monitor: Monitor = self.monitor(status)?;
+        Ok(Robot::new(self.connect(commands)?, monitor))
     }
 
     /// Connects to a controller's status port.

@@ -35,6 +35,12 @@ pub enum Error {
         /// Why not, in the system's words.
         source: io::Error,
     },
+    /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give the address without a
+    /// port, or both addresses to [`Config::connect_robot`](crate::Config::connect_robot). Nothing was connected to.
+    PortInAddress {
+        /// The address given.
+        address: String,
+    },
     /// The controller refused the command, which did not run. The connection is fine.
     Refused {
         /// The controller's own words.
@@ -55,6 +61,16 @@ pub enum Error {
     ///
     /// The connection can still be used: the reply, when it comes, is taken off and given to nobody.
     Timeout {
+        /// `cmdName` of the command.
+        command: String,
+        /// How long was waited.
+        after: Duration,
+        /// The last messages, where they were recorded.
+        exchanges: Exchanges,
+    },
+    /// The command could not be sent in time: the controller takes nothing more in, or other threads were sending. It did not run, and
+    /// the connection can still be used.
+    NotSentInTime {
         /// `cmdName` of the command.
         command: String,
         /// How long was waited.
@@ -184,9 +200,12 @@ impl Error {
         }
     }
 
-    /// True if a reply, a status packet or a state did not come in time.
+    /// True if a reply, a status packet or a state did not come in time, or the command could not be sent in time.
     pub fn is_timeout(&self) -> bool {
-        matches!(self, Self::Timeout { .. } | Self::StatusTimeout { .. } | Self::StateTimeout { .. })
+        matches!(
+            self,
+            Self::Timeout { .. } | Self::NotSentInTime { .. } | Self::StatusTimeout { .. } | Self::StateTimeout { .. }
+        )
     }
 
     /// True if the controller refused the command.
@@ -206,7 +225,7 @@ impl Error {
 
     /// True if no connection could be made.
     pub fn is_connect(&self) -> bool {
-        matches!(self, Self::Connect { .. })
+        matches!(self, Self::Connect { .. } | Self::PortInAddress { .. })
     }
 
     /// The controller's code and message, if it refused the command.
@@ -226,6 +245,7 @@ impl Error {
             Self::Refused { exchanges, .. }
             | Self::RefusedBecause { exchanges, .. }
             | Self::Timeout { exchanges, .. }
+            | Self::NotSentInTime { exchanges, .. }
             | Self::ReplyLost { exchanges, .. }
             | Self::UnexpectedReply { exchanges, .. }
             | Self::Disconnected { exchanges, .. }
@@ -246,6 +266,7 @@ impl Error {
             Self::Refused { exchanges, .. }
             | Self::RefusedBecause { exchanges, .. }
             | Self::Timeout { exchanges, .. }
+            | Self::NotSentInTime { exchanges, .. }
             | Self::ReplyLost { exchanges, .. }
             | Self::UnexpectedReply { exchanges, .. }
             | Self::Disconnected { exchanges, .. }
@@ -266,10 +287,18 @@ impl Error {
             Self::InvalidArgument(invalid) => write!(f, "{invalid}"),
             Self::NotInFirmware(missing) => write!(f, "{missing}"),
             Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
+            Self::PortInAddress { address } => write!(
+                f,
+                "cannot connect to {address}: a robot has two ports, so its address has none; two addresses can be given to \
+                 `Config::connect_robot`"
+            ),
             Self::Refused { refusal, .. } => write!(f, "{refusal}"),
             Self::RefusedBecause { refusal, explanation, .. } => write!(f, "{refusal}; {explanation}"),
             Self::Timeout { command, after, .. } => {
                 write!(f, "no reply to `{command}` within {after:?}; it may have run")
+            }
+            Self::NotSentInTime { command, after, .. } => {
+                write!(f, "`{command}` could not be sent within {after:?}; it did not run")
             }
             Self::ReplyLost { command, .. } => {
                 write!(f, "the reply to `{command}` is lost, a later command was answered; it may have run")
@@ -378,6 +407,14 @@ pub enum Disconnect {
         /// How many set-points were not answered.
         unanswered: u64,
     },
+    /// A panic in this program, of a logger for instance, kept a reply from being attributed.
+    Panicked,
+    /// The client was dropped, and with it the connection: stop handles cannot stop any more.
+    ClientDropped,
+    /// This is the status port, or something that sends what it sends; port 10001 takes commands.
+    StatusPort,
+    /// This is the command port, or something that answers as it does; port 10000 sends the status.
+    CommandPort,
     /// A command that ends the session was carried out.
     Ended {
         /// `cmdName` of the command.
@@ -405,11 +442,19 @@ impl fmt::Display for Disconnect {
             Self::Frame(error) => write!(f, "{error}"),
             Self::NotUtf8 => f.write_str("a message came that is no UTF-8"),
             Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
-            Self::Mistrust(mistrust) => write!(f, "{mistrust}"),
             Self::Reset { unanswered } => write!(
                 f,
                 "the connection was reset: {unanswered} set-points and the end of servo mode were not answered, \
                  and those that the system had not sent yet are discarded; others may still move the arm"
+            ),
+            Self::Mistrust(mistrust) => write!(f, "{mistrust}"),
+            Self::Panicked => f.write_str("a panic in this program kept a reply from being attributed"),
+            Self::ClientDropped => f.write_str("the client was dropped, and with it the connection"),
+            Self::StatusPort => {
+                f.write_str("a status packet came instead of a reply: this is the status port, port 10001 takes commands")
+            }
+            Self::CommandPort => f.write_str(
+                "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
             ),
             Self::Ended { by } => write!(f, "`{by}` ended the session"),
         }

@@ -10,6 +10,7 @@ mod methods;
 mod monitor;
 mod pack;
 mod pipeline;
+mod ports;
 mod receive;
 mod recorder;
 mod reply;

@@ -1,10 +1,11 @@
 //! The command connection, shared between a client and its stop handles.
 //!
-//! Whoever sends holds the state's lock, so the ledger's order is the wire's. Whoever waits for a reply reads the
-//! socket for all, or sleeps while another does.
+//! One thread at a time has the turn to send, and enters what it sends into the ledger before: so the ledger's order is the wire's.
+//! Whoever waits for a reply reads the socket for all, or sleeps while another does. Neither holds the state's lock meanwhile.
 
 mod answer;
 mod inbound;
+mod outbound;
 mod posted;
 mod question;
 mod reset;
@@ -12,8 +13,9 @@ mod state;
 mod wait;
 
 use std::borrow::Cow;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind};
 use std::net::{Shutdown, SocketAddr, TcpStream};
+use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
@@ -23,7 +25,9 @@ use jaka_proto::{Command, CommandInfo, Ticket};
 
 use self::answer::{Progress, disconnected};
 use self::inbound::Inbound;
-pub(crate) use self::posted::Answers;
+use self::outbound::Dispatch;
+pub(crate) use self::outbound::Right;
+pub(crate) use self::posted::{Answers, MOST_OWED};
 pub(crate) use self::question::Question;
 use self::state::{Mode, State};
 use crate::recorder::Tap;
@@ -36,7 +40,9 @@ pub(crate) struct Link {
     /// How long a command may take to go out where nobody says how long its reply may take.
     reply_timeout: Duration,
     state: Mutex<State>,
-    /// Signalled when an answer was put aside, the reader's place became free, or the connection broke.
+    /// How many stops are on their way out. While there are some, no other command begins to go out.
+    stops: AtomicUsize,
+    /// Signalled when an answer was put aside, the reader's place or the turn to send became free, or the connection broke.
     turned: Condvar,
 }
 
@@ -44,7 +50,7 @@ pub(crate) struct Link {
 const FRAME_COMMANDS: [&str; 4] =
     [SetToolId::INFO.name, SetUserId::INFO.name, SetToolOffsets::INFO.name, SetUserOffsets::INFO.name];
 
-/// Asked under the lock under which a command goes out, as the last thing before it does: an error keeps it back. What another
+/// Asked by the thread whose turn it is to send, as the last thing before a command goes out: an error keeps it back. What another
 /// thread sends meanwhile goes out behind it, or has gone out before.
 ///
 /// It must not use the connection.
@@ -59,6 +65,15 @@ pub(crate) struct Sent<'c> {
     timeout: Duration,
 }
 
+/// What was posted.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Posting {
+    /// How many commands were sent.
+    pub(crate) sent: usize,
+    /// How many posted commands are outstanding.
+    pub(crate) outstanding: usize,
+}
+
 impl Sent<'_> {
     fn left(&self) -> Duration {
         self.timeout.saturating_sub(self.since.elapsed())
@@ -68,7 +83,7 @@ impl Sent<'_> {
 impl Link {
     pub(crate) fn new(stream: TcpStream, tap: Tap, config: &Config) -> Self {
         let state = State::new(stream, Inbound::new(config.max_frame));
-        Self { tap, reply_timeout: config.reply_timeout, state: Mutex::new(state), turned: Condvar::new() }
+        Self { tap, reply_timeout: config.reply_timeout, state: Mutex::new(state), stops: AtomicUsize::new(0), turned: Condvar::new() }
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
@@ -102,7 +117,7 @@ impl Link {
         self.tap.attach(error)
     }
 
-    /// Sends a command, and enters it as owed a reply.
+    /// Sends a command, and enters it as owed a reply. Sending counts towards the timeout.
     pub(crate) fn send<'c>(
         &self,
         command: &'c str,
@@ -111,81 +126,40 @@ impl Link {
         gate: Gate<'_>,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
+        self.send_by(Right::Usual, command, owed, timeout, gate, write)
+    }
+
+    /// The same by the right of way that is given.
+    pub(crate) fn send_by<'c>(
+        &self,
+        right: Right,
+        command: &'c str,
+        owed: Cow<'static, str>,
+        timeout: Duration,
+        gate: Gate<'_>,
+        write: &mut dyn FnMut(&mut Writer),
+    ) -> Result<Sent<'c>, Error> {
         let since = Instant::now();
-        let ticket = self.transmit(&mut self.lock(), command, gate, |state| self.enter(state, owed, write))?;
+        let dispatch = Dispatch { command, owed, since, timeout, right, is_posted: false };
+        let ticket = self.transmit(&dispatch, gate, 1, &mut |_, out| write(out))?.last;
         Ok(Sent { ticket, command, since, timeout })
     }
 
-    /// Sends so many commands of one name in one write, and says of how many posted commands the replies are outstanding,
-    /// which are counted. `write` writes the request with an index.
+    /// Sends some of so many commands of one name in one write, at least one, and says how many, and of how many posted commands
+    /// the replies are outstanding, which are counted. `write` writes the request with an index.
     pub(crate) fn post(
         &self,
         command: &'static str,
+        timeout: Duration,
         gate: Gate<'_>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
-    ) -> Result<usize, Error> {
-        let mut state = self.lock();
-        self.transmit(&mut state, command, gate, |state| {
-            for index in 0..count {
-                let ticket = self.enter(state, Cow::Borrowed(command), &mut |out| write(index, out));
-                state.posted.sent(ticket, command);
-            }
-        })?;
-        Ok(state.posted.outstanding())
-    }
-
-    /// Sends the commands that are entered.
-    fn transmit<T>(
-        &self,
-        state: &mut State,
-        command: &str,
-        gate: Gate<'_>,
-        enter: impl FnOnce(&mut State) -> T,
-    ) -> Result<T, Error> {
-        // None of what has been read and not looked at is a reply to a command that goes out now.
-        if let Err(cause) = self.settle_read(state) {
-            self.break_off(state, cause);
-        }
-        if let Some(cause) = state.broken.clone() {
-            return Err(self.attach(disconnected(command, Progress::NotSent, cause)));
-        }
-        gate.map_or(Ok(()), |gate| gate())?;
-        state.out.clear();
-        let entered = enter(state);
-        if let Err(source) = self.write(state) {
-            let cause = self.break_off(state, Disconnect::Write(source));
-            return Err(self.attach(disconnected(command, Progress::Sent, cause)));
-        }
-        Ok(entered)
-    }
-
-    /// Puts a command behind what is to go out, and enters it as owed a reply.
-    fn enter(&self, state: &mut State, owed: Cow<'static, str>, write: &mut dyn FnMut(&mut Writer)) -> Ticket {
-        let start = state.out.as_str().len();
-        write(&mut state.out);
-        let request = &state.out.as_str()[start..];
-        log::trace!(target: "jaka_sync::wire", "-> {request}");
-        self.tap.sent(request);
-        state.frame_changes += u64::from(FRAME_COMMANDS.contains(&&*owed));
-        state.ledger.sent(owed)
-    }
-
-    /// Writes what is to go out, and waits until the system has taken it.
-    fn write(&self, state: &mut State) -> io::Result<()> {
-        let Some(stream) = state.stream.clone() else { return Err(ErrorKind::NotConnected.into()) };
-        let mut stream = &*stream;
-        let mut written = 0;
-        if state.mode == Mode::Nonblocking {
-            match stream.write(state.out.as_str().as_bytes()) {
-                Ok(len) if len == state.out.as_str().len() => return Ok(()),
-                Ok(len) => written = len,
-                Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {}
-                Err(error) => return Err(error),
-            }
-            Self::switch(state, Mode::Blocking)?;
-        }
-        stream.write_all(&state.out.as_str().as_bytes()[written..])
+    ) -> Result<Posting, Error> {
+        let owed = Cow::Borrowed(command);
+        let dispatch =
+            Dispatch { command, owed, since: Instant::now(), timeout, right: Right::Usual, is_posted: true };
+        let dispatched = self.transmit(&dispatch, gate, count, write)?;
+        Ok(Posting { sent: dispatched.count, outstanding: dispatched.posted })
     }
 
     /// Has the socket block or not. It must block where somebody reads it.
@@ -207,6 +181,19 @@ impl Link {
         let cause = Arc::clone(state.broken.get_or_insert_with(|| Arc::new(cause)));
         self.wake(state);
         cause
+    }
+
+    /// Closes the connection in good order, since its client is dropped: what is queued is still delivered.
+    pub(crate) fn close(&self) {
+        let mut state = self.lock();
+        if state.broken.is_none() {
+            // Bytes that nobody has read would turn the end into a reset. A logger's panic must not meet another one here.
+            if !std::thread::panicking() {
+                let _ = self.settle_arrived(&mut state);
+            }
+            self.tap.left();
+            self.break_off(&mut state, Disconnect::ClientDropped);
+        }
     }
 
     /// Ends the session after a command that ends it.

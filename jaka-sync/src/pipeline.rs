@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use jaka_proto::Command;
 
+use crate::link::MOST_OWED;
 use crate::{Client, Error};
 
 /// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
@@ -13,6 +14,9 @@ use crate::{Client, Error};
 ///
 /// What the controller refuses is learnt late: up to a window of later commands have been sent by then, and may have run. Where one
 /// command must not go out unless the one before was accepted, call them one by one.
+///
+/// A stop handle's stop goes out between the commands, and behind those that are outstanding: the controller works them off first. So
+/// at most 256 commands are outstanding, those of dropped pipelines included.
 ///
 /// Dropping the pipeline gives up the answers that are outstanding; [`finish`](Self::finish) waits for them.
 ///
@@ -44,7 +48,7 @@ pub struct Pipeline<'c> {
 
 impl<'c> Pipeline<'c> {
     pub(crate) fn new(client: &'c mut Client, window: usize) -> Self {
-        Self { client, window: window.max(1), outstanding: 0, sent: 0, accepted: 0, failed: VecDeque::new() }
+        Self { client, window: window.clamp(1, MOST_OWED), outstanding: 0, sent: 0, accepted: 0, failed: VecDeque::new() }
     }
 
     /// Sends a command. Where the window is full, waits first until half of it has been answered.
@@ -54,30 +58,52 @@ impl<'c> Pipeline<'c> {
     /// - [`Error::Refused`], [`Error::Timeout`], [`Error::ReplyLost`], [`Error::UnexpectedReply`]: what became of an earlier
     ///   command, which the error names. Each is told once.
     /// - [`Error::Disconnected`]: the connection is broken for good; what was outstanding may have run.
+    /// - [`Error::NotSentInTime`]: the controller took in too little, or answered too little, for this one to be sent.
     ///
     /// After an error, this command was not sent, unless the error is `Disconnected` and says so.
     pub fn send<C: Command<Reply = ()>>(&mut self, command: &C) -> Result<(), Error> {
         self.send_all(std::slice::from_ref(command))
     }
 
-    /// Sends commands, as many in one write as the window has room for. Where it is full, waits as [`send`](Self::send) does.
+    /// Sends commands, several in one write where the window has room for them. Where it is full, waits as [`send`](Self::send) does.
     ///
     /// # Errors
     /// As [`send`](Self::send); [`sent`](Self::sent) tells how many have gone out. If one of the commands is an
-    /// [`InvalidArgument`](Error::InvalidArgument), none of those in its write was sent.
+    /// [`InvalidArgument`](Error::InvalidArgument), none of those was sent that the window had room for together with it.
     pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
         let mut rest = commands;
         while !rest.is_empty() {
-            if self.outstanding >= self.window {
-                self.wait(self.window / 2)?;
-            }
-            if let Some(error) = self.failed.pop_front() {
-                return Err(error);
-            }
-            let (now, later) = rest.split_at(rest.len().min(self.window - self.outstanding));
-            self.outstanding = self.client.post(None, now)?;
-            self.sent += now.len() as u64;
+            let room = self.wait_for_room(C::INFO.name)?;
+            let (now, later) = rest.split_at(rest.len().min(room));
+            self.client.check(now)?;
+            self.send_checked(now)?;
             rest = later;
+        }
+        Ok(())
+    }
+
+    /// Waits until there is room for a command at least, and says for how many.
+    fn wait_for_room(&mut self, command: &str) -> Result<usize, Error> {
+        if self.outstanding >= self.window {
+            self.wait(self.window / 2)?;
+        }
+        if let Some(error) = self.failed.pop_front() {
+            return Err(error);
+        }
+        let link = self.client.link();
+        if link.room() == 0 {
+            link.wait_for_room(command, self.client.reply_timeout())?;
+        }
+        Ok(link.room().min(self.window - self.outstanding).max(1))
+    }
+
+    fn send_checked<C: Command>(&mut self, commands: &[C]) -> Result<(), Error> {
+        let mut rest = commands;
+        while !rest.is_empty() {
+            let posting = self.client.post_some(None, rest)?;
+            self.outstanding = posting.outstanding;
+            self.sent += posting.sent as u64;
+            rest = &rest[posting.sent..];
         }
         Ok(())
     }

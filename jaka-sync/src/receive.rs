@@ -35,13 +35,16 @@ pub(crate) struct Timeout(Duration);
 /// The shortest timeout: a read ends late by no more than this.
 const SHORTEST: Duration = Duration::from_millis(1);
 
+/// The longest: systems do not take all that a `Duration` can hold. Who waits longer reads again.
+const LONGEST: Duration = Duration::from_secs(3600);
+
 impl Timeout {
     /// Sets a timeout that is no longer than the time left, and at least half of it.
     ///
     /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it reads: a call that
     /// is answered takes no system call for its deadline. Who waits to the end reads a few times more.
     fn set(&mut self, stream: &TcpStream, left: Duration) -> std::io::Result<()> {
-        let left = left.max(SHORTEST);
+        let left = left.clamp(SHORTEST, LONGEST);
         if (left / 2..=left).contains(&self.0) {
             return Ok(());
         }

@@ -77,14 +77,13 @@ pub struct Robot {
 }
 
 impl Robot {
-    /// Connects to a controller at the protocol's ports, 10001 and 10000.
+    /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
     ///
     /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`].
+    /// As [`Client::connect`] and [`Monitor::connect`]; [`Error::PortInAddress`] where the address names a port, which can be only one of
+    /// the two. [`Config::connect_robot`] takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        let config = Config::new();
-        let monitor: Monitor = config.monitor(&address)?;
-        Ok(Self::new(config.connect(address)?, monitor))
+        Config::new().robot(address)
     }
 
     /// A robot of connections that have been made, to the same controller.

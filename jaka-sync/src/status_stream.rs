@@ -13,7 +13,7 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
 use crate::resync::{record_lost, resync};
-use crate::{Config, Disconnect, Error, Exchanges};
+use crate::{Config, Disconnect, Error, Exchanges, ports};
 
 /// A reader of the status packets that a controller sends on port 10000.
 ///
@@ -42,6 +42,8 @@ pub struct StatusStream {
     packet: String,
     unfit: Vec<DecodeError>,
     broken: Option<Arc<Disconnect>>,
+    /// Whether packets have come: what is no status port shows it with the first.
+    has_packets: bool,
 }
 
 impl StatusStream {
@@ -64,6 +66,7 @@ impl StatusStream {
             packet: String::new(),
             unfit: Vec::new(),
             broken: None,
+            has_packets: false,
         })
     }
 
@@ -185,8 +188,8 @@ impl StatusStream {
         let mut found = self.take_newest()?;
         self.nonblocking(true)?;
         // A controller that sends faster than this reads would hold it here for ever.
-        let deadline = Instant::now() + self.timeout;
-        while Instant::now() < deadline {
+        let since = Instant::now();
+        while since.elapsed() < self.timeout {
             match self.read(self.timeout) {
                 Ok(Chunk::Some) => found |= self.take_newest()?,
                 Ok(Chunk::TimeUp) => break,
@@ -222,8 +225,13 @@ impl StatusStream {
                 Ok(None) => return Ok(false),
                 Ok(Some(frame)) => {
                     self.tap.packet(frame);
+                    let text = framing::text(frame);
+                    if !self.has_packets && ports::is_reply(&text) {
+                        return Err(self.break_off(Disconnect::CommandPort));
+                    }
+                    self.has_packets = true;
                     self.packet.clear();
-                    self.packet.push_str(&framing::text(frame));
+                    self.packet.push_str(&text);
                     return Ok(true);
                 }
                 Err(error) => error,

@@ -8,13 +8,16 @@ use jaka_proto::Command;
 use jaka_proto::messages::program::StopProgram;
 
 use crate::Error;
-use crate::link::Link;
+use crate::link::{Link, Right};
 use crate::reply::TextAlone;
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
 ///
-/// The command goes out on the client's own connection: the command port serves one client. This is no emergency stop;
-/// people are protected by the robot's own safety functions alone.
+/// The command goes out on the client's own connection: the command port serves one client. So the handle works as long as the client
+/// lives: dropping the client closes the connection, and [`stop`](Self::stop) says so. Keep the client for as long as the arm may move.
+///
+/// A stop that waits to go out passes all other commands that do, between the pieces of a [`Pipeline`](crate::Pipeline), too. What
+/// has gone out before it is before it. This is no emergency stop; people are protected by the robot's own safety functions alone.
 ///
 /// ```no_run
 /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
@@ -41,11 +44,12 @@ impl StopHandle {
     /// Sends `stop_program` (4.23) and waits until the controller has taken it.
     ///
     /// # Errors
-    /// As [`Client::call`](crate::Client::call). Unless the call succeeds, expect the robot to move on.
+    /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
+    /// the client was dropped. Unless the call succeeds, expect the robot to move on.
     pub fn stop(&self) -> Result<(), Error> {
         let info = StopProgram::INFO;
         let write = &mut |out: &mut _| StopProgram.write_request(out);
-        let sent = self.link.send(info.name, Cow::Borrowed(info.name), self.timeout, None, write)?;
+        let sent = self.link.send_by(Right::Stop, info.name, Cow::Borrowed(info.name), self.timeout, None, write)?;
         self.link.wait(&sent, &mut String::new(), &mut TextAlone)
     }
 }

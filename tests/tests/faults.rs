@@ -353,7 +353,7 @@ fn a_controller_that_never_reads() {
     // Nobody accepts: the kernel takes some bytes, and then no more.
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
-    let mut client = Config::new().write_timeout(SHORT).reply_timeout(SHORT).connect(address).expect("it listens");
+    let mut client = Config::new().reply_timeout(SHORT).connect(address).expect("it listens");
     let program = "x".repeat(1 << 20);
     let errors = (0..64).map(|_| client.load_program(&*program).expect_err("nobody answers"));
     let broken = errors.into_iter().find(Error::is_disconnected).expect("the kernel's buffers are finite");

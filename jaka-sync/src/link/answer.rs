@@ -50,7 +50,12 @@ impl<'s, 'r> Caller<'s, 'r> {
     }
 
     pub(super) fn is(&self, ticket: Ticket) -> bool {
-        self.own.as_ref().is_some_and(|own| own.ticket == ticket)
+        self.ticket() == Some(ticket)
+    }
+
+    /// The command that it waits for.
+    pub(super) fn ticket(&self) -> Option<Ticket> {
+        self.own.as_ref().map(|own| own.ticket)
     }
 
     /// The reply that was read last is the caller's own.

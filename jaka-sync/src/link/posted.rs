@@ -10,6 +10,10 @@ use super::answer::{Caller, Progress, disconnected};
 use super::state::State;
 use crate::{Disconnect, Error, Exchanges};
 
+/// How many replies a connection may be owed when a command is posted, with those that were given up: a stop behind more than that
+/// would be of little use, since the controller works off what came before it.
+pub(crate) const MOST_OWED: usize = 256;
+
 /// Commands whose replies are counted.
 #[derive(Debug, Default)]
 pub(super) struct Posted {
@@ -35,8 +39,8 @@ pub(crate) struct Answers {
 }
 
 impl Posted {
-    pub(super) fn sent(&mut self, ticket: Ticket, command: &'static str) {
-        self.outstanding.push_back(Debt { ticket, command, since: Instant::now() });
+    pub(super) fn sent(&mut self, ticket: Ticket, command: &'static str, since: Instant) {
+        self.outstanding.push_back(Debt { ticket, command, since });
     }
 
     #[allow(dead_code, reason = "servo sessions are to use it")]
@@ -85,7 +89,7 @@ impl Link {
         if let Err(cause) = self.settle_arrived(&mut state) {
             self.break_off(&mut state, cause);
         }
-        (self.take_answers(&mut state), self.check(&state, command))
+        (self.take_answers(&mut state), self.check(&state, command, Progress::Sent))
     }
 
     /// Waits until at most so many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
@@ -102,9 +106,30 @@ impl Link {
             } else if state.broken.is_none() {
                 state = self.turn(state, left, &mut Caller::nobody());
             }
-            checked = self.check(&state, command);
+            checked = self.check(&state, command, Progress::Sent);
         }
         (self.take_answers(&mut state), checked)
+    }
+
+    /// How many more commands may be posted: none where too many replies are owed, also those that were given up.
+    pub(crate) fn room(&self) -> usize {
+        MOST_OWED.saturating_sub(self.lock().ledger.outstanding())
+    }
+
+    /// Waits until there is [`room`](Self::room) to post `command`.
+    pub(crate) fn wait_for_room(&self, command: &str, timeout: Duration) -> Result<(), Error> {
+        let since = Instant::now();
+        let mut state = self.lock();
+        while state.ledger.outstanding() >= MOST_OWED {
+            self.check(&state, command, Progress::NotSent)?;
+            let left = timeout.saturating_sub(since.elapsed());
+            if left.is_zero() {
+                let (command, exchanges) = (command.to_owned(), Exchanges::default());
+                return Err(self.attach(Error::NotSentInTime { command, after: timeout, exchanges }));
+            }
+            state = self.turn(state, left, &mut Caller::nobody());
+        }
+        Ok(())
     }
 
     /// How many posted commands are outstanding.
@@ -122,7 +147,9 @@ impl Link {
     /// others, and says how many were given up.
     pub(crate) fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.lock();
-        if let Err(cause) = self.settle_arrived(&mut state) {
+        // A pipeline is dropped also while a panic unwinds, which a logger's must not meet.
+        let settled = if std::thread::panicking() { Ok(()) } else { self.settle_arrived(&mut state) };
+        if let Err(cause) = settled {
             self.break_off(&mut state, cause);
         }
         let mut given_up = 0;
@@ -146,8 +173,8 @@ impl Link {
         answers
     }
 
-    fn check(&self, state: &State, command: &str) -> Result<(), Error> {
+    fn check(&self, state: &State, command: &str, progress: Progress) -> Result<(), Error> {
         let broken = state.broken.clone();
-        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, Progress::Sent, cause))))
+        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, progress, cause))))
     }
 }

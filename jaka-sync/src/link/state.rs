@@ -3,11 +3,11 @@
 use std::net::TcpStream;
 use std::sync::Arc;
 
-use jaka_proto::wire::Writer;
 use jaka_proto::{Arrival, Ledger, Mistrust, Ticket};
 
 use super::answer::{Answer, Caller, lost};
 use super::inbound::Inbound;
+use super::outbound::Outbound;
 use super::posted::Posted;
 use crate::Disconnect;
 use crate::reply::Reply;
@@ -18,7 +18,8 @@ pub(super) struct State {
     /// a reset closes the socket at once.
     pub(super) stream: Option<Arc<TcpStream>>,
     pub(super) ledger: Ledger,
-    pub(super) out: Writer,
+    /// The sending half; none while a thread sends.
+    pub(super) outbound: Option<Box<Outbound>>,
     /// The receiving half; none while a thread reads.
     pub(super) inbound: Option<Box<Inbound>>,
     pub(super) mode: Mode,
@@ -44,7 +45,7 @@ impl State {
         Self {
             stream: Some(Arc::new(stream)),
             ledger: Ledger::new(),
-            out: Writer::new(),
+            outbound: Some(Box::default()),
             inbound: Some(Box::new(inbound)),
             mode: Mode::Blocking,
             sleepers: 0,

@@ -1,16 +1,19 @@
+mod panics;
 mod question;
 mod reset;
+mod sending;
 
-use std::io::Read;
 use std::net::TcpListener;
 use std::thread;
 
+use jaka_proto::wire::Writer;
 use socket2::SockRef;
 
+use super::state::Mode;
 use super::*;
 
-/// More than any buffer between the two ends holds.
-const COMMANDS: usize = 4000;
+/// Far longer than anything takes unless something is wrong.
+const LONG: Duration = Duration::from_secs(60);
 
 /// A command of 4 KB, each another.
 fn write(index: usize, out: &mut Writer) {
@@ -24,6 +27,7 @@ fn sockets(send_buffer: usize) -> (TcpStream, TcpStream) {
     let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
     SockRef::from(&stream).set_send_buffer_size(send_buffer).expect("it can be set");
     let (server, _) = listener.accept().expect("the client waits");
+    server.set_read_timeout(Some(LONG)).expect("it is a time");
     (stream, server)
 }
 
@@ -35,58 +39,23 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
     (link, server)
 }
 
-/// What the system said where a send failed.
-fn cause(sent: Result<usize, Error>) -> ErrorKind {
-    match sent.expect_err("it cannot be sent") {
-        Error::Disconnected { sent: true, cause, .. } => match &*cause {
-            Disconnect::Write(source) => source.kind(),
-            other => panic!("{other}"),
-        },
-        other => panic!("{other}"),
+/// Posts so many commands.
+fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
+    let (mut sent, mut outstanding) = (0, 0);
+    while sent < count {
+        let posting = link.post("x", timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
+        (sent, outstanding) = (sent + posting.sent, posting.outstanding);
     }
+    Ok(outstanding)
 }
 
-#[test]
-fn what_the_system_takes_piece_by_piece_arrives_whole() {
-    for mode in [Mode::Blocking, Mode::Nonblocking] {
-        let (link, mut server) = connection(mode);
-        let reading = thread::spawn(move || {
-            let mut bytes = String::new();
-            server.read_to_string(&mut bytes).map(|_| bytes)
-        });
-        assert_eq!(link.post("x", None, COMMANDS, &mut write).expect("it is sent"), COMMANDS);
-        drop(link);
-        let mut expected = Writer::new();
-        (0..COMMANDS).for_each(|index| write(index, &mut expected));
-        let arrived = reading.join().expect("the thread does not panic").expect("it is text");
-        assert!(arrived == expected.as_str(), "{} of {} bytes", arrived.len(), expected.as_str().len());
-    }
+/// A reply to the command.
+fn reply(name: &str, code: u8, message: &str) -> String {
+    format!("{{\"errorCode\":\"{code}\",\"errorMsg\":\"{message}\",\"cmdName\":\"{name}\"}}")
 }
 
-#[test]
-fn a_send_waits_for_the_write_timeout_where_the_system_takes_nothing_at_first() {
-    let limit = Duration::from_millis(50);
-    let (link, _server) = connection(Mode::Nonblocking);
-    link.lock().stream.as_ref().expect("it is open").set_write_timeout(Some(limit)).expect("it is a time");
-    let stream = link.lock().stream.clone().expect("it is open");
-    let full = (0..COMMANDS).find_map(|_| (&*stream).write(&[b' '; 4096]).err());
-    assert_eq!(full.expect("nobody reads").kind(), ErrorKind::WouldBlock);
-    let since = Instant::now();
-    let kind = cause(link.post("x", None, 1, &mut write));
-    assert!(matches!(kind, ErrorKind::WouldBlock | ErrorKind::TimedOut), "{kind}");
-    assert!(since.elapsed() > limit / 2, "{:?}", since.elapsed());
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn the_cause_of_a_failed_send_is_the_first_one() {
-    let (link, server) = connection(Mode::Nonblocking);
-    SockRef::from(&server).set_linger(Some(Duration::ZERO)).expect("the socket is open");
-    drop(server);
-    let since = Instant::now();
-    while link.peer_addr().is_ok() && since.elapsed() < Duration::from_secs(60) {
-        thread::yield_now();
-    }
-    // A second try would say that the pipe is broken.
-    assert_eq!(cause(link.post("x", None, 1, &mut write)), ErrorKind::ConnectionReset);
+/// How many replies are owed, and how many of them to posted commands.
+fn owed(link: &Link) -> (usize, usize) {
+    let state = link.lock();
+    (state.ledger.outstanding(), state.posted.outstanding())
 }

@@ -66,8 +66,7 @@ impl Link {
             self.tap.stray(inbound.partial());
             self.break_off(&mut state, cause);
         }
-        state.inbound = Some(inbound);
-        self.wake(&state);
+        self.put_back(&mut state, inbound);
         state
     }
 

@@ -62,6 +62,8 @@ impl Drop for UnderWay<'_> {
 /// stop. Unless a [`MotionEnd`](super::MotionEnd) has told of the stop, the next motion is refused until
 /// [`Robot::acknowledge`](super::Robot::acknowledge); while a stop is on its way, each motion is.
 ///
+/// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` says so.
+///
 /// This is no emergency stop; people are protected by the robot's own safety functions alone.
 #[derive(Debug, Clone)]
 pub struct RobotStop {

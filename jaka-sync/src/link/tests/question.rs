@@ -9,14 +9,8 @@ use jaka_proto::messages::program::StopProgram;
 use super::*;
 use crate::reply::TextAlone;
 
-const LONG: Duration = Duration::from_secs(60);
-
 fn ask(link: &Link) -> Question {
     link.ask(GetJointPos::INFO, &mut |out| GetJointPos.write_request(out)).expect("it goes out")
-}
-
-fn reply(name: &str, code: u8, message: &str) -> String {
-    format!("{{\"errorCode\":\"{code}\",\"errorMsg\":\"{message}\",\"cmdName\":\"{name}\"}}")
 }
 
 /// Polls as a loop does that looks at other things between.
@@ -43,7 +37,6 @@ fn a_slice_that_ends_gives_nothing_up() {
     // Its successor of the same name has its own reply, or none.
     let next = ask(&link);
     assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextAlone).expect("it is not answered yet"));
-    link.forget(&next);
     assert!(link.broken().is_none());
 }
 
@@ -71,11 +64,12 @@ fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
 
 #[test]
 fn the_oldest_posted_command_is_told_by_its_age() {
-    let (link, mut server) = connection(Mode::Blocking);
+    let (stream, mut server) = sockets(1 << 20);
+    let link = Link::new(stream, Tap::default(), &Config::new());
     assert_eq!(link.oldest_posted(), None);
     let before = Instant::now();
     for _ in 0..2 {
-        link.post("x", None, 1, &mut |_, out| out.raw("{\"cmdName\":\"x\"}")).expect("it goes out");
+        post(&link, LONG, 1).expect("it goes out");
     }
     let age = link.oldest_posted().expect("it is outstanding");
     assert!(age <= before.elapsed());

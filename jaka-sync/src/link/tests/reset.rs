@@ -13,13 +13,11 @@ const QUEUED: usize = 40;
 /// What the network between the ends may have taken: the witness's receive buffer, and what its end accounts for it.
 const TAKEN: usize = 64 << 10;
 
-const LONG: Duration = Duration::from_secs(60);
-
 /// A connection with commands that wait for the other end to read, which it does not.
 fn with_a_queue() -> (Arc<Link>, TcpStream) {
     let (stream, server) = sockets(1 << 20);
     let link = Arc::new(Link::new(stream, Tap::default(), &Config::new().reply_timeout(LONG)));
-    link.post("x", None, QUEUED, &mut write).expect("the system takes it");
+    post(&link, LONG, QUEUED).expect("the system takes it");
     (link, server)
 }
 
@@ -93,4 +91,29 @@ fn a_reset_after_an_orderly_end_still_discards_and_the_first_cause_stays() {
     link.reset(cause());
     assert_discarded(server);
     assert!(matches!(*link.broken().expect("it is broken"), Disconnect::NotUtf8));
+}
+
+#[test]
+fn a_reset_discards_what_is_queued_beside_a_thread_that_writes() {
+    let (stream, server) = sockets(4096);
+    let link = Arc::new(Link::new(stream, Tap::default(), &Config::new()));
+    let writing = {
+        let link = Arc::clone(&link);
+        thread::spawn(move || post(&link, LONG, 1000))
+    };
+    // What is queued stays queued, since nobody reads.
+    let (since, mut last) = (Instant::now(), (0, Instant::now()));
+    while last.1.elapsed() < Duration::from_millis(300) && since.elapsed() < LONG {
+        let outstanding = link.outstanding();
+        if outstanding != last.0 {
+            last = (outstanding, Instant::now());
+        }
+        thread::yield_now();
+    }
+    let before = Instant::now();
+    link.reset(cause());
+    assert!(before.elapsed() < LONG / 2);
+    let error = writing.join().expect("it does not panic").expect_err("the connection is reset");
+    assert!(matches!(&error, Error::Disconnected { cause, .. } if matches!(**cause, Disconnect::Ended { .. })), "{error:?}");
+    assert_discarded(server);
 }

@@ -1,0 +1,168 @@
+//! Whose turn it is to send, and until when.
+
+use std::io::{Read, Write};
+use std::sync::Arc;
+
+use super::*;
+use crate::StopHandle;
+
+/// A deadline that is short, and long enough for a busy machine to begin.
+const SHORT: Duration = Duration::from_millis(300);
+
+/// More bytes than any buffer between the two ends holds.
+const HUGE: usize = 16 << 20;
+
+/// What the system said where a send failed.
+fn cause<T: std::fmt::Debug>(sent: Result<T, Error>) -> ErrorKind {
+    match sent.expect_err("it cannot be sent") {
+        Error::Disconnected { sent: true, cause, .. } => match &*cause {
+            Disconnect::Write(source) => source.kind(),
+            other => panic!("{other}"),
+        },
+        other => panic!("{other}"),
+    }
+}
+
+/// Sends a command of this length.
+fn send(link: &Link, timeout: Duration, len: usize) -> Result<Sent<'static>, Error> {
+    let pad = "x".repeat(len);
+    let write = &mut |out: &mut Writer| out.raw(&format!("{{\"cmdName\":\"y\",\"pad\":\"{pad}\"}}"));
+    link.send("y", Cow::Borrowed("y"), timeout, None, write)
+}
+
+/// Fills what is between the two ends, behind the link's back.
+fn fill(link: &Link) -> usize {
+    let stream = link.lock().stream.clone().expect("it is open");
+    stream.set_nonblocking(true).expect("it is open");
+    let (mut filled, mut last) = (0, Instant::now());
+    // What is on its way makes room once more where it arrives.
+    while last.elapsed() < Duration::from_secs(1) {
+        match (&*stream).write(&[b' '; 4096]) {
+            Ok(len) => (filled, last) = (filled + len, Instant::now()),
+            Err(error) => assert_eq!(error.kind(), ErrorKind::WouldBlock),
+        }
+        thread::yield_now();
+    }
+    let nonblocking = link.lock().mode == Mode::Nonblocking;
+    stream.set_nonblocking(nonblocking).expect("it is open");
+    filled
+}
+
+#[test]
+fn what_the_system_takes_piece_by_piece_arrives_whole() {
+    for mode in [Mode::Blocking, Mode::Nonblocking] {
+        let (link, mut server) = connection(mode);
+        let reading = thread::spawn(move || {
+            let mut bytes = String::new();
+            server.read_to_string(&mut bytes).map(|_| bytes)
+        });
+        send(&link, LONG, HUGE).expect("it is sent");
+        assert_eq!(post(&link, LONG, 400).expect("it is sent"), 400);
+        drop(link);
+        let mut expected = Writer::new();
+        expected.raw(&format!("{{\"cmdName\":\"y\",\"pad\":\"{}\"}}", "x".repeat(HUGE)));
+        (0..400).for_each(|index| write(index, &mut expected));
+        let arrived = reading.join().expect("the thread does not panic").expect("it is text");
+        assert!(arrived == expected.as_str(), "{} of {} bytes", arrived.len(), expected.as_str().len());
+    }
+}
+
+#[test]
+fn a_command_of_which_nothing_was_sent_by_its_deadline_did_not_run_and_the_connection_lives() {
+    for mode in [Mode::Blocking, Mode::Nonblocking] {
+        let (link, mut server) = connection(mode);
+        let filled = fill(&link);
+        let since = Instant::now();
+        for _ in 0..2 {
+            let error = send(&link, SHORT, 10).expect_err("nobody reads");
+            assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+            assert!(error.is_timeout() && !error.may_have_run() && !error.is_disconnected());
+            assert_eq!(error.to_string(), "`y` could not be sent within 300ms; it did not run");
+        }
+        let error = post(&link, SHORT, 3).expect_err("nobody reads");
+        assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+        assert!(since.elapsed() > SHORT * 3 / 2, "{:?}", since.elapsed());
+        assert_eq!(owed(&link), (0, 0));
+        server.read_exact(&mut vec![0; filled]).expect("the link writes");
+        let sent = send(&link, LONG, 10).expect("there is room");
+        server.read_exact(&mut [0; 34]).expect("the link writes");
+        server.write_all(reply("y", 0, "").as_bytes()).expect("the link reads");
+        link.wait(&sent, &mut String::new(), &mut crate::reply::TextAlone).expect("it is answered");
+    }
+}
+
+#[test]
+fn a_command_that_is_sent_in_part_by_its_deadline_breaks_the_connection() {
+    for mode in [Mode::Blocking, Mode::Nonblocking] {
+        let (link, _server) = connection(mode);
+        let since = Instant::now();
+        assert_eq!(cause(send(&link, SHORT, HUGE)), ErrorKind::TimedOut);
+        assert!(since.elapsed() < LONG / 2, "{:?}", since.elapsed());
+        assert!(link.broken().is_some());
+    }
+}
+
+#[test]
+fn a_stop_ends_at_its_deadline_while_another_thread_cannot_send_on() {
+    let (link, _server) = connection(Mode::Blocking);
+    let link = Arc::new(link);
+    let sending = {
+        let link = Arc::clone(&link);
+        thread::spawn(move || send(&link, LONG, HUGE).map(drop))
+    };
+    let since = Instant::now();
+    while link.lock().outbound.is_some() && since.elapsed() < LONG {
+        thread::yield_now();
+    }
+    let since = Instant::now();
+    let error = StopHandle::new(Arc::clone(&link), SHORT).stop().expect_err("it has no turn");
+    assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+    assert!((SHORT..LONG / 2).contains(&since.elapsed()), "{:?}", since.elapsed());
+    link.reset(Disconnect::NotUtf8);
+    assert!(sending.join().expect("it does not panic").is_err());
+}
+
+#[test]
+fn a_stop_that_waits_goes_out_before_other_commands_that_wait() {
+    let (link, mut server) = connection(Mode::Blocking);
+    let link = Arc::new(link);
+    // As a thread that sends holds the turn.
+    let outbound = link.lock().outbound.take();
+    let calling = {
+        let link = Arc::clone(&link);
+        thread::spawn(move || send(&link, LONG, 10).map(drop))
+    };
+    let since = Instant::now();
+    while link.lock().sleepers < 1 && since.elapsed() < LONG {
+        thread::yield_now();
+    }
+    let stop = StopHandle::new(Arc::clone(&link), LONG);
+    let stopping = thread::spawn(move || stop.stop());
+    while link.lock().sleepers < 2 && since.elapsed() < LONG {
+        thread::yield_now();
+    }
+    let mut state = link.lock();
+    state.outbound = outbound;
+    link.wake(&state);
+    drop(state);
+    let mut first = [0; 26];
+    server.read_exact(&mut first).expect("both are sent");
+    assert_eq!(String::from_utf8_lossy(&first), "{\"cmdName\":\"stop_program\"}"[..26]);
+    server.write_all(reply("stop_program", 0, "").as_bytes()).expect("the link reads");
+    stopping.join().expect("it does not panic").expect("it is answered");
+    calling.join().expect("it does not panic").expect("it goes out behind");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_cause_of_a_failed_send_is_the_first_one() {
+    let (link, server) = connection(Mode::Nonblocking);
+    SockRef::from(&server).set_linger(Some(Duration::ZERO)).expect("the socket is open");
+    drop(server);
+    let since = Instant::now();
+    while link.peer_addr().is_ok() && since.elapsed() < LONG {
+        thread::yield_now();
+    }
+    // A second try would say that the pipe is broken.
+    assert_eq!(cause(post(&link, LONG, 1)), ErrorKind::ConnectionReset);
+}
