@@ -149,7 +149,13 @@ mod tests {
     fn no_timeout_and_no_keepalive_is_too_long_or_too_short() {
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let address = listener.local_addr().expect("it is bound").to_string();
-        for time in [Duration::ZERO, Duration::from_nanos(1), Duration::from_secs(2), Duration::from_secs(40_000), Duration::MAX] {
+        for time in [
+            Duration::ZERO,
+            Duration::from_nanos(1),
+            Duration::from_secs(2),
+            Duration::from_secs(40_000),
+            Duration::MAX,
+        ] {
             let config = Config::new().connect_timeout(time.max(Duration::from_secs(2))).keepalive(Some(time));
             connect(&address, 0, &config).unwrap_or_else(|error| panic!("{time:?}: {error}"));
         }

@@ -83,7 +83,13 @@ impl Sent<'_> {
 impl Link {
     pub(crate) fn new(stream: TcpStream, tap: Tap, config: &Config) -> Self {
         let state = State::new(stream, Inbound::new(config.max_frame));
-        Self { tap, reply_timeout: config.reply_timeout, state: Mutex::new(state), stops: AtomicUsize::new(0), turned: Condvar::new() }
+        Self {
+            tap,
+            reply_timeout: config.reply_timeout,
+            state: Mutex::new(state),
+            stops: AtomicUsize::new(0),
+            turned: Condvar::new(),
+        }
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
@@ -156,8 +162,7 @@ impl Link {
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Posting, Error> {
         let owed = Cow::Borrowed(command);
-        let dispatch =
-            Dispatch { command, owed, since: Instant::now(), timeout, right: Right::Usual, is_posted: true };
+        let dispatch = Dispatch { command, owed, since: Instant::now(), timeout, right: Right::Usual, is_posted: true };
         let dispatched = self.transmit(&dispatch, gate, count, write)?;
         Ok(Posting { sent: dispatched.count, outstanding: dispatched.posted })
     }

@@ -277,21 +277,17 @@ impl<S: 'static> Monitor<S> {
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
         ended(&self.board.lock())?;
         let before = self.statistics().packets;
-        let mut was_seen = false;
-        let found = self.watch(timeout, |latest| {
-            was_seen |= latest.is_some();
-            latest.filter(|latest| wanted(latest)).cloned()
-        })?;
-        found.ok_or_else(|| self.not_in_time(timeout, before, was_seen))
+        let found = self.watch(timeout, |latest| latest.filter(|latest| wanted(latest)).cloned())?;
+        found.ok_or_else(|| self.not_in_time(timeout, before))
     }
 
     /// The error for a state that did not come, or for packets that did not.
-    fn not_in_time(&self, after: Duration, before: u64, was_seen: bool) -> Error {
+    fn not_in_time(&self, after: Duration, before: u64) -> Error {
         let (packets, exchanges) = (self.statistics().packets.saturating_sub(before), Exchanges::default());
         let state = self.board.lock();
         state.tap.attach(match (state.unfit.clone(), &state.latest) {
             (Some(source), _) => Error::UnexpectedStatus { source, exchanges },
-            (None, Some(last)) if packets > 0 || was_seen && last.age() <= self.stale_after => {
+            (None, Some(last)) if packets > 0 => {
                 Error::StateTimeout { after, packets, says: in_words(&last.status), exchanges }
             }
             _ => Error::StatusTimeout { after, exchanges },

@@ -48,7 +48,14 @@ pub struct Pipeline<'c> {
 
 impl<'c> Pipeline<'c> {
     pub(crate) fn new(client: &'c mut Client, window: usize) -> Self {
-        Self { client, window: window.clamp(1, MOST_OWED), outstanding: 0, sent: 0, accepted: 0, failed: VecDeque::new() }
+        Self {
+            client,
+            window: window.clamp(1, MOST_OWED),
+            outstanding: 0,
+            sent: 0,
+            accepted: 0,
+            failed: VecDeque::new(),
+        }
     }
 
     /// Sends a command. Where the window is full, waits first until half of it has been answered.

@@ -12,8 +12,10 @@ use crate::recorder::Tap;
 /// What a read brought.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Chunk {
-    /// Some bytes. There may be more.
-    Some,
+    /// All that had come by then.
+    All,
+    /// As much as there was room for. There may be more.
+    Part,
     /// Nothing, within the time of one read, which may be shorter than what was asked for; or at all, where the socket does
     /// not block.
     TimeUp,
@@ -67,7 +69,12 @@ pub(crate) fn chunk(
         return Ok(Chunk::TimeUp);
     }
     timeout.set(stream, left).map_err(Disconnect::Read)?;
-    once(stream, tap, framer).map(|len| if len == Some(0) { Chunk::TimeUp } else { Chunk::Some })
+    let room = framer.spare().len();
+    Ok(match once(stream, tap, framer)? {
+        Some(0) => Chunk::TimeUp,
+        Some(len) if len < room => Chunk::All,
+        _ => Chunk::Part,
+    })
 }
 
 /// Reads once what has come, from a socket that does not block.

@@ -191,7 +191,7 @@ impl StatusStream {
         let since = Instant::now();
         while since.elapsed() < self.timeout {
             match self.read(self.timeout) {
-                Ok(Chunk::Some) => found |= self.take_newest()?,
+                Ok(Chunk::All | Chunk::Part) => found |= self.take_newest()?,
                 Ok(Chunk::TimeUp) => break,
                 Err(cause) => return Err(self.break_off(cause)),
             }

@@ -53,6 +53,7 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "last_reply",
     "latch",
     "monitor",
+    "move_without_status",
     "peer_addr",
     "pipeline",
     "power_up",

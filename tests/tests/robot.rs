@@ -288,6 +288,31 @@ fn an_error_of_the_controller_ends_a_motion_with_its_code() {
 }
 
 #[test]
+fn information_and_warnings_end_no_motion() {
+    let (controller, mut robot) = ready();
+    // Servo mode is on; reduced mode; and one that no table has, at an arm that reaches its target.
+    for (code, target) in [("0x10F0015", 40.0), ("0x10f0020", 0.0), ("0x7654321", 40.0)] {
+        let end = run(&controller, &mut robot, &to(target), |cycle| {
+            if cycle == 5 {
+                controller.set_state(|state| code.clone_into(&mut state.error_code));
+            }
+        });
+        assert!(end.outcome.is_reached(), "{code}: {:?}", end.outcome);
+        assert!((controller.state().joint_position.0[0] - target).abs() < 1e-6);
+    }
+    // An unknown code counts where the arm rests elsewhere; one that was shown before the motion does not.
+    let end = disturbed(&controller, &mut robot, || {
+        controller.set_state(|state| {
+            state.error_code = "0x7654320".to_owned();
+            state.enabled = false;
+        });
+        controller.set_state(|state| state.enabled = true);
+    });
+    assert!(matches!(end.outcome, Outcome::ControllerError { .. }), "{:?}", end.outcome);
+    assert!(run(&controller, &mut robot, &to(0.0), |_| ()).outcome.is_reached());
+}
+
+#[test]
 fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
     let (controller, mut robot) = ready();
     let end = robot.run(&to(40.0), Duration::from_millis(20)).expect("it is accepted");

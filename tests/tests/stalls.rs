@@ -4,7 +4,7 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Controller, Delays, Fault, LinkFault, Port};
+use jaka_sim::{Controller, Delays, Fault, Habit, LinkFault, Port, StatusFault};
 use jaka_sync::motion::{JointMove, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
 use jaka_sync::{Client, Config, Error, Monitor, MotionEnd, Outcome, Robot, ServoConfig};
@@ -216,13 +216,72 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     let controller = arm();
     let mut robot = robot_of(&controller, &Config::new());
     controller.link(Port::Status).to_client().set(LinkFault::None);
-    controller.status_fault(jaka_sim::StatusFault::CloseAfter(0));
+    controller.status_fault(StatusFault::CloseAfter(0));
     let since = Instant::now();
     while robot.monitor().disconnect().is_none() && since.elapsed() < LONG {
         thread::yield_now();
     }
     let error = robot.start(&to(5.0, 60.0)).expect_err("nobody knows how the arm is");
     assert!(error.to_string().contains("make a new `Robot`"), "{error}");
+}
+
+#[test]
+fn a_stop_key_that_does_not_fit_keeps_the_arm_from_moving() {
+    for unfit in [r#""emergency_stop": "pressed?""#, r#""protective_stop": 7"#, r#""enabled": "perhaps""#] {
+        let (controller, mut robot) = ready();
+        controller.status_fault(StatusFault::Silent);
+        let packet = format!(r#"{{"len": 100, "powered_on": 1, "inpos": true, "rapidrate": "100%", {unfit}}}"#);
+        controller.send_status(packet.as_bytes());
+        let is_it = |status: &jaka_sync::status::RobotStatus| status.joint_actual_position.is_none();
+        robot.monitor().wait_until(is_it, LONG).expect("the packet comes");
+        let before = controller.requests().len();
+        let error = robot.start(&to(5.0, 60.0)).expect_err("whether the arm is stopped is not known");
+        assert!(matches!(error, Error::StatusUnknown { .. }), "{unfit}: {error:?}");
+        assert_eq!(controller.requests().len(), before, "{unfit}");
+        // One that matters to no stop keeps nothing back.
+        controller.send_status(br#"{"len": 100, "powered_on": 1, "enabled": true, "inpos": true, "drag_status": 2}"#);
+        robot.monitor().wait_until(|status| status.enabled == Some(true), LONG).expect("the packet comes");
+        robot.start(&to(5.0, 60.0)).expect("the state is known");
+    }
+}
+
+#[test]
+fn a_wait_whose_packets_cannot_be_read_says_so() {
+    let (controller, robot) = ready();
+    let mut robot = robot.status_silence(Duration::from_millis(300));
+    robot.start(&to(40.0, 20.0)).expect("it is reachable");
+    controller.status_fault(StatusFault::Instead(br#"{"len": 40, "inpos": true, "protective_stop": 7}"#.to_vec()));
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::StatusLost { unreadable: Some(_), .. }), "{:?}", end.outcome);
+    assert!(end.outcome.to_string().contains("protective_stop"), "{}", end.outcome);
+}
+
+#[test]
+fn a_status_without_in_position_still_shows_an_end() {
+    let (controller, mut robot) = ready();
+    controller.status_fault(StatusFault::Instead(br#"{"len": 40, "powered_on": 1, "enabled": true}"#.to_vec()));
+    let end = robot.run(&to(8.0, 60.0), LONG).expect("it is reachable");
+    assert_there(&controller, &end, 8.0);
+}
+
+#[test]
+fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
+    let controller =
+        Controller::builder().delays(Delays::NONE).status_period(PERIOD).habits(Habit::ServoAtRest).start();
+    let controller = controller.expect("loopback has free ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    let mut robot = robot_of(&controller, &Config::new().stale_after(LONG));
+    // The status is from before the motion: in position.
+    controller.link(Port::Status).to_client().hold();
+    robot.client().joint_move(&to(60.0, 20.0)).expect("it is reachable");
+    let error = robot.servo(&ServoConfig::new().enter_timeout(Duration::from_millis(300)));
+    let error = error.expect_err("the arm moves");
+    assert!(matches!(error, Error::NotReady { .. }) && error.to_string().contains("did not enter"), "{error}");
+    assert!(!controller.state().servo_mode);
+    assert!(controller.requests().iter().any(|request| request == r#"{"cmdName":"servo_move","relFlag":0}"#));
 }
 
 #[test]

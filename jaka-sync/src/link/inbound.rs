@@ -11,9 +11,9 @@ use jaka_proto::framing::Framer;
 use super::Link;
 use super::answer::Caller;
 use super::state::{Mode, State};
-use crate::{Disconnect, ports};
 use crate::receive::{self, Chunk, Rest};
 use crate::recorder::Tap;
+use crate::{Disconnect, ports};
 
 /// The receiving half: the reading thread takes it out of the state.
 #[derive(Debug)]

@@ -261,7 +261,9 @@ impl Link {
                 Ok(()) => return Err(dispatch.not_sent()),
                 Err(cause) => cause,
             },
-            Ok(_) => Disconnect::Write(io::Error::new(ErrorKind::TimedOut, "a command was written in part by its deadline")),
+            Ok(_) => {
+                Disconnect::Write(io::Error::new(ErrorKind::TimedOut, "a command was written in part by its deadline"))
+            }
             Err(source) => Disconnect::Write(source),
         };
         Err(disconnected(dispatch.command, Progress::Sent, self.break_off(state, cause)))

@@ -17,6 +17,12 @@ use crate::{Config, Disconnect, Error};
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
 
+/// The same where packets wait to be posted.
+const REST: Duration = Duration::from_millis(1);
+
+/// For how long packets are passed over for newer ones that have come already.
+const BEHIND: Duration = Duration::from_millis(50);
+
 /// The reader of the status port.
 pub(super) struct Worker<S> {
     board: Arc<Board<S>>,
@@ -69,18 +75,21 @@ impl<S: Decode> Worker<S> {
     fn read_into(&mut self, framer: &mut Framer, stream: &TcpStream) -> Disconnect {
         let mut timeout = receive::Timeout::default();
         let mut newest = String::new();
+        // When the first came of the packets that have not been posted.
+        let mut waiting: Option<Instant> = None;
         loop {
-            match receive::chunk(stream, &self.tap, framer, &mut timeout, READ) {
-                Ok(Chunk::Some) => {}
-                Ok(Chunk::TimeUp) => continue,
-                Err(cause) => return cause,
-            }
-            match self.take_newest(framer, &mut newest) {
-                Ok(true) => {
-                    let decoded = self.decode(&newest);
-                    self.post(decoded);
+            let chunk =
+                receive::chunk(stream, &self.tap, framer, &mut timeout, if waiting.is_some() { REST } else { READ });
+            match chunk.and_then(|chunk| self.take_newest(framer, &mut newest).map(|found| (chunk, found))) {
+                Ok((chunk, found)) => {
+                    waiting = waiting.or(found.then(Instant::now));
+                    // What has gathered is old but for its end. A controller that floods the port is behind for ever.
+                    let is_behind = chunk == Chunk::Part && waiting.is_some_and(|since| since.elapsed() < BEHIND);
+                    if !is_behind && waiting.take().is_some() {
+                        let decoded = self.decode(&newest);
+                        self.post(decoded);
+                    }
                 }
-                Ok(false) => {}
                 Err(cause) => return cause,
             }
         }

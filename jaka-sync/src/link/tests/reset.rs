@@ -114,6 +114,9 @@ fn a_reset_discards_what_is_queued_beside_a_thread_that_writes() {
     link.reset(cause());
     assert!(before.elapsed() < LONG / 2);
     let error = writing.join().expect("it does not panic").expect_err("the connection is reset");
-    assert!(matches!(&error, Error::Disconnected { cause, .. } if matches!(**cause, Disconnect::Ended { .. })), "{error:?}");
+    assert!(
+        matches!(&error, Error::Disconnected { cause, .. } if matches!(**cause, Disconnect::Ended { .. })),
+        "{error:?}"
+    );
     assert_discarded(server);
 }
