@@ -1,10 +1,11 @@
 //! The recording that a command makes.
 
 use std::fs::{self, File};
-use std::io::{self, ErrorKind};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use jaka_sync::proto::text::visible_json;
 use jaka_sync::{Recorder, RecorderReport};
 
 use crate::failure::Failure;
@@ -20,7 +21,7 @@ pub(crate) fn begin(path: &Path) -> Result<Recorder, Failure> {
         }
         _ => failed(path, error),
     })?;
-    let recorder = Recorder::new(file).map_err(|error| failed(path, error))?;
+    let recorder = Recorder::new(VisibleJson(file)).map_err(|error| failed(path, error))?;
     let (_, recorder) = RECORDING.get_or_init(|| (path.to_owned(), recorder));
     Ok(recorder.clone())
 }
@@ -35,6 +36,25 @@ pub(crate) fn finish() -> Result<RecorderReport, Failure> {
         fs::remove_file(path).ok();
     }
     Ok(report)
+}
+
+/// Writes the lines of a recording in characters that can be seen, for whoever looks at the file. As JSON they are the same.
+#[derive(Debug)]
+struct VisibleJson(File);
+
+impl Write for VisibleJson {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // A recorder writes whole lines, which are text.
+        match std::str::from_utf8(bytes) {
+            Ok(text) => self.0.write_all(visible_json(text).as_bytes())?,
+            Err(_) => self.0.write_all(bytes)?,
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
 }
 
 fn failed(path: &Path, error: io::Error) -> Failure {

@@ -34,7 +34,7 @@ pub fn code_span(text: &str) -> String {
 }
 
 /// The characters of a line, with escapes for those that nobody sees. Tabs count as blanks.
-fn shown(line: &str) -> String {
+pub(crate) fn shown(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     for c in line.chars() {
         match c {

@@ -5,6 +5,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::Source;
+use crate::prose::shown;
 
 /// One thing that is wrong with a spec, and where.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,10 +20,12 @@ pub struct Error {
     pub message: String,
 }
 
+/// In one line, whatever the file holds.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { path, line, column, message } = self;
-        write!(f, "{path}:{line}:{column}: {message}")
+        // A pack's own text is in it.
+        write!(f, "{}:{line}:{column}: {}", shown(path), shown(message))
     }
 }
 

@@ -57,6 +57,30 @@ fn after_collision() -> View {
     }))
 }
 
+/// A terminal obeys it, and a line that nobody wrote is behind it.
+const HOSTILE: &str = "A\u{1b}[2J\u{9b}\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}\r\nB\tC";
+
+#[test]
+fn no_text_of_a_controller_reaches_the_screen_raw() {
+    let mut view = view(packet(Firmware::Document, |state| {
+        (state.powered, state.enabled) = (true, true);
+        HOSTILE.clone_into(&mut state.error_code);
+        HOSTILE.clone_into(&mut state.error_message);
+    }));
+    view.title = View::new(HOSTILE).title;
+    for page in Page::ALL {
+        view.page = page;
+        for (width, height) in [(80, 24), (200, 60), (30, 10)] {
+            let rows = rows(&screen(&view, width, height));
+            let text = rows.concat();
+            assert!(text.chars().all(jaka_sync::proto::text::is_visible), "{text:?}");
+            if width == 200 {
+                assert!(text.contains(r"A\u{1b}[2J\u{9b}\u{7f}"), "{text}");
+            }
+        }
+    }
+}
+
 fn screen(view: &View, width: u16, height: u16) -> Buffer {
     let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
     terminal.draw(|frame| _ = draw(frame, view)).unwrap();

@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
 use std::net::TcpListener;
+use std::path::PathBuf;
 use std::thread;
 
 use expect_test::{expect, expect_file};
@@ -27,6 +28,13 @@ fn controller(firmware: Firmware) -> Controller {
 fn probe(controller: &Controller, options: &[&str]) -> Run {
     let options = options.iter().copied().map(str::to_owned);
     jaka(["probe".to_owned()].into_iter().chain(options).chain(address_of(controller)))
+}
+
+/// A file that does not exist yet.
+fn unwritten(name: &str) -> PathBuf {
+    let path = scratch(name);
+    fs::remove_file(&path).ok();
+    path
 }
 
 /// The report without what changes with each release.
@@ -81,7 +89,7 @@ fn drifted() -> Controller {
 
 #[test]
 fn a_controller_that_drifts() {
-    let draft = scratch("drifted.toml");
+    let draft = unwritten("drifted.toml");
     let run = probe(&drifted(), &["--timeout", "0.3", "--draft", &draft.display().to_string()]);
     assert_eq!(run.code, Some(7), "{}", run.text());
     expect_file!["../snapshots/probe_drifted.txt"].assert_eq(&report(&run));
@@ -95,7 +103,7 @@ fn a_controller_that_drifts() {
 fn with_its_draft_a_controller_departs_no_more() {
     let controller = controller(Firmware::Document);
     controller.set_reply("get_version", [("build".to_owned(), json!(17))]);
-    let draft = scratch("build.toml").display().to_string();
+    let draft = unwritten("build.toml").display().to_string();
     assert_eq!(probe(&controller, &["--draft", &draft]).code, Some(7));
     let again = probe(&controller, &["--pack", &draft]);
     assert_eq!(again.code, Some(0), "{}", again.text());
@@ -112,7 +120,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
     packet["extio"]["watch dog"] = json!(true);
     let status = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let port = status.local_addr().expect("it is bound").port().to_string();
-    let draft = scratch("status.toml");
+    let draft = unwritten("status.toml");
     let commands = controller.command_addr().port().to_string();
     let run = thread::scope(|scope| {
         let sent = scope
@@ -164,7 +172,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
 
 #[test]
 fn nothing_to_draft_is_said() {
-    let draft = scratch("none.toml");
+    let draft = unwritten("none.toml");
     let run = probe(&controller(Firmware::Document), &["--draft", &draft.display().to_string()]);
     assert_eq!(run.code, Some(0));
     expect![[r"

@@ -1,6 +1,7 @@
 //! The list of commands.
 
 use jaka_spec::{Command, Spec, Topic};
+use jaka_sync::proto::text::visible;
 
 use super::help;
 use crate::failure::Failure;
@@ -27,7 +28,7 @@ fn section(topic: &Topic) -> String {
         format!("  {name:width$}  {}\n", help::about(command).replace('\n', " "))
     };
     let rows: String = names.iter().zip(&topic.commands).map(row).collect();
-    format!("{}: {}\n{rows}", topic.name, topic.title)
+    format!("{}: {}\n{rows}", topic.name, visible(&topic.title))
 }
 
 /// The names that a command can be called by.
