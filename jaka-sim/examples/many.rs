@@ -5,13 +5,20 @@
 use std::error::Error;
 use std::io::Read;
 use std::net::TcpStream;
+use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_proto::framing::Framer;
 use jaka_sim::Controller;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    let Err(error) = run() else { return ExitCode::SUCCESS };
+    eprintln!("{error}");
+    ExitCode::FAILURE
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let count: usize = arguments.next().map_or(Ok(100), |text| text.parse())?;
     let hertz: u32 = arguments.next().map_or(Ok(50), |text| text.parse())?;

@@ -6,13 +6,18 @@
 mod common;
 
 use std::error::Error as StdError;
+use std::process::ExitCode;
 use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Error};
 
-fn main() -> Result<(), Box<dyn StdError>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn StdError>> {
     let target = common::target()?;
     let mut robot = Client::connect(&target.commands)?;
     if robot.get_robot_state()?.enabled {

@@ -9,6 +9,7 @@ mod common;
 use std::env::args;
 use std::error::Error;
 use std::io::{ErrorKind, Write, stdout};
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use jaka_sync::motion::JointMove;
@@ -19,7 +20,11 @@ use jaka_sync::{Client, Config, Monitor, Snapshot};
 /// A second of packets at the rate of the fastest firmware: standard output may be slow for so long.
 const CAPACITY: usize = 125;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     let seconds = args().nth(2).map_or(Ok(if target.is_simulated { 3 } else { 10 }), |seconds| seconds.parse())?;
     let monitor: Monitor = Config::new().monitor(&target.status)?;

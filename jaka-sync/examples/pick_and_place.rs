@@ -7,6 +7,7 @@
 mod common;
 
 use std::error::Error;
+use std::process::ExitCode;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -24,7 +25,11 @@ const FINGERS: Duration = Duration::from_millis(300);
 /// How long a motion may take.
 const MOTION: Duration = Duration::from_secs(15);
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     target.ask(
         "The arm will be powered, digital output 1 switched, and the tool moved 20 mm along x, 60 mm along y and 30 mm \

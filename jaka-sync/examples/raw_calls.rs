@@ -5,11 +5,16 @@
 mod common;
 
 use std::error::Error;
+use std::process::ExitCode;
 
 use jaka_sync::Client;
 use serde_json::json;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     let mut robot = Client::connect(&target.commands)?;
 

@@ -7,6 +7,7 @@
 mod common;
 
 use std::error::Error;
+use std::process::ExitCode;
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
@@ -18,7 +19,11 @@ use jaka_sync::{Monitor, MotionEnd, Outcome, Robot};
 
 const MOTION: Duration = Duration::from_secs(20);
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     target.ask("The arm will be powered and joint 1 will move by 10 deg. Clear the area.")?;
     let mut robot = target.robot()?;

@@ -8,6 +8,7 @@ mod common;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use jaka_sync::ServoConfig;
@@ -17,7 +18,11 @@ use jaka_sync::types::JointPosition;
 const AMPLITUDE: f64 = 5.0;
 const PERIOD: f64 = 1.0;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let number = |name: &str| std::env::args().skip_while(|arg| arg != name).nth(1).map(|text| text.parse::<u64>());
     let seconds = number("--seconds").transpose()?.unwrap_or(5);
     let spin = Duration::from_micros(number("--spin").transpose()?.unwrap_or(0));

@@ -8,6 +8,7 @@ mod common;
 
 use std::error::Error;
 use std::io::{IsTerminal, stdin};
+use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -17,7 +18,11 @@ use jaka_sync::motion::JointMove;
 use jaka_sync::types::MoveMode;
 use jaka_sync::{Outcome, Robot, RobotStop};
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     target.ask("The arm will be powered and joint 1 will move by 10 deg and back, until Ctrl-C. Clear the area.")?;
     let mut robot = target.robot()?;

@@ -7,6 +7,7 @@
 mod common;
 
 use std::error::Error;
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use jaka_sync::frames::SetToolOffsets;
@@ -17,7 +18,11 @@ use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::types::{JointPosition, MoveMode, Pose, Switch};
 use jaka_sync::{Client, StatusStream};
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     target.ask("The arm will be powered and joint 1 will move by 2 deg. Clear the area.")?;
     let mut robot = Client::connect(&target.commands)?;

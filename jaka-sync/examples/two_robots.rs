@@ -8,6 +8,7 @@ mod common;
 
 use std::env::args;
 use std::error::Error;
+use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
@@ -19,7 +20,11 @@ use jaka_sync::{Outcome, Robot, RobotStop};
 /// An error that can leave its thread.
 type Failure = Box<dyn Error + Send + Sync>;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     if args().len() == 2 {
         return Err("give the addresses of two robots, or none".into());
     }

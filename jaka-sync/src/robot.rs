@@ -40,14 +40,21 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 /// use jaka_sync::types::MoveMode;
 ///
 /// let mut robot = Robot::connect("10.5.5.100")?;
+/// let stop = robot.stop_handle();
+/// ctrlc::set_handler(move || {
+///     if let Err(error) = stop.stop() {
+///         eprintln!("the arm may still move, use the emergency stop: {error}");
+///     }
+/// })?;
 /// robot.power_up(Duration::from_secs(60))?;
-/// let request = JointMove {
-///     mode: MoveMode::Absolute,
-///     joint_position: [0.0, 90.0, 90.0, 90.0, -90.0, 0.0].into(),
-///     speed: 20.0,
-///     acceleration: Some(60.0),
+/// // The last joint, by 5 deg from where it is, at 5 deg/s.
+/// let turn = JointMove {
+///     mode: MoveMode::Relative,
+///     joint_position: [0.0, 0.0, 0.0, 0.0, 0.0, 5.0].into(),
+///     speed: 5.0,
+///     acceleration: Some(20.0),
 /// };
-/// robot.run(&request, Duration::from_secs(30))?.reached()?;
+/// robot.run(&turn, Duration::from_secs(30))?.reached()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -5,9 +5,22 @@
 use std::env::args;
 use std::error::Error;
 use std::io::{BufRead, stdin};
+use std::process::ExitCode;
 
 use jaka_sim::{Controller, Delays};
 use jaka_sync::{Config, Monitor, Robot};
+
+/// Tells an error as text, with its causes: what `main` returns would be printed in its `Debug` form.
+pub(crate) fn end(result: Result<(), Box<dyn Error>>) -> ExitCode {
+    let Err(error) = result else { return ExitCode::SUCCESS };
+    eprintln!("{error}");
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        eprintln!("  because: {error}");
+        cause = error.source();
+    }
+    ExitCode::FAILURE
+}
 
 /// The addresses of a controller, and the simulated one itself if it is one.
 #[allow(dead_code, reason = "some examples use a part of it")]
