@@ -48,5 +48,10 @@ fn a_client_has_no_thread_and_a_monitor_has_one() {
         thread::yield_now();
     }
     drop((client, monitor));
-    assert_eq!(ours(), Some(0));
+    // The kernel may list a thread for a moment after it was joined.
+    let since = Instant::now();
+    while ours() != Some(0) {
+        assert!(since.elapsed() < LIMIT, "the monitor's thread is left");
+        thread::yield_now();
+    }
 }

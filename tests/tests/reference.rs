@@ -139,7 +139,7 @@ advisory = true
     let spec = load(&[Source { path: "spec/lamps.toml", text }]).expect("the spec is correct");
     let text = reference(&spec);
     let index = text.find("## Topics").expect("there is an index");
-    expect![[r#"
+    expect![[r"
         ## Topics
 
         **[Lamps \<new>](#lamps-new)**
@@ -189,6 +189,6 @@ advisory = true
         | `blue` | Blue | Blue. | newer only |
 
         - `blue`: Rare.
-    "#]]
+    "]]
     .assert_eq(&text[index..]);
 }

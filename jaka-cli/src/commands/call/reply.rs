@@ -44,13 +44,15 @@ impl Table<'_> {
         if self.rows.is_empty() {
             return "accepted\n".to_owned();
         }
-        let width = self.rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
-        let lines: Vec<_> = self.rows.iter().map(|(name, value)| format!("{name:width$}  {value}")).collect();
+        // Names too may be the controller's.
+        let rows: Vec<_> = self.rows.iter().map(|(name, value)| (visible(name), visible(value))).collect();
+        let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
+        let lines: Vec<_> = rows.iter().map(|(name, value)| format!("{name:width$}  {value}")).collect();
         lines.join("\n") + "\n"
     }
 
     fn add(&mut self, name: impl Into<String>, value: String) {
-        self.rows.push((visible(&name.into()).into_owned(), visible(&value).into_owned()));
+        self.rows.push((name.into(), value));
     }
 
     fn object(&mut self, place: &str, fields: &[Field], object: &Map<String, Value>) {
