@@ -2,8 +2,9 @@
 
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream};
+use std::sync::mpsc::RecvTimeoutError;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Fault};
 use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
@@ -11,8 +12,11 @@ use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
 use jaka_sync::types::{MoveMode, Switch};
-use jaka_sync::{AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, StopHandle};
+use jaka_sync::{
+    AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, Robot, StatusStream, StopHandle,
+};
 use serde_json::{Value, json};
+use socket2::SockRef;
 
 fn connected() -> (Controller, Client) {
     let controller = jaka_tests::controller();
@@ -252,7 +256,7 @@ fn handles_can_move_and_be_shared_between_threads() {
     assert_send::<Client>();
     assert_send::<StopHandle>();
     assert_sync::<StopHandle>();
-    assert_send::<jaka_sync::StatusStream>();
+    assert_send::<StatusStream>();
     assert_send::<Error>();
     assert_sync::<Error>();
 }
@@ -322,4 +326,121 @@ fn a_listener_that_closes_at_once() {
     let mut client = Client::connect(address).expect("it listens");
     drop(listener.accept().expect("the client waits"));
     assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
+}
+
+#[test]
+fn a_client_that_is_dropped_closes_its_connection_and_its_stop_handle_says_so() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let mut client = Client::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    let (mut server, _) = listener.accept().expect("the client waits");
+    server.set_read_timeout(Some(Duration::from_secs(60))).expect("it is a time");
+    let stop = client.stop_handle();
+    client.pipeline(1).send(&StopProgram).expect("it is not known yet");
+    drop(client);
+    let mut bytes = String::new();
+    server.read_to_string(&mut bytes).expect("the end is orderly, and comes");
+    assert_eq!(bytes, r#"{"cmdName":"stop_program"}"#);
+    let error = stop.stop().expect_err("the connection is closed");
+    assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
+    let source = std::error::Error::source(&error).expect("the cause is told");
+    assert_eq!(source.to_string(), "the client was dropped, and with it the connection");
+}
+
+#[test]
+fn a_new_client_has_its_seat_although_a_stop_handle_of_the_last_one_lives() {
+    let (controller, client) = connected();
+    let stop = client.stop_handle();
+    drop(client);
+    let mut next = Client::connect(controller.command_addr()).expect("the controller listens");
+    assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
+    next.get_version().expect("it is served");
+}
+
+#[test]
+fn a_call_ends_at_its_deadline_although_the_peer_reads_slowly() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    SockRef::from(&listener).set_recv_buffer_size(4096).expect("it can be small");
+    let mut client = Client::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    let (mut server, _) = listener.accept().expect("the client waits");
+    let (ended, end) = std::sync::mpsc::channel::<()>();
+    // A little all the time: no single write waits long for room.
+    let reading = thread::spawn(move || {
+        while end.recv_timeout(Duration::from_millis(20)).is_err_and(|error| error == RecvTimeoutError::Timeout) {
+            let _ = server.read(&mut [0; 4096]);
+        }
+    });
+    let pad = "x".repeat(64 << 20);
+    let request = format!("{{\"cmdName\":\"load_program\",\"programName\":\"{pad}\"}}");
+    let since = Instant::now();
+    let error = client.call_text(&request, Duration::from_secs(1)).expect_err("it takes far longer");
+    // Slowly read, it would be minutes.
+    assert!(since.elapsed() < Duration::from_secs(15), "{:?}", since.elapsed());
+    assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
+    drop(ended);
+    reading.join().expect("it does not panic");
+}
+
+#[test]
+fn status_packets_on_the_command_connection_are_told_from_replies() {
+    let controller = jaka_tests::controller();
+    let mut client = Client::connect(controller.status_addr()).expect("the controller listens");
+    let error = client.get_version().expect_err("it is the status port");
+    let source = std::error::Error::source(&error).expect("the cause is told");
+    assert_eq!(
+        source.to_string(),
+        "a status packet came instead of a reply: this is the status port, port 10001 takes commands"
+    );
+}
+
+#[test]
+fn replies_on_the_status_connection_are_told_from_packets() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let mut status = StatusStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    let (mut server, _) = listener.accept().expect("the client waits");
+    server.write_all(reply_to(GetJointPos::INFO).as_bytes()).expect("the stream reads");
+    let error = status.newest_packet().expect_err("it is no status port");
+    let source = std::error::Error::source(&error).expect("the cause is told");
+    assert_eq!(
+        source.to_string(),
+        "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status"
+    );
+}
+
+#[test]
+fn a_robots_address_with_a_port_is_refused() {
+    for address in ["10.5.5.100:10001", "localhost:10000", "[::1]:10001"] {
+        let error = Robot::connect(address).expect_err("a robot has two ports");
+        assert!(matches!(&error, Error::PortInAddress { address: named } if named == address), "{error:?}");
+        assert!(error.is_connect() && !error.may_have_run());
+        assert_eq!(
+            error.to_string(),
+            format!(
+                "cannot connect to {address}: a robot has two ports, so its address has none; two addresses can be given to \
+                 `Config::connect_robot`"
+            )
+        );
+    }
+    let controller = jaka_tests::controller();
+    let config = Config::new();
+    let mut robot =
+        config.connect_robot(controller.command_addr(), controller.status_addr()).expect("the controller listens");
+    robot.client().get_version().expect("it answers");
+    robot.monitor().wait_until(|_| true, Duration::from_secs(60)).expect("packets come");
+}
+
+#[test]
+fn no_timeout_is_too_long() {
+    let controller = jaka_tests::controller();
+    let config =
+        Config::new().connect_timeout(Duration::MAX).reply_timeout(Duration::MAX).keepalive(Some(Duration::MAX));
+    let mut client = config.connect(controller.command_addr()).expect("the controller listens");
+    client.get_version().expect("it answers");
+    client.call_within(&GetJointPos, Duration::MAX).expect("it answers");
+    let mut pipeline = client.pipeline(usize::MAX);
+    pipeline.send(&StopProgram).expect("it is not known yet");
+    assert_eq!(pipeline.finish().expect("it answers"), 1);
+    client.stop_handle().stop().expect("it answers");
+    let mut status = config.connect_status(controller.status_addr()).expect("the controller listens");
+    status.next_packet().expect("packets come");
+    status.newest_packet().expect("packets come");
 }

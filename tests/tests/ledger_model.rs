@@ -12,7 +12,7 @@ const NAMES: [&str; 3] = ["a", "b", "c"];
 /// How many runs for each premise, times `JAKA_RELIABILITY`.
 const RUNS: u32 = 34_000;
 
-/// What a run may do beside sending, answering late, losing replies and giving up.
+/// What a run may do beside sending, answering late, losing replies, giving up and dropping what is outstanding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Premise {
     /// Of each name, one command is waited for at a time: a client and its stop handles.
@@ -28,6 +28,8 @@ enum Step {
     Send(usize),
     /// The deadline of one of the commands that are waited for passes.
     GiveUp(usize),
+    /// One of the commands that are waited for is waited for no longer, in good time: a pipeline is dropped.
+    Abandon(usize),
     /// The reply to the oldest command that has none yet arrives: in time, or late.
     Deliver,
     /// It never will.
@@ -43,9 +45,10 @@ enum Step {
 }
 
 fn any_step() -> impl Strategy<Value = Step> {
-    (0u8..32, 0usize..NAMES.len()).prop_map(|(kind, which)| match kind {
+    (0u8..36, 0usize..NAMES.len()).prop_map(|(kind, which)| match kind {
         0..=11 => Step::Send(which),
         12..=15 => Step::GiveUp(which),
+        32..=35 => Step::Abandon(which),
         16..=23 => Step::Deliver,
         24..=26 => Step::Lose,
         27 => Step::DeliverNameless,
@@ -129,6 +132,10 @@ impl World {
                 Ok(())
             }
             Step::GiveUp(which) => self.give_up(which),
+            Step::Abandon(which) => {
+                self.abandon(which);
+                Ok(())
+            }
             Step::Deliver => self.deliver(|name| named(NAMES[name])),
             Step::DeliverNameless => self.deliver(|_| nameless("1")),
             Step::DeliverAnonymous => self.deliver(|_| nameless("0")),
@@ -159,10 +166,21 @@ impl World {
         }
     }
 
+    fn waiting(&self, which: usize) -> Option<usize> {
+        (0..self.sent.len()).filter(|place| self.sent[*place].outcome == Outcome::Waiting).nth(which)
+    }
+
+    /// Nothing is missed: it cannot break the connection. What its reply, or the lack of it, does to others is the ledger's to know.
+    fn abandon(&mut self, which: usize) {
+        if let Some(place) = self.waiting(which) {
+            self.sent[place].outcome = Outcome::GaveUp;
+            self.ledger.abandon(self.sent[place].ticket);
+        }
+    }
+
     /// A call that ends without a reply must not leave the next one to its own reply.
     fn give_up(&mut self, which: usize) -> Progress {
-        let waiting = (0..self.sent.len()).filter(|place| self.sent[*place].outcome == Outcome::Waiting).nth(which);
-        let Some(place) = waiting else { return Ok(()) };
+        let Some(place) = self.waiting(which) else { return Ok(()) };
         let mistakable = self.is_mistakable(self.sent[place].name);
         let sent = &mut self.sent[place];
         let has_come = sent.reply == Reply::Delivered;

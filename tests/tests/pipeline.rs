@@ -1,5 +1,6 @@
 //! Pipelines: commands that do not wait for one another's replies.
 
+use std::net::{TcpListener, TcpStream};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -38,7 +39,7 @@ fn assert_usable(controller: &Controller, client: &mut Client) {
 
 #[test]
 fn all_commands_go_out_in_order_and_no_more_than_the_window_is_outstanding() {
-    for window in [0, 1, 2, 7, 64, 1000] {
+    for window in [0, 1, 2, 7, 64, 1000, usize::MAX] {
         let (controller, mut client) = connected(LONG);
         let mut pipeline = client.pipeline(window);
         for index in 0..100 {
@@ -198,4 +199,52 @@ fn an_answer_that_another_thread_has_read_is_not_waited_for() {
     assert_eq!(pipeline.finish().expect("it was accepted"), 1);
     assert!(since.elapsed() < LONG / 2);
     assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn pipelines_that_are_dropped_again_and_again_are_no_evidence_of_lost_replies() {
+    let (controller, mut client) = connected(LONG);
+    let stop = client.stop_handle();
+    for _ in 0..50 {
+        let mut pipeline = client.pipeline(8);
+        for index in 0..9 {
+            pipeline.send(&output(index % 8)).expect("each is answered, at once and in order");
+        }
+        drop(pipeline);
+        stop.stop().expect("the connection lives");
+    }
+    assert_eq!(controller.requests().len(), 50 * 10);
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn a_reply_that_is_lost_behind_dropped_pipelines_is_still_noticed() {
+    let (controller, mut client) = connected(Duration::from_millis(300));
+    controller.inject(Fault::Drop);
+    client.pipeline(8).send(&output(1)).expect("it is not known yet");
+    // The reply of the next one settles what was dropped, and none comes for itself.
+    let error = client.set_digital_output(&output(2)).expect_err("one of two replies is lost");
+    assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
+}
+
+/// A client of somebody who answers nothing.
+fn unanswered(timeout: Duration) -> (Client, TcpStream) {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let address = listener.local_addr().expect("it is bound");
+    let client = Config::new().reply_timeout(timeout).connect(address).expect("it listens");
+    (client, listener.accept().expect("the client waits").0)
+}
+
+#[test]
+fn no_more_than_256_commands_are_outstanding_so_that_a_stop_is_of_use() {
+    let (mut client, _server) = unanswered(Duration::from_millis(300));
+    let outputs: Vec<_> = (0..1000).map(|number| output(number % 8)).collect();
+    let mut pipeline = client.pipeline(100_000);
+    assert!(pipeline.send_all(&outputs).expect_err("nobody answers").is_timeout());
+    assert_eq!(pipeline.sent(), 256);
+    // What a dropped pipeline has sent is still to be done.
+    drop(pipeline);
+    let error = client.pipeline(8).send(&outputs[0]).expect_err("nobody answers");
+    assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+    assert!(error.is_timeout() && !error.may_have_run() && !error.is_disconnected());
 }

@@ -1,0 +1,123 @@
+//! Panics of what a program gives to a client, a logger or the type of a reply: they take nothing from the connection.
+
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use jaka_sim::{Controller, Fault};
+use jaka_sync::kinematics::GetJointPos;
+use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
+use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_sync::{Client, Command, CommandInfo};
+use log::{LevelFilter, Log, Metadata, Record};
+
+/// Panics at each message that comes, while it is to.
+struct Panicking(AtomicBool);
+
+impl Log for Panicking {
+    fn enabled(&self, metadata: &Metadata<'_>) -> bool {
+        metadata.target() == "jaka_sync::wire"
+    }
+
+    fn log(&self, record: &Record<'_>) {
+        let comes = self.enabled(record.metadata()) && !record.args().to_string().starts_with("->");
+        assert!(!comes || !self.0.load(Ordering::SeqCst), "as the test wants");
+    }
+
+    fn flush(&self) {}
+}
+
+static LOGGER: Panicking = Panicking(AtomicBool::new(false));
+
+/// `get_joint_pos` with a reply that cannot be read without a panic.
+struct Ask;
+
+#[derive(Debug)]
+struct Unreadable;
+
+impl Fields for Ask {
+    fn write_fields(&self, _out: &mut Writer) {}
+
+    fn read_fields(_reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Ok(Self)
+    }
+}
+
+impl Validate for Ask {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+        Ok(())
+    }
+}
+
+impl Fields for Unreadable {
+    fn write_fields(&self, _out: &mut Writer) {}
+
+    fn read_fields(_reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        panic!("as the test wants")
+    }
+}
+
+impl Command for Ask {
+    type Reply = Unreadable;
+
+    const INFO: &'static CommandInfo = GetJointPos::INFO;
+}
+
+fn connected() -> (Controller, Client) {
+    let controller = jaka_tests::controller();
+    let client = Client::connect(controller.command_addr()).expect("the controller listens");
+    (controller, client)
+}
+
+fn panics<T>(act: impl FnOnce() -> T) -> bool {
+    panic::catch_unwind(AssertUnwindSafe(act)).is_err()
+}
+
+/// Calls and stops are answered, each with its own reply.
+fn assert_usable(controller: &Controller, client: &mut Client) {
+    let joints = [1.0, 2.0, 3.0, 4.0, 5.0, 6.5];
+    controller.set_state(|state| state.joint_position = joints.into());
+    assert_eq!(client.get_joint_pos().expect("the connection works").joint_position, joints.into());
+    client.stop_handle().stop().expect("the connection works");
+    assert!(client.disconnect().is_none());
+}
+
+#[test]
+fn a_panic_of_a_logger_or_of_a_reply_takes_nothing_from_the_connection() {
+    log::set_logger(&LOGGER).expect("this is the only test of the process");
+    log::set_max_level(LevelFilter::Trace);
+    let (controller, mut client) = connected();
+    for _ in 0..3 {
+        assert!(panics(|| client.call(&Ask)), "the reply's type panics");
+        assert_usable(&controller, &mut client);
+        LOGGER.0.store(true, Ordering::SeqCst);
+        assert!(panics(|| client.get_version()), "the logger panics");
+        let stop = client.stop_handle();
+        assert!(panics(|| stop.stop()), "the logger panics");
+        LOGGER.0.store(false, Ordering::SeqCst);
+        assert_usable(&controller, &mut client);
+    }
+    // A late reply is logged twice.
+    controller.inject(Fault::Hold);
+    assert!(client.call_within(&GetJointPos, Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
+    LOGGER.0.store(true, Ordering::SeqCst);
+    controller.release();
+    assert!(panics(|| client.get_version()), "the logger panics");
+    LOGGER.0.store(false, Ordering::SeqCst);
+    assert_usable(&controller, &mut client);
+    a_panic_of_one_thread_leaves_its_reply_to_another(&controller, client);
+}
+
+/// The thread that reads for all panics over the reply to another.
+fn a_panic_of_one_thread_leaves_its_reply_to_another(controller: &Controller, mut client: Client) {
+    let stop = client.stop_handle();
+    controller.inject(Fault::Hold);
+    let sent = controller.requests().len();
+    let waiting = thread::spawn(move || (panics(|| client.call(&Ask)), client));
+    assert!(controller.wait_for_requests(sent + 1, Duration::from_secs(60)));
+    stop.stop().expect("the stop has its reply, whoever reads it");
+    let (panicked, mut client) = waiting.join().expect("the panic is caught");
+    assert!(panicked);
+    assert_usable(controller, &mut client);
+}
