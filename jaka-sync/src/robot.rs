@@ -219,7 +219,7 @@ impl Robot {
         // Packets that came before the reply may be older than the motion.
         let now = Instant::now();
         self.batch = Some(match self.batch.take() {
-            Some(batch) => batch.then(now, goal, begin),
+            Some(batch) => batch.then(now, goal, begin.frames),
             None => Batch::new(now, goal, begin),
         });
     }

@@ -75,8 +75,8 @@ impl Batch {
     }
 
     /// One more that was accepted behind it.
-    pub(super) fn then(self, accepted: Instant, goal: Goal, begin: Begin) -> Self {
-        Self { accepted, goal, count: self.count.saturating_add(1), frames: begin.frames, ..self }
+    pub(super) fn then(self, accepted: Instant, goal: Goal, frames: Frames) -> Self {
+        Self { accepted, goal, count: self.count.saturating_add(1), frames, ..self }
     }
 
     /// True for one motion that began at rest elsewhere than where it ends: only at its end it passes there.

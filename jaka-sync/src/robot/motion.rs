@@ -44,9 +44,10 @@ impl Motion for MoveL {
     /// An offset is one along the axes of the selected user frame; in which way it turns is not documented.
     fn target(&self) -> Target {
         let pose = self.pose;
+        let turns = [pose.rx, pose.ry, pose.rz].iter().any(|angle| *angle != 0.0);
         match self.mode {
             MoveMode::Absolute => Target::Pose(pose),
-            MoveMode::Relative if [pose.rx, pose.ry, pose.rz] == [0.0; 3] => Target::Offset([pose.x, pose.y, pose.z]),
+            MoveMode::Relative if !turns => Target::Offset([pose.x, pose.y, pose.z]),
             _ => Target::Unknown,
         }
     }

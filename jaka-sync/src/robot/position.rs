@@ -58,13 +58,11 @@ impl Robot {
             }
             Quantity::Pose => self.poll(question, info, time, |reply: GetTcpPosReply| Place::Pose(reply.pose)),
         };
-        match place.transpose() {
-            Some(place) => Some(Answer { place, asked: query.at }),
-            None => {
-                self.query = Some(query);
-                None
-            }
-        }
+        let Some(place) = place.transpose() else {
+            self.query = Some(query);
+            return None;
+        };
+        Some(Answer { place, asked: query.at })
     }
 
     fn poll<R: Fields>(

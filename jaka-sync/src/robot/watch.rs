@@ -11,6 +11,14 @@ use crate::Snapshot;
 /// For how long an answer is waited for before packets and stops are looked at again.
 const SLICE: Duration = Duration::from_millis(10);
 
+/// What a look at packets and stops leads to.
+#[derive(Debug)]
+enum Next {
+    Ended(Outcome),
+    /// It is time to ask, or to look for an answer.
+    Query,
+}
+
 /// When the robot was last heard of, in a packet that can be read.
 #[derive(Debug)]
 struct Heard {
@@ -31,7 +39,7 @@ impl Robot {
             let patience = left.min(silence).min(self.query_in(wait));
             let found = self.monitor.watch(patience, |newest| self.observe(newest, wait, &mut heard));
             match found {
-                Ok(Some(Some(outcome))) => return self.told(outcome),
+                Ok(Some(Next::Ended(outcome))) => return self.told(outcome),
                 Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect(), unreadable: None },
                 Ok(_) if left.is_zero() => return Outcome::Deadline,
                 Ok(_) if heard.at.elapsed() >= self.silence => return heard.lost(),
@@ -51,15 +59,15 @@ impl Robot {
         if wait.may_rest() { wait.query_in(Instant::now()) } else { Duration::MAX }
     }
 
-    /// Looks at the newest packet and at the stops: the outcome, if they tell one, or none where it is time for a query.
-    fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Option<Outcome>> {
+    /// Looks at the newest packet and at the stops: what is next, if they tell it.
+    fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Next> {
         if self.stops.taken() > self.stops_told {
-            return Some(Some(Outcome::Stopped));
+            return Some(Next::Ended(Outcome::Stopped));
         }
         let outcome = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
         match outcome {
-            Some(outcome) => Some(Some(outcome)),
-            None => (self.query.is_some() || wait.query(Instant::now()).is_some()).then_some(None),
+            Some(outcome) => Some(Next::Ended(outcome)),
+            None => (self.query.is_some() || wait.query(Instant::now()).is_some()).then_some(Next::Query),
         }
     }
 
