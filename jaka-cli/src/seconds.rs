@@ -20,7 +20,13 @@ pub(crate) fn from_file<'de, D: serde::Deserializer<'de>>(source: D) -> Result<O
     from_number(number).and_then(not_zero).map(Some).map_err(D::Error::custom)
 }
 
+/// More than thirty years: what is longer is a mistake, and not all that computes with times takes it.
+const LONGEST: f64 = 1e9;
+
 fn from_number(number: f64) -> Result<Duration, String> {
+    if number > LONGEST {
+        return Err(format!("{number} is more than {LONGEST} seconds"));
+    }
     Duration::try_from_secs_f64(number).map_err(|_| format!("{number} is no number of seconds from 0 on"))
 }
 
@@ -36,9 +42,10 @@ mod tests {
     fn times_are_finite_and_not_negative() {
         assert_eq!(seconds("0.25"), Ok(Duration::from_millis(250)));
         assert_eq!(seconds("0"), Ok(Duration::ZERO));
-        for bad in ["-1", "nan", "inf", "1e300", "2s", ""] {
+        for bad in ["-1", "nan", "inf", "1e300", "1e19", "2s", ""] {
             assert!(seconds(bad).is_err(), "{bad}");
         }
         assert!(some_seconds("0").is_err());
+        assert_eq!(some_seconds("1e9"), Ok(Duration::from_secs(1_000_000_000)));
     }
 }

@@ -200,7 +200,10 @@ impl<'t> Cell<'t> {
                 // Of the call before, something may have come late.
                 let name = format!("\"{command}\"");
                 let came = self.controller.requests().split_off(before);
-                assert!(!came.iter().any(|request| request.contains(&name)), "{self}: {error}, but {came:?}");
+                let count = came.iter().filter(|request| request.contains(&name)).count();
+                // A servo session enters by a command of the name by which it leaves.
+                let entered = matches!(self.kind, Kind::ServoSession) && command == "servo_move";
+                assert!(count <= usize::from(entered), "{self}: {error}, but {came:?}");
             }
         }
         let outcome = result.map_or_else(|error| Outcome::of(&error), Into::into);

@@ -1,0 +1,155 @@
+//! How long a stop takes to the wire while a program sends as much as it can. The witness is a plain socket, which knows nothing of
+//! this SDK: it says when the bytes of `stop_program` have come.
+//!
+//! Option: `--stops N`, 2000 by default.
+
+use std::error::Error;
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_benches::system::figures::{Contender, Samples};
+use jaka_benches::system::options;
+use jaka_benches::system::report::{self, Target};
+use jaka_sync::Client;
+use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::types::Switch;
+
+type Failure = Box<dyn Error + Send + Sync>;
+
+/// How many commands the long pipeline has.
+const COMMANDS: usize = 100_000;
+
+/// Between one stop and the next.
+const PAUSE: Duration = Duration::from_millis(1);
+
+/// The bound at the 99th percentile, in milliseconds.
+const BOUND: f64 = 20.0;
+
+/// What a program does meanwhile, until it is told to end.
+type Load = fn(&mut Client, &AtomicBool) -> Result<(), jaka_sync::Error>;
+
+const LOADS: [(&str, Load); 4] = [
+    ("nothing else", |_, _| Ok(())),
+    ("one call after the other", calls),
+    ("a pipeline of 100,000 commands", long_pipeline),
+    ("pipelines that are dropped", dropped_pipelines),
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let stops = options::number("--stops", 2000)?;
+    report::title("Stops on the wire, loopback", format_args!("{stops} stops beside each load"));
+    let mut contenders = Vec::new();
+    for (name, load) in LOADS {
+        let samples = measure(stops, load).map_err(|failure| failure.to_string())?;
+        let mut contender = Contender::new(name, |_| Ok(()));
+        contender.samples = samples;
+        contenders.push(contender);
+    }
+    report::percentiles(&contenders);
+    for Contender { name, samples, .. } in &contenders {
+        report::verdict(&format!("{name}, p99, ms"), samples.percentile(0.99) / 1000.0, Target::AtMost(BOUND));
+    }
+    Ok(())
+}
+
+/// What the stops took from the call to the wire.
+fn measure(stops: u32, load: Load) -> Result<Samples, Failure> {
+    let listener = TcpListener::bind("127.0.0.1:0")?;
+    let mut client = Client::connect(listener.local_addr()?)?;
+    let (arrived, arrivals) = mpsc::channel();
+    let (peer, _) = listener.accept()?;
+    let witness = thread::spawn(move || watch(peer, &arrived));
+    let (stop, ended) = (client.stop_handle(), AtomicBool::new(false));
+    let samples = thread::scope(|scope| {
+        let loading = scope.spawn(|| {
+            while !ended.load(Ordering::SeqCst) {
+                load(&mut client, &ended)?;
+                thread::yield_now();
+            }
+            Ok::<(), jaka_sync::Error>(())
+        });
+        let samples = times(stops, || stop.stop(), &arrivals);
+        ended.store(true, Ordering::SeqCst);
+        loading.join().map_err(|_| "the load panicked")??;
+        samples
+    });
+    drop(client);
+    witness.join().map_err(|_| "the witness panicked")??;
+    samples
+}
+
+fn times(
+    stops: u32,
+    stop: impl Fn() -> Result<(), jaka_sync::Error>,
+    arrivals: &Receiver<Instant>,
+) -> Result<Samples, Failure> {
+    let mut samples = Samples::default();
+    for _ in 0..stops {
+        let called = Instant::now();
+        stop()?;
+        samples.push(arrivals.recv()?.saturating_duration_since(called));
+        thread::sleep(PAUSE);
+    }
+    Ok(samples)
+}
+
+/// Accepts each request, and says when a stop has come.
+fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> {
+    peer.set_nodelay(true)?;
+    let (mut bytes, mut chunk, mut replies) = (Vec::new(), vec![0; 64 << 10], String::new());
+    loop {
+        let len = peer.read(&mut chunk)?;
+        let now = Instant::now();
+        if len == 0 {
+            return Ok(());
+        }
+        bytes.extend_from_slice(&chunk[..len]);
+        replies.clear();
+        // The requests hold no objects.
+        while let Some(end) = bytes.iter().position(|byte| *byte == b'}') {
+            let request = String::from_utf8(bytes.drain(..=end).collect())?;
+            let name = request.split('"').nth(3).ok_or("a request names no command")?;
+            if name == "stop_program" {
+                arrived.send(now)?;
+            }
+            replies.push_str(&format!("{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{name}\"}}"));
+        }
+        peer.write_all(replies.as_bytes())?;
+    }
+}
+
+fn output(number: usize) -> SetDigitalOutput {
+    let index = i64::try_from(number % 8).unwrap_or_default();
+    SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::On }
+}
+
+fn calls(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+    (0..1000).filter(|_| !ended.load(Ordering::SeqCst)).try_for_each(|number| client.set_digital_output(&output(number)))
+}
+
+fn long_pipeline(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+    let outputs: Vec<_> = (0..COMMANDS).map(output).collect();
+    let mut pipeline = client.pipeline(COMMANDS);
+    for some in outputs.chunks(COMMANDS / 10) {
+        if ended.load(Ordering::SeqCst) {
+            break;
+        }
+        pipeline.send_all(some)?;
+    }
+    pipeline.finish().map(drop)
+}
+
+fn dropped_pipelines(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+    for _ in 0..1000 {
+        if ended.load(Ordering::SeqCst) {
+            break;
+        }
+        let mut pipeline = client.pipeline(8);
+        (0..9).try_for_each(|number| pipeline.send(&output(number)))?;
+    }
+    Ok(())
+}
