@@ -128,7 +128,9 @@ fn output(number: usize) -> SetDigitalOutput {
 }
 
 fn calls(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
-    (0..1000).filter(|_| !ended.load(Ordering::SeqCst)).try_for_each(|number| client.set_digital_output(&output(number)))
+    (0..1000)
+        .filter(|_| !ended.load(Ordering::SeqCst))
+        .try_for_each(|number| client.set_digital_output(&output(number)))
 }
 
 fn long_pipeline(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {

@@ -11,10 +11,11 @@ use jaka_sync::payload::GetPayload;
 use jaka_sync::types::JointPosition;
 use jaka_sync::{Client, Config, Error};
 
+use crate::link::LinkTrouble;
 use crate::model::{self, Expected};
 use crate::outcome::Outcome;
 use crate::troubles::Trouble;
-use crate::{calls, robot, status};
+use crate::{calls, motion, servo, status};
 
 /// The kinds of calls: the columns of the matrix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,14 +30,20 @@ pub(crate) enum Kind {
     Stop,
     /// A query, and a stop handle while it waits.
     StopBeside,
+    /// A motion, where it goes wrong before the motion is sent.
     Motion,
-    ServoSession,
+    /// A motion, where it goes wrong once it was accepted.
+    EndOfMotion,
+    /// A servo session, where it goes wrong before servo mode is asked for.
+    Entering,
+    /// A servo session, where it goes wrong in servo mode.
+    SetPoints,
     StatusStream,
     Monitor,
 }
 
 impl Kind {
-    pub(crate) const ALL: [Self; 11] = [
+    pub(crate) const ALL: [Self; 13] = [
         Self::Query,
         Self::Setting,
         Self::Raw,
@@ -45,7 +52,9 @@ impl Kind {
         Self::Stop,
         Self::StopBeside,
         Self::Motion,
-        Self::ServoSession,
+        Self::EndOfMotion,
+        Self::Entering,
+        Self::SetPoints,
         Self::StatusStream,
         Self::Monitor,
     ];
@@ -76,6 +85,9 @@ pub(crate) const LIMIT: Duration = Duration::from_secs(60);
 
 /// How long a call may take that is to succeed.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+
+/// How long packets may stay away where they are to.
+pub(crate) const STALE: Duration = Duration::from_millis(400);
 
 /// The longest message that clients take: more than a status packet, less than an oversized reply.
 pub(crate) const MAX_FRAME: usize = 16 << 10;
@@ -127,8 +139,10 @@ impl<'t> Cell<'t> {
         match self.kind {
             Kind::Query | Kind::Setting | Kind::Raw | Kind::Text | Kind::Recorded | Kind::Stop => calls::run(self),
             Kind::StopBeside => calls::run_stop_beside(self),
-            Kind::Motion => robot::run_motion(self),
-            Kind::ServoSession => robot::run_servo_session(self),
+            Kind::Motion => motion::run(self),
+            Kind::EndOfMotion => motion::run_end(self),
+            Kind::Entering => servo::run_entering(self),
+            Kind::SetPoints => servo::run_set_points(self),
             Kind::StatusStream => status::run_stream(self),
             Kind::Monitor => status::run_monitor(self),
         }
@@ -138,14 +152,32 @@ impl<'t> Cell<'t> {
     pub(crate) fn patience(&self, expected: Outcome) -> Duration {
         match self.kind {
             _ if !expected.is_timeout() => PATIENCE,
-            // These have calls before that must succeed.
-            Kind::Motion | Kind::ServoSession => Duration::from_millis(250),
+            // A motion has ended by then, and the controller is asked where the arm is.
+            Kind::EndOfMotion => Duration::from_millis(400),
+            // Longer than half as long as a late reply takes.
+            Kind::Entering => Duration::from_millis(600),
+            // Of these the next call must succeed in the same time.
+            Kind::StatusStream => Duration::from_millis(500),
             _ => Duration::from_millis(100),
         }
     }
 
     pub(crate) fn config(&self) -> Config {
-        Config::new().max_frame(MAX_FRAME).reply_timeout(self.patience(self.expected.first))
+        let ends = [self.expected.first, self.then].into_iter().find(|outcome| outcome.is_timeout());
+        let timeout = match self.kind {
+            // Their calls have a time of their own.
+            Kind::Motion | Kind::EndOfMotion | Kind::SetPoints => PATIENCE,
+            Kind::Entering => self.patience(ends.unwrap_or(Outcome::Ok)),
+            _ => self.patience(self.expected.first),
+        };
+        // Where the status is to be known, nothing depends on how fast this machine is.
+        let stale_after = if self.waits_for_stale_status() { STALE } else { LIMIT };
+        Config::new().max_frame(MAX_FRAME).reply_timeout(timeout).stale_after(stale_after)
+    }
+
+    /// True where a call of this cell is to be kept back without status.
+    pub(crate) fn waits_for_stale_status(&self) -> bool {
+        [self.expected.first, self.then].contains(&Outcome::StatusUnknown)
     }
 
     pub(crate) fn client(&self) -> Client {
@@ -158,6 +190,28 @@ impl<'t> Cell<'t> {
             self.controller.inject_for(command, fault);
         }
         self.controller.status_fault(self.trouble.status());
+        if let Trouble::Link(trouble) = self.trouble {
+            trouble.strike(&self.controller);
+        }
+    }
+
+    /// Makes a call, while a link that is held for a time is released.
+    pub(crate) fn while_held<T>(&self, call: impl FnOnce() -> T) -> T {
+        let held = match self.trouble {
+            Trouble::Link(LinkTrouble { lasting: Some(time), .. }) if !self.is_lifted() => *time,
+            _ => return call(),
+        };
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                thread::sleep(held);
+                self.controller.links().release();
+            });
+            call()
+        })
+    }
+
+    fn is_lifted(&self) -> bool {
+        self.is_lifted.load(Ordering::SeqCst)
     }
 
     /// From now on nothing goes wrong any more.
@@ -165,6 +219,9 @@ impl<'t> Cell<'t> {
         self.is_lifted.store(true, Ordering::SeqCst);
         self.controller.clear_faults();
         self.controller.status_fault(jaka_sim::StatusFault::None);
+        if matches!(self.trouble, Trouble::Link(_)) {
+            self.controller.links().release();
+        }
         if !self.pause.is_zero() {
             thread::sleep(self.pause);
         }
@@ -189,7 +246,7 @@ impl<'t> Cell<'t> {
     ) -> Outcome {
         let before = self.controller.requests().len();
         let since = Instant::now();
-        let result = call();
+        let result = self.while_held(call);
         let took = since.elapsed();
         assert!(took < timeout + PATIENCE, "{self}: took {took:?}");
         let shown = format!("{result:?}");
@@ -202,7 +259,7 @@ impl<'t> Cell<'t> {
                 let came = self.controller.requests().split_off(before);
                 let count = came.iter().filter(|request| request.contains(&name)).count();
                 // A servo session enters by a command of the name by which it leaves.
-                let entered = matches!(self.kind, Kind::ServoSession) && command == "servo_move";
+                let entered = matches!(self.kind, Kind::Entering | Kind::SetPoints) && command == "servo_move";
                 assert!(count <= usize::from(entered), "{self}: {error}, but {came:?}");
             }
         }
@@ -216,7 +273,7 @@ impl<'t> Cell<'t> {
     /// True where the first call has broken the connection.
     fn is_broken(&self) -> bool {
         let ended = self.expected.beside.unwrap_or(self.expected.first);
-        self.is_lifted.load(Ordering::SeqCst) && matches!(ended, Outcome::Broken(_))
+        self.is_lifted() && matches!(ended, Outcome::Broken(_))
     }
 
     /// Where the arm is now, and nothing else.

@@ -1,13 +1,18 @@
 //! What each fault should lead to with each kind of call.
 //!
-//! The model looks at what a fault leaves on the wire, in the order in which a reader finds it, and follows one rule: the
-//! first thing that decides ends the call, and what is left meets the next one.
+//! The model looks at what a fault leaves of replies and of status packets, in the order in which a reader finds it, and follows
+//! one rule: the first thing that decides ends the call, and what is left meets the next one. What does not come in time decides
+//! nothing, and what is not known moves no arm.
 
+mod link;
+mod motion;
+mod servo;
 mod status;
 
 use jaka_proto::Envelope;
-use jaka_sim::{Fault, StatusFault};
+use jaka_sim::Fault;
 
+use self::status::Packets;
 use crate::cell::{Kind, MAX_FRAME};
 use crate::outcome::{Cause, Outcome};
 use crate::troubles::{LATE, Trouble};
@@ -22,6 +27,12 @@ pub(crate) struct Expected {
     pub(crate) other: Outcome,
     /// The same, if it is of the same name; none where that makes no difference.
     pub(crate) same: Option<Outcome>,
+}
+
+impl Expected {
+    fn new(first: Outcome, other: Outcome, same: Outcome) -> Self {
+        Self { first, beside: None, other, same: Some(same) }
+    }
 }
 
 /// What a reader finds.
@@ -42,41 +53,60 @@ enum Found {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum When {
     InTime,
-    /// After the deadline.
+    /// After the deadline, by itself.
     Late,
     /// With the next reply.
     WithNext,
+    /// When the link is released, before the next call.
+    Released,
     /// Neither this nor anything else.
     Never,
 }
 
+/// What comes of a command, and when.
+#[derive(Debug, Clone)]
+struct Replies {
+    when: When,
+    found: Vec<Found>,
+}
+
 pub(crate) fn expected(trouble: &Trouble, kind: Kind) -> Expected {
-    match (trouble, kind) {
-        (Trouble::Status(fault), _) => status::expected(fault, kind),
-        (_, Kind::StatusStream | Kind::Monitor) => status::expected(&StatusFault::None, kind),
-        (_, Kind::ServoSession) => servo_session(on_the_wire(trouble)),
-        (_, Kind::StopBeside) => stop_beside(on_the_wire(trouble)),
-        _ => call(on_the_wire(trouble), kind),
+    let (replies, packets) = comes(trouble);
+    match kind {
+        Kind::StatusStream | Kind::Monitor => status::expected(packets),
+        Kind::Motion => motion::sent(&replies, packets),
+        Kind::EndOfMotion => motion::end(&replies, packets),
+        Kind::Entering => servo::entering(&replies, packets),
+        Kind::SetPoints => servo::set_points(&replies, packets),
+        Kind::StopBeside => stop_beside(&replies),
+        _ => call(&replies, kind),
     }
 }
 
-fn on_the_wire(trouble: &Trouble) -> (When, Vec<Found>) {
+/// What a fault leaves of replies and of status packets.
+fn comes(trouble: &Trouble) -> (Replies, Packets) {
     let found = match trouble {
+        Trouble::Link(trouble) => return link::comes(trouble),
+        Trouble::Reply(fault) => return (of_fault(fault), Packets::Good),
+        Trouble::Status(fault) => {
+            return (Replies { when: When::InTime, found: vec![Found::Own] }, status::packets(fault));
+        }
         Trouble::Refusal => vec![Found::Refusal],
         Trouble::Misfit => vec![Found::Misfit],
-        Trouble::Status(_) => vec![Found::Own],
-        Trouble::Reply(fault) => return of_fault(fault),
     };
-    (When::InTime, found)
+    (Replies { when: When::InTime, found }, Packets::Good)
 }
 
-fn of_fault(fault: &Fault) -> (When, Vec<Found>) {
+fn of_fault(fault: &Fault) -> Replies {
+    let when = match fault {
+        Fault::HalfOpen => When::Never,
+        Fault::Delay(time) if *time >= LATE => When::Late,
+        Fault::Hold | Fault::WithNext => When::WithNext,
+        _ => When::InTime,
+    };
     let found = match fault {
-        Fault::Drop => vec![],
-        Fault::HalfOpen => return (When::Never, vec![]),
-        Fault::Delay(time) if *time >= LATE => return (When::Late, vec![Found::Own]),
-        Fault::None | Fault::Pieces(_) | Fault::Delay(_) => vec![Found::Own],
-        Fault::Hold | Fault::WithNext => return (When::WithNext, vec![Found::Own]),
+        Fault::Drop | Fault::HalfOpen => vec![],
+        Fault::None | Fault::Pieces(_) | Fault::Delay(_) | Fault::Hold | Fault::WithNext => vec![Found::Own],
         Fault::Twice => vec![Found::Own, Found::Wrong(Cause::Unasked)],
         Fault::Nameless => vec![Found::Wrong(Cause::Nameless)],
         Fault::Renamed(_) => vec![Found::Wrong(Cause::Unasked)],
@@ -89,7 +119,7 @@ fn of_fault(fault: &Fault) -> (When, Vec<Found>) {
         Fault::Close | Fault::CloseAfter(_) | Fault::Reset | Fault::Takeover => vec![Found::End],
         other => panic!("the model knows nothing of {other}"),
     };
-    (When::InTime, found)
+    Replies { when, found }
 }
 
 /// More than any reply of the matrix has, in bytes.
@@ -124,32 +154,36 @@ fn end(found: &[Found], kind: Kind) -> Option<(Outcome, usize)> {
 }
 
 /// One command whose reply is waited for.
-fn call((when, found): (When, Vec<Found>), kind: Kind) -> Expected {
-    let in_time = if when == When::InTime { end(&found, kind) } else { None };
+fn call(replies: &Replies, kind: Kind) -> Expected {
+    let (when, found) = (replies.when, &replies.found);
+    let in_time = if when == When::InTime { end(found, kind) } else { None };
     let (first, taken) = in_time.unwrap_or((Outcome::Timeout, 0));
     if matches!(first, Outcome::Broken(_)) {
-        // A robot does not even try to move.
-        let same = if kind == Kind::Motion { Outcome::NotAcknowledged } else { first };
-        return Expected { first, beside: None, other: first, same: Some(same) };
+        return Expected::new(first, first, first);
     }
     // A late reply that is still owed is dropped; all else that is left breaks the connection.
     let left = found[taken..].iter().find(|left| **left != Found::Own);
     let next = match left {
         Some(Found::Wrong(cause)) => Outcome::Broken(*cause),
         Some(Found::End) => Outcome::Broken(Cause::End),
-        _ if when == When::Never => Outcome::Timeout,
-        _ => Outcome::Ok,
+        _ => later(replies),
     };
     // The reply to a second command of the name settles the debt of the first, whose reply may just be late.
     let is_lost = when == When::InTime && first == Outcome::Timeout;
     let same = if is_lost { Outcome::Broken(Cause::Ambiguous) } else { next };
-    Expected { first, beside: None, other: next, same: Some(same) }
+    Expected::new(first, next, same)
 }
 
-/// A call that waits long enough for a stop to be answered behind it.
-fn stop_beside((when, found): (When, Vec<Found>)) -> Expected {
-    let (first, stop) = match (when, end(&found, Kind::StopBeside)) {
-        (When::Never, _) => (Outcome::Timeout, Outcome::Timeout),
+/// What a later call ends with, if the connection lives: nothing is wrong any more, unless nothing comes ever again.
+fn later(replies: &Replies) -> Outcome {
+    if replies.when == When::Never { Outcome::Timeout } else { Outcome::Ok }
+}
+
+/// A call that waits long enough for a stop to be answered behind it, where one is at all.
+fn stop_beside(replies: &Replies) -> Expected {
+    let found = &replies.found;
+    let (first, stop) = match (replies.when, end(found, Kind::StopBeside)) {
+        (When::Never | When::Released, _) => (Outcome::Timeout, Outcome::Timeout),
         (_, None) => (Outcome::ReplyLost, Outcome::Ok),
         (_, Some((broken @ Outcome::Broken(_), _))) => (broken, broken),
         (_, Some((outcome, taken))) => match end(&found[taken..], Kind::StopBeside) {
@@ -157,25 +191,6 @@ fn stop_beside((when, found): (When, Vec<Found>)) -> Expected {
             None => (outcome, Outcome::Ok),
         },
     };
-    let other = if first == Outcome::Timeout { first } else { stop };
+    let other = if stop == Outcome::Timeout { later(replies) } else { stop };
     Expected { first, beside: Some(stop), other, same: None }
-}
-
-/// Set-points whose answers are counted: all that is found is read, and a lost answer is no error.
-fn servo_session((when, found): (When, Vec<Found>)) -> Expected {
-    let failed = found.iter().enumerate().find_map(|(place, _)| {
-        let (outcome, _) = end(&found[place..], Kind::ServoSession)?;
-        (outcome != Outcome::Ok).then_some(outcome)
-    });
-    let first = match (when, failed) {
-        (When::Never, _) => Outcome::Timeout,
-        (_, Some(failed)) => failed,
-        (_, None) => Outcome::Ok,
-    };
-    let (other, same) = match first {
-        Outcome::Broken(_) => (first, Outcome::NotAcknowledged),
-        Outcome::Timeout => (first, first),
-        _ => (Outcome::Ok, Outcome::Ok),
-    };
-    Expected { first, beside: None, other, same: Some(same) }
 }

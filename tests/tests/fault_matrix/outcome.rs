@@ -4,7 +4,7 @@ use std::fmt;
 
 use jaka_proto::Mistrust;
 use jaka_proto::framing::FrameError;
-use jaka_sync::{Disconnect, Error};
+use jaka_sync::{Disconnect, Error, Explanation};
 
 /// What a call ended with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +22,12 @@ pub(crate) enum Outcome {
     StatusLost,
     /// The motion was accepted, and its end is not known at the deadline.
     Deadline,
-    /// Not sent, since a connection is lost.
-    NotAcknowledged,
+    /// The motion was accepted, the arm is at rest, and the controller could not be asked where.
+    AtRest,
+    /// Nothing that moves the arm was sent, since the status is not known.
+    StatusUnknown,
+    /// It is not known whether servo mode was left, and the connection works on.
+    NotLeft,
 }
 
 /// What broke a connection.
@@ -38,6 +42,8 @@ pub(crate) enum Cause {
     Unasked,
     Nameless,
     Ambiguous,
+    /// This side has reset it, since set-points and the end of servo mode were not answered.
+    Reset,
 }
 
 impl Outcome {
@@ -46,19 +52,21 @@ impl Outcome {
     pub(crate) fn of(error: &Error) -> Self {
         match error {
             Error::Refused { .. } | Error::RefusedBecause { .. } => Self::Refused,
-            Error::Timeout { .. } | Error::StatusTimeout { .. } => Self::Timeout,
+            Error::Timeout { .. } | Error::StatusTimeout { .. } | Error::StateTimeout { .. } => Self::Timeout,
             Error::ReplyLost { .. } => Self::ReplyLost,
             Error::UnexpectedReply { .. } | Error::UnexpectedStatus { .. } => Self::Unexpected,
             Error::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
-            Error::NotAcknowledged { .. } => Self::NotAcknowledged,
-            Error::ServoModeNotLeft { first, .. } => Self::of(first),
+            Error::StatusUnknown { .. } => Self::StatusUnknown,
+            Error::NotReady { explanation: Explanation::ServoModeNotLeft, .. } => Self::NotLeft,
+            Error::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
+            Error::ServoModeNotLeft { .. } => Self::NotLeft,
             other => panic!("no fault may lead to {other:?}"),
         }
     }
 
     /// True where a call waits to its deadline.
     pub(crate) fn is_timeout(self) -> bool {
-        matches!(self, Self::Timeout | Self::Deadline | Self::Broken(Cause::Ambiguous))
+        matches!(self, Self::Timeout | Self::Deadline | Self::NotLeft | Self::Broken(Cause::Ambiguous))
     }
 }
 
@@ -79,6 +87,7 @@ impl Cause {
             Disconnect::Mistrust(Mistrust::Unasked { .. }) => Self::Unasked,
             Disconnect::Mistrust(Mistrust::Nameless) => Self::Nameless,
             Disconnect::Mistrust(Mistrust::Ambiguous { .. }) => Self::Ambiguous,
+            Disconnect::Reset { .. } => Self::Reset,
             other => panic!("no fault may lead to {other:?}"),
         }
     }
@@ -95,7 +104,9 @@ impl fmt::Display for Outcome {
             Self::Broken(cause) => write!(f, "**{cause}**"),
             Self::StatusLost => f.write_str("status lost"),
             Self::Deadline => f.write_str("deadline"),
-            Self::NotAcknowledged => f.write_str("not sent"),
+            Self::AtRest => f.write_str("at rest"),
+            Self::StatusUnknown => f.write_str("status unknown"),
+            Self::NotLeft => f.write_str("not left"),
         }
     }
 }
@@ -111,6 +122,7 @@ impl fmt::Display for Cause {
             Self::Unasked => "unasked",
             Self::Nameless => "nameless",
             Self::Ambiguous => "ambiguous",
+            Self::Reset => "reset",
         })
     }
 }

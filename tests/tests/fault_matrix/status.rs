@@ -10,14 +10,13 @@ use jaka_sync::{Command, Error, Monitor, StatusStream};
 
 use crate::cell::{Cell, PERIOD, Seen, position};
 use crate::outcome::Outcome;
-use crate::troubles::Trouble;
 
 /// Time enough for a slow packet, and for a monitor to find packets again.
 const WHILE: u32 = 25;
 
 /// Where the trouble is with replies, has one come: status packets must know nothing of it.
 fn trouble_elsewhere(cell: &Cell<'_>) {
-    if !matches!(cell.trouble, Trouble::Status(_)) {
+    if cell.trouble.is_of_replies() {
         let config = cell.config().reply_timeout(Duration::from_millis(1));
         let mut client = config.connect(cell.controller.command_addr()).expect("the controller listens");
         // What it ends with is for other cells.

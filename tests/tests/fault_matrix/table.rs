@@ -11,22 +11,37 @@ const BEGIN: &str =
     "<!-- The fault matrix begins. Written by `UPDATE_EXPECT=1 cargo test -p jaka-tests --test fault_matrix`. -->";
 const END: &str = "<!-- The fault matrix ends. -->";
 
-/// A table in Markdown.
-pub(crate) fn table(troubles: &[Trouble], rows: &[[Expected; Kind::ALL.len()]]) -> String {
+/// The cells of a row.
+type Row = [Expected; Kind::ALL.len()];
+
+/// A table in Markdown. Faults of links with which all goes the same way stand in one row.
+pub(crate) fn table(troubles: &[Trouble], rows: &[Row]) -> String {
     let mut table = "|".to_owned();
     for name in [""].into_iter().chain(Kind::ALL.map(name)) {
         push(&mut table, name);
     }
     table.push_str("\n|");
     table.push_str(&"---|".repeat(Kind::ALL.len() + 1));
-    for (trouble, cells) in troubles.iter().zip(rows) {
+    for (names, cells) in groups(troubles, rows) {
         table.push_str("\n|");
-        push(&mut table, &format!("`{trouble}`"));
+        push(&mut table, &names.join("<br>"));
         for cell in cells {
             push(&mut table, &text(*cell));
         }
     }
     table + "\n"
+}
+
+fn groups<'r>(troubles: &[Trouble], rows: &'r [Row]) -> Vec<(Vec<String>, &'r Row)> {
+    let mut groups: Vec<(bool, Vec<String>, &Row)> = Vec::new();
+    for (trouble, row) in troubles.iter().zip(rows) {
+        let (name, is_link) = (format!("`{trouble}`"), matches!(trouble, Trouble::Link(_)));
+        match groups.iter_mut().find(|(is_group, _, other)| is_link && *is_group && *other == row) {
+            Some((_, names, _)) => names.push(name),
+            None => groups.push((is_link, vec![name], row)),
+        }
+    }
+    groups.into_iter().map(|(_, names, row)| (names, row)).collect()
 }
 
 fn push(table: &mut String, cell: &str) {
@@ -44,7 +59,9 @@ fn name(kind: Kind) -> &'static str {
         Kind::Stop => "stop",
         Kind::StopBeside => "query + stop",
         Kind::Motion => "motion",
-        Kind::ServoSession => "servo session",
+        Kind::EndOfMotion => "end of motion",
+        Kind::Entering => "entering servo mode",
+        Kind::SetPoints => "set-points",
         Kind::StatusStream => "status stream",
         Kind::Monitor => "monitor",
     }

@@ -10,6 +10,8 @@ use jaka_sim::{Fault, StatusFault};
 use proptest::prelude::RngCore;
 use proptest::test_runner::TestRng;
 
+use crate::link::LinkTrouble;
+
 /// Something that goes wrong on one of the ports.
 #[derive(Debug, Clone)]
 pub(crate) enum Trouble {
@@ -19,16 +21,19 @@ pub(crate) enum Trouble {
     /// The reply says that the command was accepted, and has none of its fields.
     Misfit,
     Status(StatusFault),
+    /// What passes on the links is held, late, slow or lost.
+    Link(LinkTrouble),
 }
 
 /// Later than any call waits that is to see a timeout.
-pub(crate) const LATE: Duration = Duration::from_millis(400);
+pub(crate) const LATE: Duration = Duration::from_millis(900);
 
 /// One fault of each kind that the simulator has, and more of those that can come in several ways.
 pub(crate) fn all() -> Vec<Trouble> {
     let replies = Fault::one_of_each().into_iter().chain(more_replies()).map(Trouble::Reply);
     let status = StatusFault::one_of_each().into_iter().chain(more_status()).map(Trouble::Status);
-    replies.chain([Trouble::Refusal, Trouble::Misfit]).chain(status).collect()
+    let links = LinkTrouble::all().into_iter().map(Trouble::Link);
+    replies.chain([Trouble::Refusal, Trouble::Misfit]).chain(status).chain(links).collect()
 }
 
 fn more_replies() -> Vec<Fault> {
@@ -63,8 +68,13 @@ impl Trouble {
             Self::Reply(fault) => Some(fault.clone()),
             Self::Refusal => Some(instead(ErrorCode(2))),
             Self::Misfit => Some(instead(ErrorCode(0))),
-            Self::Status(_) => None,
+            Self::Status(_) | Self::Link(_) => None,
         }
+    }
+
+    /// True where replies themselves go wrong.
+    pub(crate) fn is_of_replies(&self) -> bool {
+        matches!(self, Self::Reply(_) | Self::Refusal | Self::Misfit)
     }
 
     /// What is wrong with status packets.
@@ -86,6 +96,7 @@ impl Trouble {
             }
             Self::Status(StatusFault::Pieces(_)) => Self::Status(StatusFault::Pieces(1 + below(2000))),
             Self::Status(StatusFault::CloseAfter(_)) => Self::Status(StatusFault::CloseAfter(below(2000))),
+            Self::Link(link) => Self::Link(link.at_random(below)),
             other => other.clone(),
         }
     }
@@ -108,6 +119,7 @@ impl fmt::Display for Trouble {
             Self::Refusal => f.write_str("a refusal"),
             Self::Misfit => f.write_str("a reply without its fields"),
             Self::Status(fault) => write!(f, "status {fault}"),
+            Self::Link(link) => link.fmt(f),
         }
     }
 }

@@ -1,19 +1,20 @@
-//! The same for what goes wrong with status packets.
+//! What comes of status packets, and what their readers make of it.
 
 use jaka_sim::StatusFault;
 
-use super::{Expected, Found, When, call, stop_beside};
-use crate::cell::Kind;
+use super::Expected;
 use crate::outcome::{Cause, Outcome};
 use crate::troubles::LATE;
 
 /// What a reader of status packets finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Packets {
+pub(super) enum Packets {
     /// Packets, in time.
     Good,
     /// None in time.
     None,
+    /// None ever again.
+    Gone,
     /// Packets with bytes between them that are none.
     Noisy,
     /// The beginnings of packets.
@@ -25,7 +26,19 @@ enum Packets {
     End,
 }
 
-fn packets(fault: &StatusFault) -> Packets {
+impl Packets {
+    /// True where the robot's state is known. A packet that says nothing of stops says nothing against a motion.
+    pub(super) fn are_known(self) -> bool {
+        matches!(self, Self::Good | Self::Noisy | Self::Empty)
+    }
+
+    /// True where they come again once nothing is wrong any more, to a monitor that does not connect anew.
+    pub(super) fn come_again(self) -> bool {
+        !matches!(self, Self::Gone | Self::End | Self::Old)
+    }
+}
+
+pub(super) fn packets(fault: &StatusFault) -> Packets {
     match fault {
         StatusFault::None | StatusFault::Pieces(_) => Packets::Good,
         StatusFault::Slow(period) if *period < LATE => Packets::Good,
@@ -39,30 +52,9 @@ fn packets(fault: &StatusFault) -> Packets {
     }
 }
 
-pub(super) fn expected(fault: &StatusFault, kind: Kind) -> Expected {
-    let packets = packets(fault);
-    match kind {
-        Kind::StatusStream | Kind::Monitor => {
-            let (first, other) = reader(packets);
-            Expected { first, beside: None, other, same: None }
-        }
-        Kind::Motion => {
-            let (first, same) = motion(packets);
-            Expected { first, beside: None, other: Outcome::Ok, same: Some(same) }
-        }
-        Kind::ServoSession => {
-            let first = if is_end(packets) { Outcome::NotAcknowledged } else { Outcome::Ok };
-            Expected { first, beside: None, other: Outcome::Ok, same: Some(first) }
-        }
-        // The command port knows nothing of the status port.
-        Kind::StopBeside => stop_beside((When::InTime, vec![Found::Own])),
-        _ => call((When::InTime, vec![Found::Own]), kind),
-    }
-}
-
-/// The end of the connection, for a monitor that does not connect anew.
-fn is_end(packets: Packets) -> bool {
-    matches!(packets, Packets::End | Packets::Old)
+pub(super) fn expected(packets: Packets) -> Expected {
+    let (first, other) = reader(packets);
+    Expected { first, beside: None, other, same: None }
 }
 
 /// A stream and a monitor look for the next packet behind what is none.
@@ -71,17 +63,8 @@ fn reader(packets: Packets) -> (Outcome, Outcome) {
     match packets {
         Packets::Good | Packets::Noisy => (Outcome::Ok, Outcome::Ok),
         Packets::None | Packets::Empty | Packets::Torn => (Outcome::Timeout, Outcome::Ok),
+        Packets::Gone => (Outcome::Timeout, Outcome::Timeout),
         Packets::Old => broken(Cause::Garbage),
         Packets::End => broken(Cause::End),
-    }
-}
-
-/// What a motion ends with that is waited for by a monitor, and the next one.
-fn motion(packets: Packets) -> (Outcome, Outcome) {
-    match packets {
-        Packets::Good | Packets::Noisy => (Outcome::Ok, Outcome::Ok),
-        Packets::None | Packets::Torn => (Outcome::StatusLost, Outcome::Ok),
-        Packets::Empty => (Outcome::Deadline, Outcome::Ok),
-        Packets::Old | Packets::End => (Outcome::StatusLost, Outcome::NotAcknowledged),
     }
 }

@@ -1,0 +1,43 @@
+//! Servo sessions: how they are entered, and set-points, whose answers are counted.
+
+use super::motion::unknown;
+use super::status::Packets;
+use super::{Expected, Replies, When, call, end, later};
+use crate::cell::Kind;
+use crate::outcome::{Cause, Outcome};
+
+/// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left by a command of the same name, and
+/// whether it was is asked.
+pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
+    if !packets.are_known() {
+        return unknown(replies, packets);
+    }
+    let Expected { first, other, same, .. } = call(replies, Kind::Entering);
+    let leaving = if first == Outcome::Ok { other } else { same.unwrap_or(other) };
+    match (replies.when, leaving) {
+        (_, Outcome::Broken(_)) => Expected::new(leaving, leaving, leaving),
+        (When::Never, _) => Expected::new(Outcome::NotLeft, Outcome::Timeout, Outcome::NotLeft),
+        (When::Released, _) => Expected::new(Outcome::NotLeft, Outcome::Ok, Outcome::Ok),
+        _ => Expected::new(first, other, leaving),
+    }
+}
+
+/// Where something goes wrong in servo mode: all that is found is read, and a lost answer is no error.
+pub(super) fn set_points(replies: &Replies, packets: Packets) -> Expected {
+    // Neither set-points nor the end of servo mode are answered, so what is queued of them is discarded.
+    if matches!(replies.when, When::Released | When::Never) {
+        let reset = Outcome::Broken(Cause::Reset);
+        return Expected::new(reset, reset, reset);
+    }
+    if !packets.are_known() {
+        return unknown(replies, packets);
+    }
+    let failed = (0..replies.found.len()).find_map(|place| {
+        let (outcome, _) = end(&replies.found[place..], Kind::SetPoints)?;
+        (outcome != Outcome::Ok).then_some(outcome)
+    });
+    match failed {
+        Some(broken @ Outcome::Broken(_)) => Expected::new(broken, broken, broken),
+        failed => Expected::new(failed.unwrap_or(Outcome::Ok), later(replies), later(replies)),
+    }
+}

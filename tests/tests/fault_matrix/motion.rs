@@ -1,0 +1,124 @@
+//! Motions that are waited for.
+
+use std::time::Duration;
+
+use jaka_sync::kinematics::GetJointPos;
+use jaka_sync::motion::JointMove;
+use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::{Command, Error, MotionEnd, Outcome as Ended, Robot};
+
+use crate::cell::{Cell, Next, PATIENCE, PERIOD, Seen};
+use crate::outcome::Outcome;
+use crate::robot::{MOTION, Witness, notice, recover, robot, while_time_goes_on};
+
+/// How close an arm that has reached its target is, in degrees.
+const CLOSE: f64 = 0.1;
+
+/// How far each joint goes, in degrees: for some 50 cycles.
+const STEP: f64 = 20.0;
+
+/// A motion, where it goes wrong before it is sent.
+pub(crate) fn run(cell: &Cell<'_>) -> Seen {
+    let mut robot = robot(cell);
+    let expected = cell.expected.first;
+    let witness = Witness::new(cell);
+    cell.strike(JointMove::INFO.name);
+    notice(cell, &robot, expected);
+    let first = moves(cell, &mut robot, expected);
+    cell.lift();
+    if expected == Outcome::StatusUnknown {
+        witness.assert_still(cell);
+    }
+    let next = next(cell, &mut robot);
+    if expected == Outcome::StatusUnknown && cell.next == Next::Other {
+        // Behind the answer to a later command, nothing can come any more.
+        witness.assert_no_command(cell);
+    }
+    Seen { first, beside: None, next }
+}
+
+/// A motion, where it goes wrong once it was accepted.
+pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
+    let mut robot = robot(cell);
+    let expected = cell.expected.first;
+    let motion = motion(cell);
+    robot.start(&motion).expect("nothing is wrong yet");
+    // From here on no packet is older than the motion.
+    cell.controller.advance(2 * PERIOD);
+    robot.monitor().wait_until(|status| status.in_position == Some(false), PATIENCE).expect("the arm moves");
+    cell.strike(GetJointPos::INFO.name);
+    let timeout = cell.patience(expected);
+    let first = cell.ends(timeout, expected, || {
+        let end = while_time_goes_on(cell, expected, || robot.wait(timeout));
+        Ok(outcome(cell, &end.outcome, motion.joint_position))
+    });
+    cell.lift();
+    if expected == Outcome::StatusLost {
+        assert_latched(cell, &mut robot);
+    }
+    let next = next(cell, &mut robot);
+    Seen { first, beside: None, next }
+}
+
+/// Each joint by some degrees from where it is.
+fn motion(cell: &Cell<'_>) -> JointMove {
+    let joint_position = cell.controller.state().joint_position.0.map(|joint| joint + STEP);
+    JointMove {
+        mode: MoveMode::Absolute,
+        joint_position: joint_position.into(),
+        speed: 90.0,
+        acceleration: Some(700.0),
+    }
+}
+
+/// Moves the arm, while time goes on.
+fn moves(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome) -> Outcome {
+    let (motion, timeout) = (motion(cell), cell.patience(expected));
+    cell.ends(timeout, expected, || {
+        let end: Result<MotionEnd, Error> = while_time_goes_on(cell, expected, || robot.run(&motion, timeout));
+        Ok(outcome(cell, &end?.outcome, motion.joint_position))
+    })
+}
+
+/// A motion that has reached its target is there, and at rest.
+fn outcome(cell: &Cell<'_>, ended: &Ended, target: JointPosition) -> Outcome {
+    match ended {
+        Ended::Reached => {
+            let state = cell.controller.state();
+            let off = state.joint_position.max_distance(&target);
+            assert!(off <= CLOSE, "{cell}: the arm is at {:?}, and not at {target:?}", state.joint_position);
+            assert!(state.tcp_speed == 0.0, "{cell}: the arm moves");
+            Outcome::Ok
+        }
+        Ended::AtRest => Outcome::AtRest,
+        Ended::StatusLost { .. } => Outcome::StatusLost,
+        Ended::Deadline => Outcome::Deadline,
+        other => panic!("{cell}: no fault may end a motion with {other:?}"),
+    }
+}
+
+/// After a status that was lost, nothing moves before somebody has looked.
+fn assert_latched(cell: &Cell<'_>, robot: &mut Robot) {
+    // The motion that was accepted goes on to its end.
+    for _ in 0..MOTION {
+        cell.controller.advance(PERIOD);
+    }
+    let witness = Witness::new(cell);
+    let refused = robot.run(&motion(cell), Duration::ZERO);
+    assert!(matches!(refused, Err(Error::NotAcknowledged { .. })), "{cell}: {refused:?}");
+    witness.assert_still(cell);
+}
+
+fn next(cell: &Cell<'_>, robot: &mut Robot) -> Outcome {
+    match cell.next {
+        Next::Other => {
+            let timeout = cell.patience(cell.then);
+            cell.ends(timeout, cell.then, || cell.payload(robot.client(), timeout))
+        }
+        Next::Same => {
+            robot.acknowledge();
+            recover(cell, robot);
+            moves(cell, robot, cell.then)
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Servo sessions.
+
+use jaka_sync::servo::{ServoJ, ServoMove};
+use jaka_sync::{Command, Error, Robot, ServoConfig};
+
+use crate::cell::{Cell, LIMIT, Next, Seen};
+use crate::outcome::{Cause, Outcome};
+use crate::robot::{Witness, notice, recover, robot, while_time_goes_on};
+
+/// How many set-points a session has that is to succeed.
+const SET_POINTS: usize = 8;
+
+/// How many one has at most that is to fail.
+const MOST_SET_POINTS: usize = 1000;
+
+/// How far a set-point moves the first joint, in degrees.
+const STEP: f64 = 0.05;
+
+/// How many set-points may be unanswered, by default: 100 ms.
+const UNANSWERED: u32 = 12;
+
+/// Where it goes wrong before servo mode is asked for.
+pub(crate) fn run_entering(cell: &Cell<'_>) -> Seen {
+    let mut robot = robot(cell);
+    let expected = cell.expected.first;
+    let witness = Witness::new(cell);
+    cell.strike(ServoMove::INFO.name);
+    notice(cell, &robot, expected);
+    let timeout = cell.patience(expected);
+    let first = cell
+        .ends(timeout, expected, || while_time_goes_on(cell, expected, || session(cell, &mut robot, expected, || {})));
+    cell.lift();
+    if expected == Outcome::StatusUnknown {
+        witness.assert_still(cell);
+    }
+    let next = next(cell, &mut robot);
+    if expected == Outcome::StatusUnknown && cell.next == Next::Other {
+        witness.assert_no_command(cell);
+    }
+    Seen { first, beside: None, next }
+}
+
+/// Where it goes wrong in servo mode.
+pub(crate) fn run_set_points(cell: &Cell<'_>) -> Seen {
+    let mut robot = robot(cell);
+    let expected = cell.expected.first;
+    let begin = Witness::new(cell);
+    let first = cell.ends(cell.patience(expected), expected, || {
+        while_time_goes_on(cell, expected, || session(cell, &mut robot, expected, || cell.strike(ServoJ::INFO.name)))
+    });
+    let end = Witness::new(cell);
+    cell.lift();
+    match expected {
+        // Those that were not answered are as many as may be, also where they come by now.
+        Outcome::Broken(Cause::Reset) => begin.assert_within(cell, f64::from(UNANSWERED) * STEP),
+        // Servo mode was left behind the last of them.
+        Outcome::StatusUnknown => {
+            assert!(!cell.controller.state().servo_mode, "{cell}: servo mode is on");
+            end.assert_no_command(cell);
+            end.assert_still(cell);
+        }
+        _ => {}
+    }
+    let next = next(cell, &mut robot);
+    Seen { first, beside: None, next }
+}
+
+fn next(cell: &Cell<'_>, robot: &mut Robot) -> Outcome {
+    let timeout = cell.patience(cell.then);
+    match cell.next {
+        Next::Other => cell.ends(timeout, cell.then, || cell.payload(robot.client(), timeout)),
+        Next::Same => {
+            robot.acknowledge();
+            recover(cell, robot);
+            cell.ends(timeout, cell.then, || {
+                while_time_goes_on(cell, cell.then, || session(cell, robot, cell.then, || {}))
+            })
+        }
+    }
+}
+
+/// A whole session, with something in servo mode before its first set-point; its first error, if there is one.
+fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnOnce()) -> Result<(), Error> {
+    let is_to_succeed = expected == Outcome::Ok;
+    // The bound is for what is to reach it alone: others may be slow.
+    let is_to_gather = expected == Outcome::Broken(Cause::Reset);
+    let config = ServoConfig::new();
+    let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
+    let sent = set_points(cell);
+    let mut session = robot.servo(&config)?;
+    then();
+    let count = if is_to_succeed { SET_POINTS } else { MOST_SET_POINTS };
+    let failed = (0..count).find_map(|_| session.joints_by([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
+    let finished = session.finish();
+    if let Some(error) = failed {
+        return Err(error);
+    }
+    let report = finished?;
+    assert_eq!(set_points(cell), sent + SET_POINTS, "{cell}: a set-point was not sent");
+    assert!(report.accepted + report.unanswered == SET_POINTS as u64, "{cell}: {report:?}");
+    assert!(!cell.controller.state().servo_mode, "{cell}: servo mode is on");
+    Ok(())
+}
+
+/// How many set-points the controller has received.
+fn set_points(cell: &Cell<'_>) -> usize {
+    let name = format!("\"{}\"", ServoJ::INFO.name);
+    cell.controller.requests().iter().filter(|request| request.contains(&name)).count()
+}
