@@ -68,7 +68,7 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
         (StatusFault::Pieces(3), "reached"),
         (StatusFault::CloseAfter(100), "lost"),
         (StatusFault::Garbage { bytes: 300, seed: 3 }, "any"),
-        (StatusFault::Instead(b"{\"len\": 12}".to_vec()), "deadline"),
+        (StatusFault::Instead(b"{\"len\": 12}".to_vec()), "lost"),
     ];
     for (fault, expected) in faults {
         let (controller, mut robot) = ready();
@@ -79,7 +79,7 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
         let fits = match end.outcome {
             Outcome::Reached => (controller.state().joint_position.0[0] - 3.0).abs() < 1e-6 && expected != "lost",
             Outcome::StatusLost { .. } => expected == "lost" || expected == "any",
-            Outcome::Deadline => expected == "deadline" || expected == "any",
+            Outcome::Deadline => expected == "any",
             _ => false,
         };
         assert!(fits, "{fault}: {:?} instead of {expected}", end.outcome);

@@ -257,6 +257,16 @@ fn a_wait_whose_packets_cannot_be_read_says_so() {
 }
 
 #[test]
+fn packets_that_say_nothing_of_stops_are_no_leave_to_move() {
+    let (controller, mut robot) = ready();
+    controller.status_fault(StatusFault::Silent);
+    controller.send_status(br#"{"len": 20, "rapidrate": 1.0}"#);
+    robot.monitor().wait_until(|status| status.enabled.is_none(), LONG).expect("the packet comes");
+    let error = robot.start(&to(5.0, 60.0)).expect_err("whether the arm is stopped is not known");
+    assert!(matches!(error, Error::StatusUnknown { .. }), "{error:?}");
+}
+
+#[test]
 fn a_status_without_in_position_still_shows_an_end() {
     let (controller, mut robot) = ready();
     controller.status_fault(StatusFault::Instead(br#"{"len": 40, "powered_on": 1, "enabled": true}"#.to_vec()));

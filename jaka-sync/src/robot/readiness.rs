@@ -27,7 +27,7 @@ pub enum StatusProblem {
     },
     /// The status connection was lost, and the monitor is connecting again.
     Reconnecting,
-    /// The newest packet cannot be read, or not in what tells whether the arm is stopped.
+    /// The newest packet cannot be read, or not in what tells whether the arm is stopped, or does not tell it at all.
     Unreadable {
         /// Which field, and why.
         source: DecodeError,
@@ -97,7 +97,7 @@ impl Robot {
 fn readable(snapshot: Result<Arc<Snapshot>, StatusProblem>) -> Result<Arc<Snapshot>, StatusProblem> {
     let snapshot = snapshot?;
     match trouble::unreadable(&snapshot) {
-        Some(source) => Err(StatusProblem::Unreadable { source: source.clone() }),
+        Some(source) => Err(StatusProblem::Unreadable { source }),
         None => Ok(snapshot),
     }
 }

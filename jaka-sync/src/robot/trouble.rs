@@ -52,9 +52,15 @@ pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
     }
 }
 
-/// Why it is not known of a packet whether the arm is stopped, where that cannot be read.
-pub(crate) fn unreadable(snapshot: &Snapshot) -> Option<&DecodeError> {
+/// Why it is not known of a packet whether the arm is stopped, where that cannot be read or is not there at all.
+pub(super) fn unreadable(snapshot: &Snapshot) -> Option<DecodeError> {
     const NEEDED: [&str; 6] =
         ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
-    snapshot.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)))
+    let unfit = snapshot.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
+    unfit.cloned().or_else(|| {
+        let status = &snapshot.status;
+        let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
+        let is_told = told.iter().any(Option::is_some);
+        (!is_told).then(|| DecodeError::unfit("a packet that tells whether the arm is enabled and stopped", "without these keys"))
+    })
 }

@@ -118,7 +118,7 @@ impl Heard {
     }
 
     fn lost(self) -> Outcome {
-        let unreadable = self.unreadable.as_ref().and_then(|packet| trouble::unreadable(packet).cloned());
+        let unreadable = self.unreadable.as_ref().and_then(|packet| trouble::unreadable(packet));
         Outcome::StatusLost { cause: None, unreadable }
     }
 }

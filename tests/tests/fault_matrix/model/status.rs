@@ -27,9 +27,9 @@ pub(super) enum Packets {
 }
 
 impl Packets {
-    /// True where the robot's state is known. A packet that says nothing of stops says nothing against a motion.
+    /// True where the robot's state is known. A packet that says nothing of stops is no leave to move.
     pub(super) fn are_known(self) -> bool {
-        matches!(self, Self::Good | Self::Noisy | Self::Empty)
+        matches!(self, Self::Good | Self::Noisy)
     }
 
     /// True where they come again once nothing is wrong any more, to a monitor that does not connect anew.
