@@ -100,7 +100,7 @@ fn times(
 /// Accepts each request, and says when a stop has come.
 fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> {
     peer.set_nodelay(true)?;
-    let (mut bytes, mut chunk, mut replies) = (Vec::new(), vec![0; 64 << 10], String::new());
+    let (mut bytes, mut chunk, mut replies) = (Vec::new(), vec![0; 64 << 10], Vec::new());
     loop {
         let len = peer.read(&mut chunk)?;
         let now = Instant::now();
@@ -116,9 +116,9 @@ fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> 
             if name == "stop_program" {
                 arrived.send(now)?;
             }
-            replies.push_str(&format!("{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{name}\"}}"));
+            write!(replies, "{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{name}\"}}")?;
         }
-        peer.write_all(replies.as_bytes())?;
+        peer.write_all(&replies)?;
     }
 }
 

@@ -2,6 +2,7 @@
 //! its name.
 
 use std::collections::{HashSet, VecDeque};
+use std::time::{Duration, Instant};
 
 use jaka_proto::{Arrival, Envelope, Ledger, Mistrust, Ticket};
 use proptest::prelude::*;
@@ -355,4 +356,25 @@ fn with_several_commands_of_a_name_a_lost_reply_alone_can_be_mistaken() {
 #[test]
 fn a_reply_that_nobody_is_owed_is_noticed_unless_one_of_its_name_is_owed() {
     check(Premise::Surplus);
+}
+
+/// Where a step took as long as there are outstanding commands, this would take an hour.
+#[test]
+fn the_time_of_a_step_does_not_grow_with_what_is_outstanding() {
+    const COUNT: usize = 500_000;
+    let since = Instant::now();
+    let mut ledger = Ledger::new();
+    let send = |ledger: &mut Ledger| -> Vec<Ticket> { (0..COUNT).map(|_| ledger.sent("a".into())).collect() };
+    let dropped = send(&mut ledger);
+    for ticket in dropped {
+        ledger.abandon(ticket);
+    }
+    let awaited = send(&mut ledger);
+    assert!(awaited.iter().all(|ticket| ledger.awaits(*ticket)));
+    for number in 0..2 * COUNT {
+        let arrival = ledger.arrived("a").expect("it is owed");
+        assert_eq!((arrival.awaited, arrival.lost.len()), (number >= COUNT, 0));
+    }
+    assert_eq!(ledger.outstanding(), 0);
+    assert!(since.elapsed() < Duration::from_secs(300), "{:?}", since.elapsed());
 }
