@@ -2,7 +2,7 @@
 //!
 //! What controllers, recordings and packs say may hold what a terminal obeys: see `jaka_sync::proto::text`. Whoever puts such text
 //! into a table or a sentence makes it visible there, so that a line end in it makes no line. What is written through here is made
-//! visible once more; only [`write`] passes on what its caller answers for.
+//! visible once more; only [`write()`] passes on what its caller answers for.
 
 use std::borrow::Cow;
 use std::io::{Write, stderr, stdout};
