@@ -26,7 +26,7 @@ const DELAY: Duration = Duration::from_millis(20);
 const QUICK: u64 = 1_000_000;
 
 /// How long a link is held that is released while the call waits.
-const HELD: Duration = Duration::from_millis(60);
+const HELD: Duration = Duration::from_millis(30);
 
 impl LinkTrouble {
     /// Each kind of fault, on the links of each port and direction, and on all of them.
@@ -68,7 +68,7 @@ impl LinkTrouble {
     pub(crate) fn at_random(self, mut below: impl FnMut(usize) -> usize) -> Self {
         let mut millis = |limit| Duration::from_millis(below(limit) as u64);
         match self {
-            Self { lasting: Some(_), .. } => Self { lasting: Some(millis(100)), ..self },
+            Self { lasting: Some(_), .. } => Self { lasting: Some(millis(60)), ..self },
             Self { fault: LinkFault::Delay(time), .. } if time < LATE => {
                 Self { fault: LinkFault::Delay(millis(40)), ..self }
             }
