@@ -87,7 +87,10 @@ pub(crate) const LIMIT: Duration = Duration::from_secs(60);
 pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 
 /// How long packets may stay away where they are to.
-pub(crate) const STALE: Duration = Duration::from_millis(400);
+pub(crate) const STALE: Duration = Duration::from_millis(600);
+
+/// Between two looks at something that another thread does.
+pub(crate) const SHORT: Duration = Duration::from_millis(1);
 
 /// The longest message that clients take: more than a status packet, less than an oversized reply.
 pub(crate) const MAX_FRAME: usize = 16 << 10;
@@ -106,6 +109,7 @@ pub(crate) struct Cell<'t> {
     pub(crate) controller: Controller,
     /// Where the arm is, as a number that no state before had.
     mark: AtomicU32,
+    is_struck: AtomicBool,
     is_lifted: AtomicBool,
     pause: Duration,
 }
@@ -129,6 +133,7 @@ impl<'t> Cell<'t> {
             then,
             controller,
             mark: AtomicU32::new(0),
+            is_struck: AtomicBool::new(false),
             is_lifted: AtomicBool::new(false),
             pause,
         }
@@ -154,10 +159,8 @@ impl<'t> Cell<'t> {
             _ if !expected.is_timeout() => PATIENCE,
             // A motion has ended by then, and the controller is asked where the arm is.
             Kind::EndOfMotion => Duration::from_millis(400),
-            // Longer than half as long as a late reply takes.
-            Kind::Entering => Duration::from_millis(600),
-            // Of these the next call must succeed in the same time.
-            Kind::StatusStream => Duration::from_millis(500),
+            // Shorter than a late reply takes, and longer than half of that.
+            Kind::Entering => Duration::from_millis(1000),
             _ => Duration::from_millis(100),
         }
     }
@@ -193,6 +196,7 @@ impl<'t> Cell<'t> {
         if let Trouble::Link(trouble) = self.trouble {
             trouble.strike(&self.controller);
         }
+        self.is_struck.store(true, Ordering::SeqCst);
     }
 
     /// Makes a call, while a link that is held for a time is released.
@@ -201,12 +205,18 @@ impl<'t> Cell<'t> {
             Trouble::Link(LinkTrouble { lasting: Some(time), .. }) if !self.is_lifted() => *time,
             _ => return call(),
         };
+        let is_done = AtomicBool::new(false);
         thread::scope(|scope| {
             scope.spawn(|| {
+                while !self.is_struck.load(Ordering::SeqCst) && !is_done.load(Ordering::SeqCst) {
+                    thread::sleep(SHORT);
+                }
                 thread::sleep(held);
                 self.controller.links().release();
             });
-            call()
+            let result = call();
+            is_done.store(true, Ordering::SeqCst);
+            result
         })
     }
 

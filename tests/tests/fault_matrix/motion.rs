@@ -8,7 +8,7 @@ use jaka_sync::motion::JointMove;
 use jaka_sync::types::{JointPosition, MoveMode};
 use jaka_sync::{Command, Error, MotionEnd, Outcome as Ended, Robot};
 
-use crate::cell::{Cell, Next, PATIENCE, PERIOD, Seen};
+use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
 use crate::link::LinkTrouble;
 use crate::outcome::Outcome;
 use crate::robot::{MOTION, Witness, notice, recover, robot, while_time_goes_on};
@@ -73,7 +73,8 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
     if expected == Outcome::StatusLost {
         assert_latched(cell, &mut robot);
     }
-    let next = next(cell, &mut robot);
+    // The next motion has all the time that it needs.
+    let next = next(cell, &mut robot.status_silence(LIMIT));
     Seen { first, beside: None, next }
 }
 

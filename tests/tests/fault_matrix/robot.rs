@@ -10,7 +10,7 @@ use jaka_sync::servo::{ServoJ, ServoMove};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Monitor, Robot};
 
-use crate::cell::{Cell, LIMIT, PATIENCE, PERIOD, STALE};
+use crate::cell::{Cell, LIMIT, PATIENCE, PERIOD, SHORT, STALE};
 use crate::outcome::Outcome;
 use crate::troubles::Trouble;
 
@@ -81,7 +81,7 @@ fn until(cell: &Cell<'_>, what: &str, holds: impl Fn() -> bool) {
     let since = Instant::now();
     while !holds() {
         assert!(since.elapsed() < LIMIT, "{cell}: {what}");
-        thread::sleep(Duration::from_millis(1));
+        thread::sleep(SHORT);
     }
 }
 

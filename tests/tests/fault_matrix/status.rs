@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::types::JointPosition;
 use jaka_sync::{Command, Error, Monitor, StatusStream};
 
-use crate::cell::{Cell, PERIOD, Seen, position};
+use crate::cell::{Cell, PATIENCE, PERIOD, Seen, position};
 use crate::outcome::Outcome;
 
 /// Time enough for a slow packet, and for a monitor to find packets again.
@@ -26,7 +26,7 @@ fn trouble_elsewhere(cell: &Cell<'_>) {
 
 pub(crate) fn run_stream(cell: &Cell<'_>) -> Seen {
     let mut stream = cell.config().connect_status(cell.controller.status_addr()).expect("the controller listens");
-    stream.next_packet().expect("the first packet comes at once");
+    patiently(|| stream.next_packet().map(drop)).expect("the first packet comes at once");
     cell.strike(GetJointPos::INFO.name);
     trouble_elsewhere(cell);
     let read = |stream: &mut StatusStream, expected| {
@@ -34,12 +34,27 @@ pub(crate) fn run_stream(cell: &Cell<'_>) -> Seen {
         for _ in 0..WHILE {
             cell.controller.advance(PERIOD);
         }
-        cell.ends(cell.patience(cell.expected.first), expected, || find(stream, mark))
+        // The timeout is the connection's, and what is to come may take longer.
+        cell.ends(cell.patience(cell.expected.first), expected, || match expected {
+            Outcome::Ok => patiently(|| find(stream, mark)),
+            _ => find(stream, mark),
+        })
     };
     let first = read(&mut stream, cell.expected.first);
     cell.lift();
     let next = read(&mut stream, cell.then);
     Seen { first, beside: None, next }
+}
+
+/// Again after timeouts, for as long as a call may take that is to succeed.
+fn patiently(mut read: impl FnMut() -> Result<(), Error>) -> Result<(), Error> {
+    let since = Instant::now();
+    loop {
+        match read() {
+            Err(Error::StatusTimeout { .. }) if since.elapsed() < PATIENCE => {}
+            result => return result,
+        }
+    }
 }
 
 /// Reads packets up to the one with this mark, and none that the controller has not had before.

@@ -26,7 +26,7 @@ pub(crate) enum Trouble {
 }
 
 /// Later than any call waits that is to see a timeout.
-pub(crate) const LATE: Duration = Duration::from_millis(900);
+pub(crate) const LATE: Duration = Duration::from_millis(1500);
 
 /// One fault of each kind that the simulator has, and more of those that can come in several ways.
 pub(crate) fn all() -> Vec<Trouble> {
