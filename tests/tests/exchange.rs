@@ -369,12 +369,12 @@ fn a_call_ends_at_its_deadline_although_the_peer_reads_slowly() {
             let _ = server.read(&mut [0; 4096]);
         }
     });
-    let pad = "x".repeat(64 << 20);
+    let pad = "x".repeat(16 << 20);
     let request = format!("{{\"cmdName\":\"load_program\",\"programName\":\"{pad}\"}}");
     let since = Instant::now();
-    let error = client.call_text(&request, Duration::from_secs(1)).expect_err("it takes far longer");
-    // Slowly read, it would be minutes.
-    assert!(since.elapsed() < Duration::from_secs(15), "{:?}", since.elapsed());
+    let error = client.call_text(&request, Duration::from_secs(3)).expect_err("it takes far longer");
+    // Slowly read, it would be more than a minute.
+    assert!(since.elapsed() < Duration::from_secs(30), "{:?}", since.elapsed());
     assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
     drop(ended);
     reading.join().expect("it does not panic");

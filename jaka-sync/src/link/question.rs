@@ -30,7 +30,7 @@ impl Link {
     }
 
     /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `payload` read it; false if it has not come
-    /// by then, and it can be polled for again. A refusal is an error, which answers the question too.
+    /// by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an error, which answers the question too.
     pub(crate) fn poll(
         &self,
         question: &Question,
@@ -41,6 +41,11 @@ impl Link {
         let since = Instant::now();
         let mut caller = Caller::new(question.ticket, question.command, text, payload);
         let mut state = self.lock();
+        if slice.is_zero() {
+            if let Err(cause) = self.settle_arrived(&mut state) {
+                self.break_off(&mut state, cause);
+            }
+        }
         loop {
             if let Some(answer) = state.take(question.ticket) {
                 caller.take(answer);

@@ -34,6 +34,14 @@ fn a_slice_that_ends_gives_nothing_up() {
     let expected = reply(GetJointPos::INFO.name, 0, "late");
     server.write_all(expected.as_bytes()).expect("the link reads");
     assert_eq!(poll(&link, &question).expect("it is answered"), expected);
+    // Without waiting at all.
+    let question = ask(&link);
+    assert!(!link.poll(&question, Duration::ZERO, &mut text, &mut TextAlone).expect("it is not answered yet"));
+    server.write_all(expected.as_bytes()).expect("the link reads");
+    let since = Instant::now();
+    while !link.poll(&question, Duration::ZERO, &mut text, &mut TextAlone).expect("it is answered") {
+        assert!(since.elapsed() < LONG);
+    }
     // Its successor of the same name has its own reply, or none.
     let next = ask(&link);
     assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextAlone).expect("it is not answered yet"));

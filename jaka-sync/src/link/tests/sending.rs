@@ -10,7 +10,7 @@ use crate::StopHandle;
 const SHORT: Duration = Duration::from_millis(300);
 
 /// More bytes than any buffer between the two ends holds.
-const HUGE: usize = 16 << 20;
+const HUGE: usize = 1 << 20;
 
 /// What the system said where a send failed.
 fn cause<T: std::fmt::Debug>(sent: Result<T, Error>) -> ErrorKind {
@@ -96,7 +96,8 @@ fn a_command_that_is_sent_in_part_by_its_deadline_breaks_the_connection() {
     for mode in [Mode::Blocking, Mode::Nonblocking] {
         let (link, _server) = connection(mode);
         let since = Instant::now();
-        assert_eq!(cause(send(&link, SHORT, HUGE)), ErrorKind::TimedOut);
+        // Long enough for some of it to go out on a busy machine.
+        assert_eq!(cause(send(&link, 10 * SHORT, HUGE)), ErrorKind::TimedOut);
         assert!(since.elapsed() < LONG / 2, "{:?}", since.elapsed());
         assert!(link.broken().is_some());
     }
