@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Debug};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -110,6 +111,8 @@ pub(crate) struct Cell<'t> {
     /// Where the arm is, as a number that no state before had.
     mark: AtomicU32,
     is_struck: AtomicBool,
+    /// The command whose reply goes wrong, and how many had been received before.
+    struck: Mutex<Option<(String, usize)>>,
     is_lifted: AtomicBool,
     pause: Duration,
 }
@@ -134,6 +137,7 @@ impl<'t> Cell<'t> {
             controller,
             mark: AtomicU32::new(0),
             is_struck: AtomicBool::new(false),
+            struck: Mutex::new(None),
             is_lifted: AtomicBool::new(false),
             pause,
         }
@@ -158,7 +162,7 @@ impl<'t> Cell<'t> {
         match self.kind {
             _ if !expected.is_timeout() => PATIENCE,
             // A motion has ended by then, and the controller is asked where the arm is.
-            Kind::EndOfMotion => Duration::from_millis(400),
+            Kind::EndOfMotion => Duration::from_millis(1500),
             // Shorter than a late reply takes, and longer than half of that.
             Kind::Entering => Duration::from_millis(1000),
             _ => Duration::from_millis(100),
@@ -190,7 +194,9 @@ impl<'t> Cell<'t> {
     /// From now on the next reply to this command, and status packets, go wrong.
     pub(crate) fn strike(&self, command: &str) {
         if let Some(fault) = self.trouble.fault(command) {
+            let before = self.received(command);
             self.controller.inject_for(command, fault);
+            *self.struck.lock().unwrap_or_else(PoisonError::into_inner) = Some((command.to_owned(), before));
         }
         self.controller.status_fault(self.trouble.status());
         if let Trouble::Link(trouble) = self.trouble {
@@ -224,8 +230,22 @@ impl<'t> Cell<'t> {
         self.is_lifted.load(Ordering::SeqCst)
     }
 
+    /// How many requests of this name the controller has received.
+    pub(crate) fn received(&self, command: &str) -> usize {
+        let name = format!("\"{command}\"");
+        self.controller.requests().iter().filter(|request| request.contains(&name)).count()
+    }
+
     /// From now on nothing goes wrong any more.
     pub(crate) fn lift(&self) {
+        // On a busy machine the call may have given up before its request has met the fault.
+        if let Some((command, before)) = self.struck.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            let since = Instant::now();
+            while self.received(&command) == before {
+                assert!(since.elapsed() < LIMIT, "{self}: {command} was not sent");
+                thread::sleep(SHORT);
+            }
+        }
         self.is_lifted.store(true, Ordering::SeqCst);
         self.controller.clear_faults();
         self.controller.status_fault(jaka_sim::StatusFault::None);

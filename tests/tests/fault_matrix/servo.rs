@@ -86,7 +86,7 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
     let is_to_gather = expected == Outcome::Broken(Cause::Reset);
     let config = ServoConfig::new();
     let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
-    let sent = set_points(cell);
+    let sent = cell.received(ServoJ::INFO.name);
     let mut session = robot.servo(&config)?;
     then();
     let count = if is_to_succeed { SET_POINTS } else { MOST_SET_POINTS };
@@ -96,14 +96,8 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
         return Err(error);
     }
     let report = finished?;
-    assert_eq!(set_points(cell), sent + SET_POINTS, "{cell}: a set-point was not sent");
+    assert_eq!(cell.received(ServoJ::INFO.name), sent + SET_POINTS, "{cell}: a set-point was not sent");
     assert!(report.accepted + report.unanswered == SET_POINTS as u64, "{cell}: {report:?}");
     assert!(!cell.controller.state().servo_mode, "{cell}: servo mode is on");
     Ok(())
-}
-
-/// How many set-points the controller has received.
-fn set_points(cell: &Cell<'_>) -> usize {
-    let name = format!("\"{}\"", ServoJ::INFO.name);
-    cell.controller.requests().iter().filter(|request| request.contains(&name)).count()
 }
