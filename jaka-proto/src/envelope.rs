@@ -6,12 +6,13 @@ use std::fmt;
 use crate::command::CommandInfo;
 use crate::error_code::ErrorCode;
 use crate::text::Visible;
-use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, trimmed};
+use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, lossy_text, trimmed};
 
 /// The keys that every reply has.
 const COMMAND: &str = "cmdName";
 const CODE: &str = "errorCode";
 const MESSAGE: &str = "errorMsg";
+const ENVELOPE: [&str; 3] = [COMMAND, CODE, MESSAGE];
 
 /// The same with their quotes and colons.
 pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
@@ -32,25 +33,54 @@ pub struct Envelope<'a> {
 impl<'a> Envelope<'a> {
     /// Reads the envelope of a reply, and checks on the way that the reply is JSON throughout.
     ///
+    /// A key that comes twice is believed where both say the same. Otherwise the code is an error, so that nothing is taken for
+    /// a success, and the reply names no command.
+    ///
     /// # Errors
     /// The text is no JSON object. All else is told by the fields.
     pub fn read(reply: &'a str) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(reply);
-        let mut command = None;
-        let mut code = None;
-        let mut message = None;
+        let mut parts = Parts::default();
         reader.begin_object()?;
         while let Some(key) = reader.next_key()? {
-            match &*key {
-                COMMAND => command = text(&mut reader)?.map(trimmed),
-                CODE => code = Some(scalar(&mut reader)?),
-                MESSAGE => message = text(&mut reader)?,
-                _ => reader.skip()?,
-            }
+            if ENVELOPE.contains(&&*key) { parts.take(&key, reader.raw()?) } else { reader.skip()? }
         }
         reader.end()?;
-        let code = code.unwrap_or_else(|| Err(DecodeError::missing("error_code", CODE)));
-        Ok(Self { command, code, message: message.unwrap_or_default() })
+        Ok(parts.envelope())
+    }
+
+    /// Reads the envelope of a reply that may be odd: an object by its quotes and brackets, and perhaps not JSON throughout.
+    ///
+    /// Controllers send half a surrogate pair (valid JSON that stands for no text, which Python writes for a byte that it cannot
+    /// read), NaN, or bytes that are no UTF-8 (see [`framing::text`](crate::framing::text)). In a message, U+FFFD stands for what
+    /// stands for no text; a name with such names no command, and a code with such is an error.
+    ///
+    /// ```
+    /// use jaka_proto::Envelope;
+    ///
+    /// let reply = r#"{"errorCode": "2", "errorMsg": "no \ud83d", "new": NaN, "cmdName": "jog"}"#;
+    /// assert!(Envelope::read(reply).is_err());
+    /// let refusal = Envelope::read_odd(reply)?.refusal().expect("the code is not zero");
+    /// assert_eq!(refusal.to_string(), "the controller refused `jog` with code 2: no \u{fffd}");
+    /// # Ok::<(), jaka_proto::wire::DecodeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The text is no object by its quotes and brackets.
+    pub fn read_odd(reply: &'a str) -> Result<Self, DecodeError> {
+        Self::read(reply).or_else(|_| Self::read_by_brackets(reply))
+    }
+
+    #[cold]
+    fn read_by_brackets(reply: &'a str) -> Result<Self, DecodeError> {
+        let mut reader = Reader::new(reply);
+        let mut parts = Parts::default();
+        reader.begin_object()?;
+        while let Some(key) = reader.next_odd_key()? {
+            parts.take(&key, reader.odd_value()?);
+        }
+        reader.end()?;
+        Ok(parts.envelope())
     }
 
     /// Whether the reply says that the command was accepted.
@@ -66,16 +96,70 @@ impl<'a> Envelope<'a> {
     }
 }
 
-/// A string; `None`, rather than an error, for a value of another kind.
-fn text<'a>(reader: &mut Reader<'a>) -> Result<Option<Cow<'a, str>>, DecodeError> {
-    let raw = reader.raw()?;
-    Ok(Reader::new(raw).text().ok())
+/// The three keys, as far as they have come.
+#[derive(Default)]
+struct Parts<'a> {
+    command: Option<Cow<'a, str>>,
+    /// Whether a name has come, also one that is none.
+    has_command: bool,
+    code: Option<Result<ErrorCode, DecodeError>>,
+    message: Option<Cow<'a, str>>,
+    /// Two messages came, and did not say the same.
+    messages_differ: bool,
 }
 
-/// The code, or why it is none; an outer error only where the text is no JSON.
-fn scalar(reader: &mut Reader<'_>) -> Result<Result<ErrorCode, DecodeError>, DecodeError> {
-    let mut value = Reader::new(reader.raw()?);
-    Ok(crate::wire::Decode::decode(&mut value).map_err(|error: DecodeError| error.in_field("error_code")))
+impl<'a> Parts<'a> {
+    /// Takes the value of a key, if it is one of the three.
+    fn take(&mut self, key: &str, raw: &'a str) {
+        match key {
+            COMMAND => self.take_command(Reader::new(raw).text().ok().map(trimmed)),
+            CODE => self.take_code(code(raw)),
+            MESSAGE => self.take_message(if raw.starts_with('"') { lossy_text(raw) } else { Cow::Borrowed("") }),
+            _ => {}
+        }
+    }
+
+    /// Two different names are none.
+    fn take_command(&mut self, found: Option<Cow<'a, str>>) {
+        let is_same = !self.has_command || self.command == found;
+        (self.command, self.has_command) = (found.filter(|_| is_same), true);
+    }
+
+    /// Of two different codes neither is believed.
+    fn take_code(&mut self, found: Result<ErrorCode, DecodeError>) {
+        let is_same = self.code.as_ref().is_none_or(|before| *before == found);
+        self.code = Some(if is_same { found } else { Err(DecodeError::repeated().in_field("error_code")) });
+    }
+
+    /// Of two different messages neither is dropped.
+    fn take_message(&mut self, found: Cow<'a, str>) {
+        self.message = Some(match self.message.take() {
+            Some(before) if before != found => {
+                self.messages_differ = true;
+                format!("{before} / {found}").into()
+            }
+            _ => found,
+        });
+    }
+
+    fn envelope(self) -> Envelope<'a> {
+        let Self { command, code, message, messages_differ, .. } = self;
+        let code = code.unwrap_or_else(|| Err(DecodeError::missing("error_code", CODE)));
+        // A refusal stays one.
+        let code = code.and_then(|code| {
+            let is_doubtful = messages_differ && code.is_success();
+            if is_doubtful { Err(DecodeError::repeated().in_field("error_message")) } else { Ok(code) }
+        });
+        Envelope { command, code, message: message.unwrap_or_default() }
+    }
+}
+
+/// The code that a value holds, all of it, or why it holds none.
+fn code(raw: &str) -> Result<ErrorCode, DecodeError> {
+    let mut value = Reader::new(raw);
+    let code: Result<ErrorCode, _> = crate::wire::Decode::decode(&mut value);
+    let code = code.and_then(|code| value.end().map(|()| code));
+    code.map_err(|error| error.in_field("error_code"))
 }
 
 /// A command that the controller refused, in the controller's words. Nothing came of the command.
@@ -145,7 +229,8 @@ pub struct Reply<'a, R> {
 
 /// Reads a reply as that to `command`, whosever it is: what [`Envelope::read`] and [`read_payload`] read, in one pass.
 ///
-/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's.
+/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's. A reply that
+/// is odd is read as [`Envelope::read_odd`] does, and its payload where that is not odd itself.
 ///
 /// ```
 /// use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
@@ -159,7 +244,7 @@ pub struct Reply<'a, R> {
 /// ```
 ///
 /// # Errors
-/// The text is no JSON object, and no Python tuple.
+/// The text is no object by its quotes and brackets, and no Python tuple.
 pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
     match crate::wire::read_accepted(reply) {
         Some(reply) => Ok(reply),
@@ -170,7 +255,7 @@ pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Resul
 /// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
 #[cold]
 fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    let envelope = (!reply.starts_with('(')).then(|| Envelope::read(reply)).transpose()?;
+    let envelope = (!reply.starts_with('(')).then(|| Envelope::read_odd(reply)).transpose()?;
     let accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
     let payload = accepted.then(|| read_payload(command, reply));
     Ok(Reply { envelope, payload })
@@ -178,10 +263,11 @@ fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<
 
 /// Reads the payload of an accepted reply.
 ///
-/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names.
+/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names. Values of
+/// other keys may be [odd](Envelope::read_odd).
 ///
 /// # Errors
-/// A field is missing or does not fit its type.
+/// A field is missing, comes twice or does not fit its type.
 pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
     crate::wire::read_message(&as_object(command, reply))
 }

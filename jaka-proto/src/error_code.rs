@@ -49,7 +49,9 @@ impl Decode for ErrorCode {
 fn hexadecimal_or_decimal(text: &str) -> Option<i64> {
     let text = text.trim();
     match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(digits) => i64::from_str_radix(digits, 16).ok(),
+        // Digits alone: `from_str_radix` takes a sign, too.
+        Some(digits) if digits.bytes().all(|byte| byte.is_ascii_hexdigit()) => i64::from_str_radix(digits, 16).ok(),
+        Some(_) => None,
         None => text.parse().ok(),
     }
 }

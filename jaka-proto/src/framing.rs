@@ -77,7 +77,7 @@ impl Framer {
     /// let mut framer = Framer::for_status(1000);
     /// framer.push(br#"{"len": 40, "errmsg": "cut he{"len": 27, "enabled": true}"#);
     /// assert!(matches!(framer.next_frame(), Err(FrameError::Cut { .. })));
-    /// assert_eq!(framer.resync(), 30);
+    /// assert_eq!(framer.resync(), 29);
     /// assert_eq!(framer.next_frame()?, Some(br#"{"len": 27, "enabled": true}"#.as_slice()));
     /// # Ok::<(), FrameError>(())
     /// ```

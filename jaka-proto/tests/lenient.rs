@@ -92,7 +92,25 @@ fn numbers_as_strings_and_whole_numbers_as_floats() {
     assert_eq!(decode::<i64>("5.0"), Ok(5));
     assert_eq!(decode::<i64>("\"-7\""), Ok(-7));
     assert_eq!(decode::<i64>("1e3"), Ok(1000));
-    assert!(decode::<i64>("5.5").is_err());
+    for json in [
+        "9007199254740993.0",
+        "\"9007199254740993.0\"",
+        "1e-400",
+        "4503599627370497.2",
+        "0.99999999999999999999",
+        "5.5",
+    ] {
+        assert!(decode::<i64>(json).is_err(), "{json}");
+        assert!(decode::<bool>(json).is_err(), "{json}");
+    }
+    assert_eq!(decode::<i64>("9007199254740991.0"), Ok(9_007_199_254_740_991));
+    assert_eq!(decode::<i64>("9007199254740993"), Ok(9_007_199_254_740_993));
+    for json in ["[1e-400]", "0.99999999999999999999", "-1e-400"] {
+        assert!(decode::<Value>(json).is_err(), "{json}");
+    }
+    for json in ["[0.0, -0.0, 1e3, 1.50, 1e300, 12345678901234567890]", "9007199254740993.0"] {
+        assert!(decode::<Value>(json).is_ok(), "{json}");
+    }
     assert!(decode::<i64>("1e300").is_err());
     assert!(decode::<i64>("true").is_err());
 }

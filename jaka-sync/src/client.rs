@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_proto::check::{InvalidArgument, Rules};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
-use jaka_proto::wire::{DecodeError, Fields, Writer};
+use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
@@ -189,20 +189,21 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call); [`InvalidArgument`](Error::InvalidArgument) if `parameters` is something else, or has a
-    /// `cmdName` of its own.
+    /// `cmdName` of its own; [`UnexpectedReply`](Error::UnexpectedReply) if the reply is accepted but not JSON throughout, or a
+    /// key comes twice in it.
     pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
         let request = raw_request(command, parameters)?;
         let timeout = self.config.reply_timeout;
         let owed = Cow::Owned(command.trim().to_owned());
         let sent = self.link.send(command, owed, timeout, None, &mut |out| out.raw(&request))?;
         self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
-        serde_json::from_str(&self.reply).map_err(|error| {
-            let source = DecodeError::unfit(format!("JSON ({error})"), &self.reply);
-            self.link.attach(reply::unexpected(command, source))
-        })
+        let mut reader = Reader::new(&self.reply);
+        let found = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
+        found.map_err(|source| self.link.attach(reply::unexpected(command, source)))
     }
 
-    /// Sends a request as it stands, byte for byte, and gives back the text of its reply.
+    /// Sends a request as it stands, byte for byte, and gives back the text of its reply, with `\udcNN` for each byte that is no
+    /// UTF-8.
     ///
     /// `request` is a JSON object with a `cmdName`. For programs that write requests by other means than this crate's, such as
     /// a command line or the replay of a log: nothing is checked beyond that.
@@ -224,7 +225,8 @@ impl Client {
         Ok(&self.reply)
     }
 
-    /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec.
+    /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec; with `\udcNN` for each
+    /// byte that is no UTF-8.
     pub fn last_reply(&self) -> Option<&str> {
         (!self.reply.is_empty()).then_some(&*self.reply)
     }

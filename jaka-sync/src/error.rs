@@ -395,9 +395,7 @@ pub enum Disconnect {
     Read(io::Error),
     /// Bytes came that are no message, or a message longer than the limit.
     Frame(FrameError),
-    /// A message came that is no UTF-8.
-    NotUtf8,
-    /// A message came that is no JSON.
+    /// A message came that is no JSON object by its quotes and brackets.
     NotJson(DecodeError),
     /// A reply came, or failed to come, in a way that leaves in doubt whose the next ones are.
     Mistrust(Mistrust),
@@ -440,7 +438,6 @@ impl fmt::Display for Disconnect {
                 write!(f, "this firmware sends status as text lines, which only very old versions do: {error}")
             }
             Self::Frame(error) => write!(f, "{error}"),
-            Self::NotUtf8 => f.write_str("a message came that is no UTF-8"),
             Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
             Self::Reset { unanswered } => write!(
                 f,

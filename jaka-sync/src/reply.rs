@@ -17,7 +17,7 @@ pub(crate) enum Reply<'a> {
 
 impl<'a> Reply<'a> {
     pub(crate) fn read(text: &'a str) -> Result<Self, DecodeError> {
-        if text.starts_with('(') { Ok(Self::Bare) } else { Envelope::read(text).map(Self::Json) }
+        if text.starts_with('(') { Ok(Self::Bare) } else { Envelope::read_odd(text).map(Self::Json) }
     }
 
     /// Fails if the controller refused the command, or does not say whether it did.

@@ -40,6 +40,7 @@ mod sample;
 mod scalar;
 mod text;
 mod value;
+mod whole;
 
 pub use crate::envelope::{COMMAND_NAME, ENVELOPE};
 pub use arguments::{Argument, PossibleValue, arguments};

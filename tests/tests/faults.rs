@@ -246,10 +246,11 @@ fn braces_that_hold_no_json() {
 
 #[test]
 fn invalid_utf8() {
-    let reply = b"{\"errorCode\": \"0\", \"errorMsg\": \"\xff\xfe\", \"cmdName\": \"get_joint_pos\"}";
+    let reply = b"{\"errorCode\": \"2\", \"errorMsg\": \"\xff\xfe\", \"cmdName\": \"get_joint_pos\"}";
     let (controller, mut client) = patient(Fault::Instead(reply.to_vec()));
-    assert!(cause_of(client.get_joint_pos().expect_err("that is no UTF-8")).contains("NotUtf8"));
-    assert_broken(&controller, &mut client, "no UTF-8");
+    let error = client.get_joint_pos().expect_err("it is refused");
+    assert_eq!(error.refusal().map(|refusal| &*refusal.message), Some("\u{fffd}\u{fffd}"));
+    assert_usable(&controller, &mut client);
 }
 
 #[test]

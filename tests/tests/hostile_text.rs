@@ -52,11 +52,11 @@ fn no_error_shows_a_controller_s_text_raw() {
         Error::UnexpectedStatus { source, exchanges: exchanges() },
     ];
     for cause in causes {
-        let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)) };
+        let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)), unreadable: None };
         errors.push(Error::NotAcknowledged { outcome: Box::new(outcome) });
         errors.push(Error::Disconnected { command: Some(command.clone()), sent: true, cause, exchanges: exchanges() });
     }
-    let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), message: HOSTILE.to_owned() };
+    let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), event: None, message: HOSTILE.to_owned() };
     assert_visible("an outcome", &outcome.to_string());
     errors.push(Error::NotAcknowledged { outcome: Box::new(outcome) });
     for error in &errors {

@@ -110,7 +110,7 @@ fn a_stop_that_does_not_fit_is_neither_on_nor_off() {
     let (controller, monitor) = monitor();
     send(&controller, br#"{"len": 40, "protective_stop": 0}"#);
     monitor.wait_until(|status| status.protective_stop == Some(false), LONG).expect("it fits");
-    for odd in ["\"yes\"", "2", "[1]", "True", "0, \"protective_stop\": 1"] {
+    for odd in ["\"yes\"", "2", "[1]", "True", "0, \"protective_stop\": 1", "1e-400"] {
         send(&controller, format!(r#"{{"len": 50, "protective_stop": {odd}}}"#));
         let found = monitor.wait_until(|status| status.protective_stop != Some(false), LONG).expect("the packet stays");
         assert_eq!((found.status.protective_stop, found.is_unfit("protective_stop")), (None, true), "{odd}");

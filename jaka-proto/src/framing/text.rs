@@ -28,8 +28,7 @@ fn with_escapes(frame: &[u8]) -> String {
     for chunk in frame.utf8_chunks() {
         text.push_str(chunk.valid());
         for byte in chunk.invalid() {
-            // Behind an escape's backslash, another one would make an escape that JSON has.
-            if text.bytes().rev().take_while(|byte| *byte == b'\\').count() % 2 == 1 {
+            if is_open_escape(&text) {
                 text.push(char::REPLACEMENT_CHARACTER);
             } else {
                 // Writing to a string cannot fail.
@@ -40,16 +39,37 @@ fn with_escapes(frame: &[u8]) -> String {
     text
 }
 
+/// Whether what follows would become a part of the escape at the end: of a backslash, or of the first half of a pair.
+fn is_open_escape(text: &str) -> bool {
+    let is_escape = |before: &[u8]| before.iter().rev().take_while(|byte| **byte == b'\\').count() % 2 == 1;
+    let bytes = text.as_bytes();
+    let high_half = match bytes {
+        [before @ .., b'u', b'd' | b'D', b'8' | b'9' | b'a' | b'A' | b'b' | b'B', c, d] => {
+            c.is_ascii_hexdigit() && d.is_ascii_hexdigit() && is_escape(before)
+        }
+        _ => false,
+    };
+    high_half || is_escape(bytes)
+}
+
 #[cfg(test)]
 mod tests {
     use super::text;
 
     #[test]
     fn no_byte_becomes_a_part_of_an_escape() {
-        assert_eq!(text(b"\"a\\\xff\""), "\"a\\\u{fffd}\"");
-        assert_eq!(text(b"\"a\\\\\xff\""), r#""a\\\\\udcff""#.replace("\\\\\\\\", "\\\\"));
-        assert!(serde_json::from_str::<String>(&text(b"\"a\\\xff\"")).is_err());
-        assert!(serde_json::from_str::<String>(&text(b"\"a\\\\\xff\"")).is_err());
-        assert!(serde_json::from_str::<String>(&text(b"\"\xed\xa0\xbd\"")).is_err());
+        for (frame, expected) in [
+            (b"'a\xff'".as_slice(), r"'a\udcff'"),
+            (b"'a\\\xff'", "'a\\\u{fffd}'"),
+            (b"'a\\\\\xff\xfe'", r"'a\\\udcff\udcfe'"),
+            (b"'\\ud83d\xff\xfe'", "'\\ud83d\u{fffd}\\udcfe'"),
+            (b"'\\\\ud83d\xff'", r"'\\ud83d\udcff'"),
+            (b"'\\u12\xff'", r"'\u12\udcff'"),
+            (b"'\xed\xa0\xbd'", r"'\udced\udca0\udcbd'"),
+        ] {
+            assert_eq!(text(frame), expected);
+            let json = text(frame).replace('\'', "\"");
+            assert!(serde_json::from_str::<String>(&json).is_err(), "{json} is text");
+        }
     }
 }

@@ -1,9 +1,7 @@
 //! How JSON becomes values: leniently, since controllers write the same value in many forms.
 
-use serde_json::Value;
-
 use super::error::DecodeError;
-use super::number::Scalar;
+use super::number::{Scalar, whole};
 use super::reader::{Mark, Reader};
 
 /// A value that can be read from the wire, in any of the forms that controllers use.
@@ -71,7 +69,8 @@ fn unusual_float(reader: &mut Reader<'_>) -> Result<f64, DecodeError> {
     value.filter(|value| value.is_finite()).ok_or_else(|| unfit(reader, start, "a number"))
 }
 
-/// A whole number, also one written with a fraction of zero, or a string that holds one.
+/// A whole number, or a string that holds one. With a fraction (of zero) or an exponent it must be less than 2^53; it is never
+/// rounded.
 impl Decode for i64 {
     #[inline]
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -92,18 +91,6 @@ fn unusual_int(reader: &mut Reader<'_>) -> Result<i64, DecodeError> {
     let start = reader.mark();
     let value = reader.scalar()?.and_then(|text| whole(&text));
     value.ok_or_else(|| unfit(reader, start, "a whole number"))
-}
-
-/// The whole number that `text` holds.
-pub(crate) fn whole(text: &str) -> Option<i64> {
-    /// Up to here every whole number has a float of its own.
-    const EXACT: f64 = 9_007_199_254_740_992.0;
-    if let Ok(int) = text.parse() {
-        return Some(int);
-    }
-    let float = text.parse::<f64>().ok()?;
-    #[expect(clippy::cast_possible_truncation, reason = "the value is whole and within ±2^53")]
-    (float.fract() == 0.0 && float.abs() <= EXACT).then_some(float as i64)
 }
 
 /// `true` and `false`, 0 and 1, or a string that holds one of these, in any case.
@@ -152,25 +139,6 @@ impl Decode for String {
         self.clear();
         self.push_str(&text);
         Ok(())
-    }
-}
-
-impl Decode for Value {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let raw = reader.raw()?;
-        serde_json::from_str(raw).map_err(|error| DecodeError::unfit(format!("JSON ({error})"), raw))
-    }
-
-    /// Only strings, and arrays as long as before, are used again: the shape is not known.
-    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        match self {
-            Self::String(text) if reader.is_text() => text.decode_into(reader),
-            Self::Array(list) if reader.is_array() => Self::decode_list(list, reader),
-            _ => {
-                *self = Self::decode(reader)?;
-                Ok(())
-            }
-        }
     }
 }
 

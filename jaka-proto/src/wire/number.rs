@@ -1,6 +1,9 @@
 //! Numbers in their usual form, read without a detour over their text.
 
+mod whole;
+
 use super::Decode;
+pub(super) use whole::whole;
 
 /// A value that can be read at once where it is written in its usual form.
 pub(super) trait Scalar: Decode + Copy + Default {

@@ -1,6 +1,7 @@
 //! Reads JSON text, one value after the other, without building a tree.
 
 mod fields;
+mod odd;
 mod reply;
 mod skip;
 mod status;
@@ -8,11 +9,12 @@ mod status;
 use std::borrow::Cow;
 
 pub use fields::Keys;
+pub(crate) use odd::lossy_text;
 pub(crate) use reply::read_accepted;
+pub(super) use skip::MAX_DEPTH;
 
-use super::decode::whole;
 use super::error::DecodeError;
-use super::number::{self, Scalar};
+use super::number::{self, Scalar, whole};
 use super::{Decode, Fields, Writer};
 use crate::near::{first_of, plain_text};
 
@@ -25,6 +27,8 @@ pub struct Reader<'a> {
     comma: bool,
     /// What a reply says beside its payload, where that is wanted.
     reply: reply::Slots<'a>,
+    /// Whether odd values of keys that nobody asks for are passed over.
+    tolerant: bool,
     /// What was left out of a status packet, and why.
     left_out: Vec<DecodeError>,
 }
@@ -39,7 +43,7 @@ pub struct Mark {
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self { text, at: 0, comma: false, reply: reply::Slots::default(), left_out: Vec::new() }
+        Self { text, at: 0, comma: false, reply: reply::Slots::default(), tolerant: false, left_out: Vec::new() }
     }
 
     /// Where the reader stands.
@@ -138,7 +142,7 @@ impl<'a> Reader<'a> {
     #[cold]
     fn unfit(&mut self, expected: &'static str) -> DecodeError {
         let start = self.at;
-        match self.skip() {
+        match self.skip_strictly() {
             Ok(()) => DecodeError::unfit(expected, &self.text[start..self.at]),
             Err(malformed) => malformed,
         }
@@ -226,6 +230,17 @@ impl<'a> Reader<'a> {
     /// Whether the next value is an array.
     pub(super) fn is_array(&mut self) -> bool {
         self.peek() == Some(b'[')
+    }
+
+    /// Whether the next value is an object.
+    pub(super) fn is_object(&mut self) -> bool {
+        self.peek() == Some(b'{')
+    }
+
+    /// The error for a value that nests too deep.
+    #[cold]
+    pub(super) fn too_deep(&self) -> DecodeError {
+        self.malformed("at most 64 levels of nesting")
     }
 
     /// Reads a value that is written exactly so.
@@ -332,7 +347,7 @@ impl<'a> Reader<'a> {
     pub fn raw(&mut self) -> Result<&'a str, DecodeError> {
         self.peek();
         let start = self.at;
-        self.skip()?;
+        self.skip_strictly()?;
         Ok(&self.text[start..self.at])
     }
 
@@ -366,12 +381,12 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Reads one message.
+/// Reads a payload, with whatever else the reply has.
 ///
 /// # Errors
-/// The text is no JSON object, something follows it, or a field does not fit.
+/// The text is no object by its brackets, something follows it, or a field does not fit.
 pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
-    let mut reader = Reader::new(text);
+    let mut reader = Reader::tolerant(text);
     let message = T::read_fields(&mut reader)?;
     reader.end()?;
     Ok(message)

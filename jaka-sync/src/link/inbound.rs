@@ -6,7 +6,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
 use jaka_proto::Mistrust;
-use jaka_proto::framing::Framer;
+use jaka_proto::framing::{self, Framer};
 
 use super::Link;
 use super::answer::Caller;
@@ -44,8 +44,8 @@ impl Inbound {
         while caller.outcome.is_none() && self.panic.is_none() {
             let Some(frame) = self.framer.next_frame().map_err(Disconnect::Frame)? else { break };
             tap.received(frame);
-            let text = std::str::from_utf8(frame).map_err(|_| Disconnect::NotUtf8)?;
-            self.panic = settle_whole(state, text, caller).map_err(|cause| explained(cause, text))?;
+            let text = framing::text(frame);
+            self.panic = settle_whole(state, &text, caller).map_err(|cause| explained(cause, &text))?;
             count += 1;
         }
         Ok(count)

@@ -61,6 +61,8 @@ pub(super) fn unreadable(snapshot: &Snapshot) -> Option<DecodeError> {
         let status = &snapshot.status;
         let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
         let is_told = told.iter().any(Option::is_some);
-        (!is_told).then(|| DecodeError::unfit("a packet that tells whether the arm is enabled and stopped", "without these keys"))
+        (!is_told).then(|| {
+            DecodeError::unfit("a packet that tells whether the arm is enabled and stopped", "without these keys")
+        })
     })
 }

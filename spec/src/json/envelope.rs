@@ -15,6 +15,10 @@ const STATUS_TYPE: &str = "RobotStatus";
 ///
 /// A refusal is held against the envelope alone, for it carries no payload. A bare Python tuple, which some firmware
 /// sends in place of a reply, is given as a JSON string.
+///
+/// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses the reply
+/// must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync never gets a reply in which
+/// one of the three keys of the envelope comes twice and says different things.
 pub fn departures(spec: &Spec, command: &Command, reply: &Value) -> Vec<Departure> {
     let mut decoder = Decoder::new(spec);
     match (reply, bare_reply(command, reply)) {

@@ -44,7 +44,9 @@ impl Reader<'_> {
             '[' => Some(self.items(']', |reader| reader.value(depth + 1))?.0.into()),
             '{' => {
                 let entries = self.items('}', |reader| reader.entry(depth))?.0;
-                Some(entries.into_iter().collect::<Map<_, _>>().into())
+                let (len, object) = (entries.len(), entries.into_iter().collect::<Map<_, _>>());
+                // Of a key that comes twice, neither value is believed.
+                (object.len() == len).then(|| object.into())
             }
             '\'' | '"' | 'u' | 'U' => self.string().map(Value::from),
             _ => self.word(),
@@ -237,6 +239,7 @@ mod tests {
             "1.5L",
             "'\\u12'",
             "'\\ud800'",
+            "{'a': 1, 'a': 2}",
         ] {
             assert_eq!(read(text), None, "{text}");
         }

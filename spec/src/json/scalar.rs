@@ -2,6 +2,8 @@
 
 use serde_json::Value;
 
+pub(super) use super::whole::whole;
+
 /// How a value is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
@@ -30,23 +32,12 @@ pub(super) fn int(value: &Value) -> Option<(i64, Form)> {
     match value {
         Value::Number(number) => match number.as_i64() {
             Some(int) => Some((int, Form::Plain)),
+            // What was a fraction or an exponent has been a float since it was parsed.
             None => Some((whole(&number.to_string())?, Form::Lenient)),
         },
         Value::String(text) => Some((whole(text)?, Form::Lenient)),
         _ => None,
     }
-}
-
-/// The whole number that `text` holds, also with a fraction of zero.
-pub(super) fn whole(text: &str) -> Option<i64> {
-    /// Up to here every whole number has a float of its own.
-    const EXACT: f64 = 9_007_199_254_740_992.0;
-    if let Ok(int) = text.trim().parse() {
-        return Some(int);
-    }
-    let float = finite(text)?;
-    #[expect(clippy::cast_possible_truncation, reason = "the value is whole and within ±2^53")]
-    (float.fract() == 0.0 && float.abs() <= EXACT).then_some(float as i64)
 }
 
 /// A truth value that the spec writes as one of two JSON texts.

@@ -9,7 +9,7 @@ mod motion;
 mod servo;
 mod status;
 
-use jaka_proto::Envelope;
+use jaka_proto::{Envelope, framing};
 use jaka_sim::Fault;
 
 use self::status::Packets;
@@ -132,8 +132,7 @@ fn of_bytes(bytes: &[u8]) -> Vec<Found> {
     if !b"{(".contains(first) {
         return vec![Found::Wrong(Cause::Garbage)];
     }
-    let Ok(text) = std::str::from_utf8(bytes) else { return vec![Found::Wrong(Cause::NotUtf8)] };
-    let cause = match Envelope::read(text) {
+    let cause = match Envelope::read_odd(&framing::text(bytes)) {
         Err(_) => Cause::NotJson,
         Ok(envelope) if envelope.command.is_none() => Cause::Nameless,
         Ok(_) => Cause::Unasked,

@@ -4,14 +4,17 @@ use jaka_spec::json::{ENVELOPE, value as read};
 use jaka_spec::{Choice, Command, EnumValue, Field, Spec, Type, TypeKind};
 use jaka_sync::proto::python;
 use jaka_sync::proto::text::{visible, visible_json};
+use jaka_sync::proto::wire::{Decode, Reader};
 use serde_json::{Map, Value};
 
 use crate::number::fixed;
 use crate::output;
 
-/// A reply's JSON; its text as a JSON string where it is none, as a bare Python tuple.
+/// A reply's JSON; its text as a JSON string where it is none, as a bare Python tuple, or where a key comes twice.
 pub(crate) fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|_| text.trim().into())
+    let mut reader = Reader::new(text);
+    let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
+    value.unwrap_or_else(|_| text.trim().into())
 }
 
 /// A row for each field that the reply has; `accepted` where it has none.

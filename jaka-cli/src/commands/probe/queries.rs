@@ -93,7 +93,7 @@ fn unanswered(error: &Error) -> Outcome {
     match error {
         Error::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),
         Error::Disconnected { cause, .. } => match &**cause {
-            Disconnect::Frame(_) | Disconnect::NotUtf8 | Disconnect::NotJson(_) | Disconnect::Mistrust(_) => {
+            Disconnect::Frame(_) | Disconnect::NotJson(_) | Disconnect::Mistrust(_) => {
                 Outcome::Unreadable(chain(&**cause))
             }
             _ => Outcome::NoReply(chain(&**cause)),

@@ -6,7 +6,7 @@ use crate::wire::error::DecodeError;
 use crate::wire::number;
 
 /// How deep arrays and objects may nest.
-const MAX_DEPTH: u32 = 64;
+pub(in crate::wire) const MAX_DEPTH: u32 = 64;
 
 impl Reader<'_> {
     /// Skips the next value, and checks that it is JSON throughout.
@@ -14,12 +14,27 @@ impl Reader<'_> {
     /// # Errors
     /// The text is no JSON, or nests deeper than 64 levels.
     pub fn skip(&mut self) -> Result<(), DecodeError> {
+        if self.tolerant { self.skip_tolerantly() } else { self.skip_strictly() }
+    }
+
+    #[inline]
+    pub(super) fn skip_strictly(&mut self) -> Result<(), DecodeError> {
         self.skip_nested(0)
+    }
+
+    #[cold]
+    fn skip_tolerantly(&mut self) -> Result<(), DecodeError> {
+        let start = self.mark();
+        if self.skip_strictly().is_ok() && matches!(self.peek(), None | Some(b',' | b'}' | b']')) {
+            return Ok(());
+        }
+        self.go_back(start);
+        self.odd_value().map(drop)
     }
 
     fn skip_nested(&mut self, depth: u32) -> Result<(), DecodeError> {
         if depth > MAX_DEPTH {
-            return Err(self.malformed("at most 64 levels of nesting"));
+            return Err(self.too_deep());
         }
         match self.peek() {
             Some(b'{') => {

@@ -2,8 +2,6 @@
 
 use super::fields::repeated;
 use super::{Decode, DecodeError, Keys, Mark, Reader};
-use crate::near::first_of;
-use crate::wire::reader::skip::behind_string;
 
 impl Reader<'_> {
     /// Enters an object whose fields are left out where they do not fit, if it is the whole message: inside another
@@ -143,49 +141,5 @@ impl Reader<'_> {
             return self.skip();
         }
         self.odd_value().map(drop)
-    }
-
-    /// The text of a value of an object, found by its quotes and brackets alone.
-    ///
-    /// # Errors
-    /// Brackets do not match, or something else follows than the next key.
-    pub(crate) fn odd_value(&mut self) -> Result<&str, DecodeError> {
-        let text = self.text;
-        let end = match self.peek() {
-            Some(b'{' | b'[') => self.behind_nested(),
-            Some(b'"') => behind_string(text.as_bytes(), self.at + 1),
-            _ => self.behind_word(),
-        };
-        let start = self.at;
-        self.at = end.ok_or_else(|| self.malformed("a value that ends"))?;
-        self.comma = true;
-        if self.is_delimited() { Ok(&text[start..self.at]) } else { Err(self.malformed("`,` or `}`")) }
-    }
-
-    /// Where the array or object ends that begins here; none if its brackets do not match.
-    fn behind_nested(&self) -> Option<usize> {
-        let bytes = self.text.as_bytes();
-        let (mut at, mut open) = (self.at, Vec::new());
-        loop {
-            at += first_of(*b"\"{}[]", bytes.get(at..)?)? + 1;
-            match bytes[at - 1] {
-                b'"' => at = behind_string(bytes, at)?,
-                b'{' => open.push(b'}'),
-                b'[' => open.push(b']'),
-                close => {
-                    open.pop().filter(|expected| *expected == close)?;
-                    if open.is_empty() {
-                        return Some(at);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Where the number or word ends that begins here; none if there is none.
-    fn behind_word(&self) -> Option<usize> {
-        let ends = |byte: &u8| byte.is_ascii_whitespace() || b",:\"{}[]".contains(byte);
-        let len = self.rest().iter().position(ends)?;
-        (len > 0).then_some(self.at + len)
     }
 }
