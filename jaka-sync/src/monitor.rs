@@ -57,6 +57,9 @@ pub struct Monitor<S = RobotStatus> {
     stale_after: Duration,
 }
 
+/// For how long after a silence packets may be those that a link has held.
+const SETTLING: Duration = Duration::from_millis(100);
+
 /// A status packet, and when it came.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -115,6 +118,10 @@ struct State<S> {
     closing: bool,
     /// True while the connection is lost and is being made again.
     reconnecting: bool,
+    /// When packets came again after a silence in which the last had become stale.
+    resumed: Option<Instant>,
+    /// How often those who wait were to look again.
+    wakes: u64,
     /// Threads that wait for a change.
     sleepers: usize,
 }
@@ -132,6 +139,8 @@ impl<S> Board<S> {
             tap,
             closing: false,
             reconnecting: false,
+            resumed: None,
+            wakes: 0,
             sleepers: 0,
         };
         Self { state: Mutex::new(state), changed: Condvar::new() }
@@ -150,7 +159,8 @@ impl<S> Board<S> {
     }
 
     /// Wakes those who wait. Where nobody does, which is usual, it takes no system call.
-    fn wake(&self, state: MutexGuard<'_, State<S>>) {
+    fn wake(&self, mut state: MutexGuard<'_, State<S>>) {
+        state.wakes += 1;
         let sleepers = state.sleepers;
         drop(state);
         if sleepers > 0 {
@@ -213,7 +223,12 @@ impl<S: 'static> Monitor<S> {
         }
         let latest = state.latest.clone().ok_or(StatusProblem::Missing)?;
         let age = latest.age();
-        if age > self.stale_after { Err(StatusProblem::Stale { age }) } else { Ok(latest) }
+        if age > self.stale_after {
+            return Err(StatusProblem::Stale { age });
+        }
+        // A link that stalled delivers what it held: the first packets are old.
+        let since = state.resumed.map(|resumed| latest.received.saturating_duration_since(resumed));
+        if since.is_some_and(|since| since < SETTLING) { Err(StatusProblem::Resuming) } else { Ok(latest) }
     }
 
     pub(crate) fn stale_after(&self) -> Duration {
@@ -252,20 +267,27 @@ impl<S: 'static> Monitor<S> {
         mut look: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
     ) -> Result<Option<T>, Error> {
         let since = Instant::now();
-        let mut state = self.board.lock();
         let mut looked_at = 0;
         loop {
-            let latest = state.latest.as_ref().filter(|snapshot| snapshot.number > looked_at);
-            looked_at = latest.map_or(looked_at, |snapshot| snapshot.number);
-            if let Some(found) = look(latest) {
+            let state = self.board.lock();
+            let (latest, wakes, ended) = (state.latest.clone(), state.wakes, ended(&state));
+            drop(state);
+            // Without the lock: others, a stop among them, wait for nobody who looks.
+            let latest = latest.filter(|snapshot| snapshot.number > looked_at);
+            looked_at = latest.as_ref().map_or(looked_at, |snapshot| snapshot.number);
+            if let Some(found) = look(latest.as_ref()) {
                 return Ok(Some(found));
             }
-            ended(&state)?;
+            drop(latest);
+            ended?;
             let left = timeout.saturating_sub(since.elapsed());
             if left.is_zero() {
                 return Ok(None);
             }
-            state = self.board.wait(state, left);
+            let state = self.board.lock();
+            if state.wakes == wakes {
+                drop(self.board.wait(state, left));
+            }
         }
     }
 
@@ -288,7 +310,7 @@ impl<S: 'static> Monitor<S> {
         state.tap.attach(match (state.unfit.clone(), &state.latest) {
             (Some(source), _) => Error::UnexpectedStatus { source, exchanges },
             (None, Some(last)) if packets > 0 => {
-                Error::StateTimeout { after, packets, says: in_words(&last.status), exchanges }
+                Error::StateTimeout { after, packets, says: in_words(last), exchanges }
             }
             _ => Error::StatusTimeout { after, exchanges },
         })
@@ -300,8 +322,9 @@ impl<S: 'static> Monitor<S> {
         let mut state = self.board.lock();
         if state.ended.is_some() {
             queue.close();
+        } else {
+            state.queues.push(Arc::clone(&queue));
         }
-        state.queues.push(Arc::clone(&queue));
         Subscription::new(queue)
     }
 
@@ -343,8 +366,9 @@ impl<S> Waker<S> {
 }
 
 /// What a status packet says of the arm, in words; nothing for a choice of fields of the user's own.
-pub(crate) fn in_words<S: 'static>(status: &S) -> Option<String> {
-    let status = (status as &dyn Any).downcast_ref::<RobotStatus>()?;
+pub(crate) fn in_words<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
+    let status = (&snapshot.status as &dyn Any).downcast_ref::<RobotStatus>()?;
+    let unfit = snapshot.unfit.iter().map(|error| format!("{} cannot be read", error.field()));
     let says = |holds: Option<bool>, yes: &str, no: &str| holds.map(|holds| if holds { yes } else { no }.to_owned());
     let code = status.error_code.as_ref().map(|code| format!("code {code}"));
     let parts = [
@@ -355,7 +379,7 @@ pub(crate) fn in_words<S: 'static>(status: &S) -> Option<String> {
         status.protective_stop.filter(|stopped| *stopped).map(|_| "protective stop".to_owned()),
         code,
     ];
-    Some(parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    Some(parts.into_iter().flatten().chain(unfit).collect::<Vec<_>>().join(", "))
 }
 
 fn ended<S>(state: &State<S>) -> Result<(), Error> {

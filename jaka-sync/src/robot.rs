@@ -78,6 +78,8 @@ pub struct Robot {
     frame_changes: u64,
     /// The query that has not been answered.
     query: Option<Query>,
+    /// True if the last wait saw the arm at rest by the controller's answers, and nothing was sent since.
+    rests: bool,
     stops: Arc<Stops>,
     /// The stops that this robot's program has been told of.
     stops_told: u64,
@@ -111,6 +113,7 @@ impl Robot {
             batch: None,
             frame_changes: 0,
             query: None,
+            rests: false,
             stops: Arc::default(),
             stops_told: 0,
         }
@@ -148,6 +151,7 @@ impl Robot {
     ///
     /// Motions that are sent through it are not refused after a stop, and not waited for.
     pub fn client(&mut self) -> &mut Client {
+        self.rests = false;
         &mut self.client
     }
 
@@ -183,8 +187,10 @@ impl Robot {
         self.client.link().check_open(M::INFO.name)?;
         self.check_latch()?;
         let begin = self.begin(motion, timeout)?;
+        self.rests = false;
         let gate = self.gate();
-        let sent = self.client.call_through(Some(&gate), motion, timeout.saturating_sub(since.elapsed()));
+        let left = || timeout.saturating_sub(since.elapsed());
+        let sent = self.client.call_through(Some(&gate), motion, left());
         self.frame_changes = begin.frames.changes;
         match sent {
             Ok(()) => self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin),
@@ -193,7 +199,7 @@ impl Robot {
                 if error.may_have_run() {
                     self.accepted(Goal::Unknown, begin);
                 }
-                return Err(self.explained(error));
+                return Err(self.explained(error, left()));
             }
         }
         Ok(())
@@ -201,7 +207,8 @@ impl Robot {
 
     /// What is known of the arm before a motion.
     fn begin<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<Begin, Error> {
-        let Some(newest) = self.known_status()? else {
+        let since = Instant::now();
+        let Some(newest) = self.known_status(timeout)? else {
             return Ok(Begin::default());
         };
         let mut begin = Begin::new(
@@ -209,8 +216,7 @@ impl Robot {
             Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes),
         );
         if let Some(quantity) = motion.target().start_quantity().filter(|_| self.batch.is_none() && begin.at_rest) {
-            begin.start = self.place(quantity, timeout)?;
-            begin.place = begin.start;
+            begin.start = self.place_at_rest(quantity, timeout.saturating_sub(since.elapsed()))?;
         }
         Ok(begin)
     }
@@ -233,6 +239,7 @@ impl Robot {
         };
         let mut wait = Wait::new(batch, self.client.link().frame_changes(), self.grace);
         let outcome = self.watch(&mut wait, timeout);
+        self.rests = wait.failure.is_none() && outcome.is_at_rest();
         if outcome.latches() {
             lock(&self.latched).get_or_insert_with(|| outcome.clone());
         }

@@ -158,7 +158,7 @@ fn a_packet_that_cannot_be_read_is_told_to_who_waits_in_vain() {
         }
     };
     let source = std::error::Error::source(&error).expect("the place is named");
-    assert!(source.to_string().starts_with("no JSON: expected `,` or `}` at byte 11"), "{source}");
+    assert!(source.to_string().starts_with("no JSON: expected `,` or a bracket at byte 11"), "{source}");
     assert_eq!(monitor.statistics().unfit, 1);
 }
 

@@ -4,7 +4,7 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Controller, Delays, Fault, Habit, LinkFault, Port, StatusFault};
+use jaka_sim::{Controller, Delays, Fault, LinkFault, Port, StatusFault};
 use jaka_sync::motion::{JointMove, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
 use jaka_sync::{Client, Config, Error, Monitor, MotionEnd, Outcome, Robot, ServoConfig};
@@ -276,19 +276,13 @@ fn a_status_without_in_position_still_shows_an_end() {
 
 #[test]
 fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
-    let controller =
-        Controller::builder().delays(Delays::NONE).status_period(PERIOD).habits(Habit::ServoAtRest).start();
-    let controller = controller.expect("loopback has free ports");
-    controller.set_state(|state| {
-        state.powered = true;
-        state.enabled = true;
-    });
-    let mut robot = robot_of(&controller, &Config::new().stale_after(LONG));
-    // The status is from before the motion: in position.
-    controller.link(Port::Status).to_client().hold();
-    robot.client().joint_move(&to(60.0, 20.0)).expect("it is reachable");
+    let (controller, mut robot) = ready();
+    let not_in = br#"{"errorCode": "0", "errorMsg": "", "in_servomove": false, "cmdName": "is_in_servomove"}"#;
+    for _ in 0..1000 {
+        controller.inject_for("is_in_servomove", Fault::Instead(not_in.to_vec()));
+    }
     let error = robot.servo(&ServoConfig::new().enter_timeout(Duration::from_millis(300)));
-    let error = error.expect_err("the arm moves");
+    let error = error.expect_err("the controller says that it is not in servo mode");
     assert!(matches!(error, Error::NotReady { .. }) && error.to_string().contains("did not enter"), "{error}");
     assert!(!controller.state().servo_mode);
     assert!(controller.requests().iter().any(|request| request == r#"{"cmdName":"servo_move","relFlag":0}"#));
@@ -406,8 +400,11 @@ fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
     let session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
     drop(session);
     let requests = controller.requests();
-    let place = |part: &str| requests.iter().position(|request| request.contains(part)).expect("it was sent");
-    assert!(place("is_in_servomove") < place("get_joint_pos"), "{requests:?}");
+    let first = |part: &str| requests.iter().position(|request| request.contains(part)).expect("it was sent");
+    let last = |part: &str| requests.iter().rposition(|request| request.contains(part)).expect("it was sent");
+    // Before it, whether the arm is at rest; in it, where it is.
+    assert!(first("get_joint_pos") < first("servo_move"), "{requests:?}");
+    assert!(first("is_in_servomove") < last("get_joint_pos"), "{requests:?}");
     let error = robot.servo(&ServoConfig::new().step_count(1000)).expect_err("a period of 8 s");
     assert!(error.is_invalid_argument(), "{error:?}");
 }

@@ -43,7 +43,6 @@ impl Posted {
         self.outstanding.push_back(Debt { ticket, command, since });
     }
 
-    #[allow(dead_code, reason = "servo sessions are to use it")]
     /// When the oldest command that is outstanding was sent.
     pub(super) fn oldest(&self) -> Option<Instant> {
         self.outstanding.front().map(|debt| debt.since)
@@ -137,7 +136,6 @@ impl Link {
         self.lock().posted.outstanding()
     }
 
-    #[allow(dead_code, reason = "servo sessions are to use it")]
     /// For how long the oldest posted command has been outstanding; none if none is.
     pub(crate) fn oldest_posted(&self) -> Option<Duration> {
         self.lock().posted.oldest().map(|since| since.elapsed())

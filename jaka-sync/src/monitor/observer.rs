@@ -17,6 +17,10 @@ impl<S> Observers<S> {
         self.0.push(Box::new(call));
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Calls all of them, and forgets those that break or panic.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
         // What a panic leaves half done is the call's own, and goes with it.

@@ -1,6 +1,7 @@
 //! What the monitor's thread does.
 
 use std::net::TcpStream;
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -12,7 +13,7 @@ use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
 use crate::resync;
-use crate::{Config, Disconnect, Error};
+use crate::{Config, Disconnect, Error, ports};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
@@ -44,7 +45,8 @@ impl<S: Decode> Worker<S> {
         let mut connected = Some(connected);
         while let Some((stream, tap)) = connected.take() {
             self.tap = tap;
-            let cause = self.read(&stream);
+            let read = panic::catch_unwind(AssertUnwindSafe(|| self.read(&stream)));
+            let cause = read.unwrap_or(Disconnect::Panicked);
             self.record_end(&cause);
             connected = self.reconnect(cause);
         }
@@ -74,19 +76,19 @@ impl<S: Decode> Worker<S> {
 
     fn read_into(&mut self, framer: &mut Framer, stream: &TcpStream) -> Disconnect {
         let mut timeout = receive::Timeout::default();
-        let mut newest = String::new();
-        // When the first came of the packets that have not been posted.
-        let mut waiting: Option<Instant> = None;
+        // The newest packet, until it is posted, and when the first came of those that have not been.
+        let (mut newest, mut waiting) = (String::new(), None::<Instant>);
         loop {
-            let chunk =
-                receive::chunk(stream, &self.tap, framer, &mut timeout, if waiting.is_some() { REST } else { READ });
-            match chunk.and_then(|chunk| self.take_newest(framer, &mut newest).map(|found| (chunk, found))) {
-                Ok((chunk, found)) => {
-                    waiting = waiting.or(found.then(Instant::now));
+            let time = if waiting.is_some() { REST } else { READ };
+            let chunk = receive::chunk(stream, &self.tap, framer, &mut timeout, time);
+            match chunk.and_then(|chunk| self.take_newest(framer, &mut newest).map(|()| chunk)) {
+                Ok(chunk) => {
+                    waiting = waiting.or((!newest.is_empty()).then(Instant::now));
                     // What has gathered is old but for its end. A controller that floods the port is behind for ever.
                     let is_behind = chunk == Chunk::Part && waiting.is_some_and(|since| since.elapsed() < BEHIND);
                     if !is_behind && waiting.take().is_some() {
                         let decoded = self.decode(&newest);
+                        newest.clear();
                         self.post(decoded);
                     }
                 }
@@ -95,25 +97,41 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    /// Keeps the text of the newest packet that has arrived in full; false if there is none.
-    fn take_newest(&mut self, framer: &mut Framer, newest: &mut String) -> Result<bool, Disconnect> {
+    /// Keeps the text of the newest packet that has arrived in full; those before it are passed over.
+    fn take_newest(&mut self, framer: &mut Framer, newest: &mut String) -> Result<(), Disconnect> {
         self.count_dropped(resync::record_lost(framer, &self.tap));
-        let mut found = 0;
         loop {
             match framer.next_frame() {
-                Ok(None) => break,
+                Ok(None) => return Ok(()),
                 Ok(Some(frame)) => {
                     self.tap.packet(frame);
+                    let text = framing::text(frame);
+                    if self.number == 0 && ports::is_reply(&text) {
+                        return Err(Disconnect::CommandPort);
+                    }
+                    if !newest.is_empty() {
+                        self.pass_over(newest);
+                    }
+                    self.number += 1;
                     newest.clear();
-                    newest.push_str(&framing::text(frame));
-                    found += 1;
+                    newest.push_str(&text);
                 }
                 Err(error) => self.resync(framer, error)?,
             }
         }
-        self.number += found;
-        self.board.lock().counters.skipped += found.saturating_sub(1);
-        Ok(found > 0)
+    }
+
+    /// Hands out a packet behind which a newer one has come already: it is not the newest, and may show a stop.
+    fn pass_over(&mut self, packet: &str) {
+        let mut state = self.board.lock();
+        state.counters.skipped += 1;
+        if state.queues.is_empty() && state.observers.is_empty() {
+            return;
+        }
+        drop(state);
+        if let Ok(snapshot) = self.decode(packet) {
+            self.hand_out(&snapshot);
+        }
     }
 
     /// Goes on at the next packet.
@@ -130,54 +148,54 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    /// Decodes a packet, in the place of an earlier one that nobody holds any more if there is one.
+    /// Decodes a packet. A panic of the user's own decoder is an error like any other.
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
-        let (mut reader, received, number) = (Reader::new(packet), Instant::now(), self.number);
-        let mut spare = self.spare.take();
-        if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
-            snapshot.status.decode_into(&mut reader)?;
-            reader.end()?;
-            (snapshot.received, snapshot.number, snapshot.unfit) = (received, number, reader.take_unfit());
-        }
-        match spare {
-            Some(snapshot) if snapshot.number == number => Ok(snapshot),
-            _ => {
-                let status = S::decode(&mut reader)?;
-                reader.end()?;
-                Ok(Arc::new(Snapshot { status, received, number, unfit: reader.take_unfit() }))
-            }
-        }
+        let (spare, number) = (self.spare.take(), self.number);
+        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number)));
+        decoded.unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder takes", packet)))
     }
 
     pub(super) fn post(&mut self, decoded: Result<Arc<Snapshot<S>>, DecodeError>) {
-        let mut state = self.board.lock();
         match decoded {
             Ok(snapshot) => {
+                let mut state = self.board.lock();
                 state.counters.packet(snapshot.received);
                 state.counters.unfit += u64::from(!snapshot.unfit.is_empty());
                 state.unfit = None;
                 state.reconnecting = false;
-                // A queue that nobody else holds has lost its subscription.
-                state.queues.retain(|queue| Arc::strong_count(queue) > 1);
-                for queue in &state.queues {
-                    queue.push(Arc::clone(&snapshot));
+                let last = state.latest.as_ref().map(|latest| snapshot.received.duration_since(latest.received));
+                if last.is_some_and(|silence| silence > self.config.stale_after) {
+                    state.resumed = Some(snapshot.received);
                 }
                 self.spare = state.latest.replace(Arc::clone(&snapshot));
-                // Called without the lock, so that they can ask the monitor.
-                let mut observers = std::mem::take(&mut state.observers);
                 drop(state);
-                observers.call(&snapshot);
-                state = self.board.lock();
-                let added = std::mem::replace(&mut state.observers, observers);
-                state.observers.join(added);
+                self.hand_out(&snapshot);
             }
             Err(error) => {
                 log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
+                let mut state = self.board.lock();
                 state.counters.unfit += 1;
                 state.unfit = Some(error);
             }
         }
-        self.board.wake(state);
+        self.board.wake(self.board.lock());
+    }
+
+    /// To the queues and the observers.
+    fn hand_out(&self, snapshot: &Arc<Snapshot<S>>) {
+        let mut state = self.board.lock();
+        // A queue that nobody else holds has lost its subscription.
+        state.queues.retain(|queue| Arc::strong_count(queue) > 1);
+        for queue in &state.queues {
+            queue.push(Arc::clone(snapshot));
+        }
+        // Called without the lock, so that they can ask the monitor.
+        let mut observers = std::mem::take(&mut state.observers);
+        drop(state);
+        observers.call(snapshot);
+        let mut state = self.board.lock();
+        let added = std::mem::replace(&mut state.observers, observers);
+        state.observers.join(added);
     }
 
     /// Connects anew as the policy says; `None` if the monitor has come to its end.
@@ -225,5 +243,27 @@ impl<S: Decode> Worker<S> {
         state.stream = Some(Arc::clone(&stream));
         state.counters.reconnects += 1;
         Some((stream, tap))
+    }
+}
+
+/// Decodes a packet, in the place of an earlier one that nobody holds any more if there is one.
+fn decode_over<S: Decode>(
+    mut spare: Option<Arc<Snapshot<S>>>,
+    packet: &str,
+    number: u64,
+) -> Result<Arc<Snapshot<S>>, DecodeError> {
+    let (mut reader, received) = (Reader::new(packet), Instant::now());
+    if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
+        snapshot.status.decode_into(&mut reader)?;
+        reader.end()?;
+        (snapshot.received, snapshot.number, snapshot.unfit) = (received, number, reader.take_unfit());
+    }
+    match spare {
+        Some(snapshot) if snapshot.number == number => Ok(snapshot),
+        _ => {
+            let status = S::decode(&mut reader)?;
+            reader.end()?;
+            Ok(Arc::new(Snapshot { status, received, number, unfit: reader.take_unfit() }))
+        }
     }
 }

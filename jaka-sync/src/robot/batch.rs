@@ -26,9 +26,9 @@ pub(super) struct Batch {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Begin {
     pub(super) at_rest: bool,
-    /// By the status, which may be old, or by a query.
-    pub(super) place: Option<Place>,
-    /// By a query alone.
+    /// By the status, which may be old.
+    pub(super) places: [Option<Place>; 2],
+    /// By a query.
     pub(super) start: Option<Place>,
     pub(super) frames: Frames,
     pub(super) code: Option<String>,
@@ -60,7 +60,7 @@ impl Begin {
     pub(super) fn new(status: &RobotStatus, frames: Frames) -> Self {
         Self {
             at_rest: status.in_position == Some(true) && status.paused != Some(true),
-            place: status.joint_actual_position.map(Place::Joints),
+            places: [status.joint_actual_position.map(Place::Joints), status.actual_position.map(Place::Pose)],
             start: None,
             frames,
             code: trouble::code(status).map(str::to_owned),
@@ -82,7 +82,8 @@ impl Batch {
     /// True for one motion that began at rest elsewhere than where it ends: only at its end it passes there.
     pub(super) fn is_simple(&self) -> bool {
         let Goal::At(goal, _) = self.goal else { return false };
-        self.count == 1 && self.begin.at_rest && self.begin.place.is_none_or(|place| !goal.is_at(&place))
+        let mut places = self.begin.places.iter().chain([&self.begin.start]).flatten();
+        self.count == 1 && self.begin.at_rest && !places.any(|place| goal.is_at(place))
     }
 
     /// The goal, unless it is a pose and the frames are no longer those in which it was given.

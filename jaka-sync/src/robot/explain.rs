@@ -79,8 +79,8 @@ impl fmt::Display for Explanation {
 
 impl Robot {
     /// The same error, with the reason for a refusal where the robot's state tells it.
-    pub(super) fn explained(&mut self, error: Error) -> Error {
-        match (self.explain(&error), error) {
+    pub(super) fn explained(&mut self, error: Error, timeout: Duration) -> Error {
+        match (self.explain_within(&error, timeout), error) {
             (Some(explanation), Error::Refused { refusal, exchanges }) => {
                 Error::RefusedBecause { refusal, explanation, exchanges }
             }
@@ -94,13 +94,17 @@ impl Robot {
     /// refusal. Whether the robot is stopped, packets alone tell. Motions of the robot itself are explained in their error:
     /// [`Error::RefusedBecause`].
     pub fn explain(&mut self, error: &Error) -> Option<Explanation> {
+        self.explain_within(error, PATIENCE.min(self.client.reply_timeout()))
+    }
+
+    fn explain_within(&mut self, error: &Error, timeout: Duration) -> Option<Explanation> {
         let refusal = error.refusal()?;
         if refusal.code == ErrorCode::PERMISSION_DENIED {
             return Some(Explanation::NoRemoteControl);
         }
         let newest = self.monitor.last();
         let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.clone());
-        let state = self.client.call_within(&GetRobotState, PATIENCE.min(self.client.reply_timeout()));
+        let state = self.client.call_within(&GetRobotState, PATIENCE.min(timeout));
         (status.powered_on, status.enabled) = match state {
             Ok(state) => (Some(state.powered_on), Some(state.enabled)),
             Err(_) => (None, None),

@@ -18,7 +18,7 @@ pub enum Outcome {
     Reached,
     /// The arm is at rest, and it is not known whether that is its target: the request does not tell it (a relative motion in a queue
     /// or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
-    /// position could not be asked for.
+    /// position could not be asked for ([`MotionEnd::not_answered`]): then packets alone say that it rests, which may be old.
     AtRest,
     /// There was nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
     /// through [`Robot::client`](crate::Robot::client) are not waited for.
@@ -32,7 +32,8 @@ pub enum Outcome {
     /// The arm is no longer powered and enabled.
     Disabled,
     /// The controller reports an error that it did not report before the motion; or, where the arm is at rest elsewhere than at
-    /// its target, a code that no table has. Warnings and information end no motion.
+    /// its target, a code that no table has. Warnings and information end no motion. The arm may still move: what stops it, the
+    /// status says by other means.
     ControllerError {
         /// The code as the controller writes it, such as `0x0F0034`.
         code: String,

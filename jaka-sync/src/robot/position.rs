@@ -12,6 +12,7 @@ use jaka_proto::{Command, CommandInfo};
 
 use super::Robot;
 use super::target::{Place, Quantity};
+use super::wait::QUERY_PERIOD;
 use crate::link::Question;
 use crate::reply::{self, Typed};
 use crate::{Error, Exchanges};
@@ -96,6 +97,35 @@ impl Robot {
                     return if error.is_disconnected() { Err(error) } else { Ok(None) };
                 }
                 _ => {}
+            }
+        }
+    }
+
+    /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`
+    /// where the controller does not say it, or the arm moves.
+    pub(super) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+        let since = Instant::now();
+        let left = || timeout.saturating_sub(since.elapsed());
+        let first = self.place(quantity, timeout)?;
+        if self.rests || first.is_none() {
+            return Ok(first);
+        }
+        // A stop or a packet does not matter here: what is sent then asks for both.
+        std::thread::sleep(QUERY_PERIOD.min(left()));
+        let second = self.place(quantity, left())?;
+        Ok(second.filter(|second| first.is_some_and(|first| first.is_still(second))))
+    }
+
+    /// Waits until two answers say that the arm is at rest; false if they do not within `timeout`.
+    pub(crate) fn comes_to_rest(&mut self, timeout: Duration) -> Result<bool, Error> {
+        let since = Instant::now();
+        loop {
+            let left = timeout.saturating_sub(since.elapsed());
+            if self.place_at_rest(Quantity::Joints, left.max(QUERY_PERIOD * 2))?.is_some() {
+                return Ok(true);
+            }
+            if left.is_zero() {
+                return Ok(false);
             }
         }
     }

@@ -57,6 +57,9 @@ impl Robot {
         limit: Limit,
     ) -> Result<(), Error> {
         let since = self.monitor.statistics().packets;
+        if limit.left().is_zero() {
+            return Err(self.not_in_time(limit.timeout, since));
+        }
         self.client.call_within(command, limit.left())?;
         while !is_done(&self.client.call_within(&GetRobotState, limit.left())?) {
             self.check_emergency_stop(QUERY_PERIOD.min(limit.left()))?;
@@ -80,7 +83,7 @@ impl Robot {
 
     fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
         let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
-        let says = self.monitor.last().and_then(|last| monitor::in_words(&last.status));
+        let says = self.monitor.last().and_then(|last| monitor::in_words(&last));
         let exchanges = Exchanges::default();
         self.client.link().attach(Error::StateTimeout { after, packets, says, exchanges })
     }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
 
-use super::{Robot, lock, trouble};
+use super::{Explanation, Outcome, Robot, lock, trouble};
 use crate::{Disconnect, Error, Exchanges, Snapshot};
 
 /// Why the state of a robot is not known.
@@ -20,6 +20,8 @@ pub enum StatusProblem {
         /// How long ago the last one came.
         age: Duration,
     },
+    /// Packets have just come again after a silence; the first may be old ones that a link has held.
+    Resuming,
     /// The status connection has ended for good.
     Ended {
         /// Why.
@@ -46,6 +48,9 @@ impl fmt::Display for StatusProblem {
                     "the last status packet came {age:.1?} ago; see to the network, and wait for packets to come again"
                 )
             }
+            Self::Resuming => f.write_str(
+                "status packets have just come again after a silence, and may be old; try again in a moment",
+            ),
             Self::Ended { cause } => {
                 write!(f, "the status connection has ended ({cause}); make a new `Robot`, or set `Config::reconnect`")
             }
@@ -60,20 +65,21 @@ impl fmt::Display for StatusProblem {
 }
 
 impl Robot {
-    /// The newest packet, if it is fresh and can be read. Where none has come yet, waits a little for the first.
-    pub(super) fn status_now(&self) -> Result<Arc<Snapshot>, StatusProblem> {
+    /// The newest packet, if it is fresh and can be read. Where none has come lately, waits a little for one.
+    fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
         let now = self.monitor.current();
-        if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. })) {
+        if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
             return readable(now);
         }
-        // An error says that it is as it was.
-        let _ = self.monitor.wait_until(|_| true, self.monitor.stale_after());
+        let patience = self.monitor.stale_after().min(timeout);
+        // What has come of it, `current` says.
+        let _ = self.monitor.watch(patience, |_| self.monitor.current().ok());
         readable(self.monitor.current())
     }
 
     /// The same for what must not be done without it, unless the program has said that it does without.
-    pub(crate) fn known_status(&self) -> Result<Option<Arc<Snapshot>>, Error> {
-        match self.status_now() {
+    pub(crate) fn known_status(&self, timeout: Duration) -> Result<Option<Arc<Snapshot>>, Error> {
+        match self.status_now(timeout) {
             Ok(snapshot) => Ok(Some(snapshot)),
             Err(_) if self.moves_without_status => Ok(None),
             Err(problem) => Err(self.client.link().attach(unknown(problem))),
@@ -86,8 +92,9 @@ impl Robot {
         let (latched, stops, told) = (Arc::clone(&self.latched), Arc::clone(&self.stops), self.stops_told);
         let monitor = (!self.moves_without_status).then(|| Arc::clone(&self.monitor));
         move || {
-            if let Some(problem) = monitor.as_ref().and_then(|monitor| readable(monitor.current()).err()) {
-                return Err(unknown(problem));
+            if let Some(monitor) = &monitor {
+                let newest = readable(monitor.current()).map_err(unknown)?;
+                check_stops(&newest)?;
             }
             super::not_latched(lock(&latched).clone().or_else(|| stops.pending(told)))
         }
@@ -100,6 +107,16 @@ fn readable(snapshot: Result<Arc<Snapshot>, StatusProblem>) -> Result<Arc<Snapsh
         Some(source) => Err(StatusProblem::Unreadable { source }),
         None => Ok(snapshot),
     }
+}
+
+/// The newest packet counts also where somebody has acknowledged what packets before it showed.
+fn check_stops(newest: &Snapshot) -> Result<(), Error> {
+    let explanation = match trouble::stop(&newest.status) {
+        None => return Ok(()),
+        Some(Outcome::EmergencyStop) => Explanation::EmergencyStop,
+        Some(_) => Explanation::ProtectiveStop,
+    };
+    Err(Error::NotReady { explanation, exchanges: Exchanges::default() })
 }
 
 fn unknown(problem: StatusProblem) -> Error {

@@ -85,7 +85,11 @@ impl RobotStop {
     pub fn stop(&self) -> Result<(), Error> {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
-        self.handle.stop()?;
+        if let Err(error) = self.handle.stop() {
+            // Whoever was told of it, or acknowledged it, did not know that it would fail.
+            self.stops.begun.fetch_add(1, Ordering::SeqCst);
+            return Err(error);
+        }
         self.stops.taken.fetch_max(number, Ordering::SeqCst);
         self.waker.wake();
         Ok(())

@@ -8,9 +8,9 @@ const CLOSE_DEG: f64 = 0.1;
 /// How close the tool centre point is to its target when it is there, in millimetres.
 const CLOSE_MM: f64 = 0.5;
 
-/// How little may change between two replies of an arm at rest: noise of the encoders.
-const STILL_DEG: f64 = 0.01;
-const STILL_MM: f64 = 0.05;
+/// How little may change between two replies of an arm at rest: noise of the encoders, as far as it is known.
+const STILL_DEG: f64 = 0.002;
+const STILL_MM: f64 = 0.02;
 
 /// Where a [`Motion`](super::Motion) ends, as far as its request tells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +48,7 @@ impl Place {
         self.is_within(other, CLOSE_DEG, CLOSE_MM)
     }
 
-    /// True if both are the same but for noise.
+    /// True if both are the same but for noise. Over the grace, an arm that moves by less cannot be told from one at rest.
     pub(super) fn is_still(&self, other: &Self) -> bool {
         self.is_within(other, STILL_DEG, STILL_MM)
     }

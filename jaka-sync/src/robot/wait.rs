@@ -4,8 +4,9 @@
 //! packets say against a motion (stops, errors, a disabled arm) is believed at once; that the arm is in position only leads to a
 //! query, whose answer is later than the motion's acceptance.
 //!
-//! One answer at the target is enough for one motion that was seen to leave: it passes there only at its end. All else (several
-//! motions, a motion without length, an arm that rests elsewhere) is known from answers that agree for a time of grace.
+//! One answer that is the target, or two that agree near it, are enough for one motion that was seen to leave: it passes there only at
+//! its end. Two, since what was seen may have been the motion before. All else (several motions, a motion without length, an arm that
+//! rests elsewhere) is known from answers that agree for a time of grace.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -47,6 +48,8 @@ pub(super) struct Wait {
     unknown_code: Option<Outcome>,
     /// When the last query was sent.
     asked: Option<Instant>,
+    /// Whether packets said by then that the arm had left and was in position again.
+    had_ended: bool,
     /// Answers that agree.
     answers: Option<Series<Place>>,
     /// Packets that agree, where there are no answers.
@@ -88,6 +91,7 @@ impl Wait {
             is_paused: false,
             unknown_code: None,
             asked: None,
+            had_ended: false,
             answers: None,
             still: None,
             failure: None,
@@ -107,6 +111,9 @@ impl Wait {
 
     /// In how long to look again whether a query is to be asked, if no packet comes before.
     pub(super) fn query_in(&self, now: Instant) -> Duration {
+        if self.packets.is_empty() || !self.may_rest() {
+            return Duration::MAX;
+        }
         let after = |from: Instant, time: Duration| time.saturating_sub(now.saturating_duration_since(from));
         let next = self.asked.map_or(Duration::ZERO, |asked| after(asked, QUERY_PERIOD));
         let begun = if self.batch.has_left { Duration::ZERO } else { after(self.batch.accepted, self.grace.time / 2) };
@@ -114,13 +121,19 @@ impl Wait {
     }
 
     /// True if queries are asked as soon as they are due.
-    pub(super) fn may_rest(&self) -> bool {
+    fn may_rest(&self) -> bool {
         !self.is_paused && self.in_position != Some(false)
     }
 
     /// A query goes out.
     pub(super) fn asked(&mut self, at: Instant) {
         self.asked = Some(at);
+        self.had_ended = self.has_ended();
+    }
+
+    /// Whether packets say that the arm has left and is in position again. They may be of the motion before.
+    fn has_ended(&self) -> bool {
+        self.batch.has_left && self.in_position == Some(true) && !self.is_paused
     }
 
     /// Takes a packet: the outcome, if it tells one.
@@ -171,7 +184,7 @@ impl Wait {
             _ => self.still = Some(Series::new(joints, received)),
         }
         let lasts = self.still.is_some_and(|still| still.lasts(received, self.grace, true));
-        (self.failure.is_some() && lasts).then(|| self.at_rest(Nearness::Unknown))
+        (self.failure.is_some() && self.batch.has_left && lasts).then(|| self.at_rest(Nearness::Unknown))
     }
 
     /// Takes the answer to a query that was sent at `asked` and came at `received`: the outcome, if it tells one.
@@ -181,8 +194,8 @@ impl Wait {
         }
         self.failure = None;
         let nearness = self.nearness(&place);
-        let has_ended = self.batch.has_left && self.in_position == Some(true) && !self.is_paused;
-        if nearness == Nearness::There && self.batch.is_simple() && has_ended {
+        let has_ended = self.had_ended && self.has_ended() && self.batch.is_simple();
+        if has_ended && nearness == Nearness::There && (self.is_exact(&place) || self.agrees(&place, asked)) {
             return Some(Outcome::Reached);
         }
         if !self.may_rest() {
@@ -196,6 +209,17 @@ impl Wait {
         let lasts = self.answers.is_some_and(|answers| answers.lasts(asked, self.grace, counts_packets));
         let had_time = asked.saturating_duration_since(self.batch.accepted) >= self.grace.time;
         (lasts && had_time).then(|| self.at_rest(nearness))
+    }
+
+    /// True for a place at the goal to the last digits, where a motion comes to rest and does not pass.
+    fn is_exact(&self, place: &Place) -> bool {
+        matches!(&self.batch.goal, Goal::At(goal, _) if goal.is_still(place))
+    }
+
+    /// True if an answer some time before was the same.
+    fn agrees(&self, place: &Place, asked: Instant) -> bool {
+        let since = |answers: Series<Place>| asked.saturating_duration_since(answers.since);
+        self.answers.is_some_and(|answers| answers.first.is_still(place) && since(answers) >= QUERY_PERIOD / 2)
     }
 
     /// A query brought no position.

@@ -56,7 +56,7 @@ impl Robot {
         if self.query.is_some() {
             return Duration::ZERO;
         }
-        if wait.may_rest() { wait.query_in(Instant::now()) } else { Duration::MAX }
+        wait.query_in(Instant::now())
     }
 
     /// Looks at the newest packet and at the stops: what is next, if they tell it.

@@ -78,7 +78,7 @@ fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgument> {
 }
 
 impl Robot {
-    /// Waits until the arm is at rest, as far as the status tells. While it moves, controllers acknowledge servo mode and do not
+    /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
     /// enter it.
     fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {
         self.client().link().check_open(ServoMove::INFO.name)?;
@@ -86,15 +86,9 @@ impl Robot {
         if self.has_motions() {
             return Err(self.not_ready(Explanation::Moving));
         }
-        let Some(newest) = self.known_status()? else { return Ok(()) };
-        if newest.status.in_position != Some(false) {
-            return Ok(());
-        }
-        let rests = self.monitor().wait_until(|status| status.in_position != Some(false), timeout);
-        match rests {
-            Err(Error::StateTimeout { .. }) => Err(self.not_ready(Explanation::Moving)),
-            rests => rests.map(drop),
-        }
+        self.known_status(timeout)?;
+        // Packets may be old: the controller says whether it moves.
+        if self.comes_to_rest(timeout)? { Ok(()) } else { Err(self.not_ready(Explanation::Moving)) }
     }
 
     /// The error for what the robot's state keeps it from doing.

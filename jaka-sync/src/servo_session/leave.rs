@@ -51,14 +51,13 @@ impl ServoSession<'_> {
 
     /// Ends the session because of an error: no set-point goes out any more, and servo mode is left.
     pub(super) fn end(&mut self, first: Error) -> Error {
-        self.ended = Some(first.to_string());
-        if !self.is_open {
-            return first;
-        }
-        match self.leave() {
+        let left = if self.is_open { self.leave() } else { Ok(()) };
+        let error = match left {
             Ok(()) => first,
             Err(leaving) => not_left(Some(first), leaving),
-        }
+        };
+        self.ended = Some(error.to_string());
+        error
     }
 
     /// Leaves servo mode, and asks whether it was left.

@@ -175,7 +175,9 @@ impl ServoSession<'_> {
         }
         let late = self.pace.wait();
         // Behind the wait: a stop may have come meanwhile.
-        self.take_answers(C::INFO.name)?;
+        if let Err(error) = self.take_answers(C::INFO.name) {
+            return Err(self.end(error));
+        }
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
@@ -186,7 +188,7 @@ impl ServoSession<'_> {
         let gate = self.robot.gate();
         let posted = self.robot.client().post(Some(&gate), std::slice::from_ref(request));
         let outstanding = match posted {
-            Err(error @ Error::StatusUnknown { .. }) => return Err(self.end(error)),
+            Err(error @ (Error::StatusUnknown { .. } | Error::Disconnected { .. })) => return Err(self.end(error)),
             posted => posted?,
         };
         self.report.late(late, self.config.period());

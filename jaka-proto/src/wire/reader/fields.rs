@@ -126,7 +126,7 @@ impl Reader<'_> {
                 return Ok(Some(place));
             }
             let start = self.mark();
-            if self.pass().is_err() || !self.is_delimited() {
+            if self.pass().is_err() {
                 self.pass_odd(keys, start)?;
             }
         }

@@ -88,12 +88,20 @@ impl Reader<'_> {
             Some(b'{') => self.behind_brackets(b'{', b'}'),
             Some(b'[') => self.behind_brackets(b'[', b']'),
             Some(b'"') => behind_string(self.text.as_bytes(), self.at + 1),
-            Some(b'-' | b'0'..=b'9') => Some(self.at + number::length(self.rest())),
-            _ => return self.skip(),
+            Some(b'-' | b'0'..=b'9') => self.behind_number(),
+            _ => return self.skip_strictly(),
         };
         self.at = end.ok_or_else(|| self.malformed("a value that ends"))?;
         self.comma = true;
         Ok(())
+    }
+
+    /// Where the number ends that begins here, unless it goes on as something else.
+    #[inline]
+    fn behind_number(&self) -> Option<usize> {
+        let end = self.at + number::length(self.rest());
+        let next = self.text.as_bytes().get(end);
+        next.is_none_or(|next| matches!(next, b',' | b'}' | b']' | b' ' | b'\t' | b'\r' | b'\n')).then_some(end)
     }
 
     /// Where the array or object ends that begins here.

@@ -87,10 +87,10 @@ fn a_reset_discards_what_is_queued_beside_a_thread_that_reads() {
 #[test]
 fn a_reset_after_an_orderly_end_still_discards_and_the_first_cause_stays() {
     let (link, server) = with_a_queue();
-    link.break_off(&mut link.lock(), Disconnect::NotUtf8);
+    link.break_off(&mut link.lock(), Disconnect::Panicked);
     link.reset(cause());
     assert_discarded(server);
-    assert!(matches!(*link.broken().expect("it is broken"), Disconnect::NotUtf8));
+    assert!(matches!(*link.broken().expect("it is broken"), Disconnect::Panicked));
 }
 
 #[test]

@@ -119,7 +119,7 @@ fn a_stop_ends_at_its_deadline_while_another_thread_cannot_send_on() {
     let error = StopHandle::new(Arc::clone(&link), SHORT).stop().expect_err("it has no turn");
     assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
     assert!((SHORT..LONG / 2).contains(&since.elapsed()), "{:?}", since.elapsed());
-    link.reset(Disconnect::NotUtf8);
+    link.reset(Disconnect::Panicked);
     assert!(sending.join().expect("it does not panic").is_err());
 }
 

@@ -1,0 +1,429 @@
+//! Status that comes late, steadily or all at once, and what a program does beside: what packets say of a time that is over ends no
+//! motion and lets none out. The arm itself is the witness.
+
+use std::sync::Arc;
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays, Fault, Habit, Port};
+use jaka_sync::motion::{JointMove, MoveC, MoveL};
+use jaka_sync::types::{MoveMode, Pose};
+use jaka_sync::{Config, Error, Monitor, Outcome, Robot, ServoConfig};
+
+const LONG: Duration = Duration::from_secs(60);
+const PERIOD: Duration = Duration::from_millis(20);
+
+fn ms(ms: u64) -> Duration {
+    Duration::from_millis(ms)
+}
+
+fn arm_with(habits: impl Into<jaka_sim::Habits>, period: Duration) -> Controller {
+    let controller = Controller::builder().delays(Delays::NONE).habits(habits).status_period(period).start();
+    let controller = controller.expect("loopback has free ports");
+    controller.set_state(|state| {
+        state.powered = true;
+        state.enabled = true;
+    });
+    controller
+}
+
+fn robot_of(controller: &Controller, config: &Config) -> Robot {
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
+    Robot::new(config.connect(controller.command_addr()).expect("the controller listens"), monitor)
+}
+
+fn lenient() -> Config {
+    Config::new().stale_after(LONG)
+}
+
+fn ready() -> (Controller, Robot) {
+    let controller = arm_with([], PERIOD);
+    let robot = robot_of(&controller, &lenient()).status_silence(LONG);
+    (controller, robot)
+}
+
+/// A constant delay of the status that has lasted for a while: packets come at their pace, and each is so old.
+fn delayed(controller: &Controller, time: Duration) {
+    controller.link(Port::Status).to_client().delay(time);
+    thread::sleep(time + ms(200));
+}
+
+fn to(angle: f64, speed: f64) -> JointMove {
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
+    JointMove { mode: MoveMode::Absolute, joint_position, speed, acceleration: Some(400.0) }
+}
+
+fn up(millimetres: f64, speed: f64) -> MoveL {
+    let pose = Pose { x: 0.0, y: 0.0, z: millimetres, rx: 0.0, ry: 0.0, rz: 0.0 };
+    MoveL { mode: MoveMode::Relative, pose, speed, acceleration: Some(800.0), tolerance: None }
+}
+
+fn sent(controller: &Controller, name: &str) -> usize {
+    controller.requests().iter().filter(|request| request.contains(&format!("\"cmdName\":\"{name}\""))).count()
+}
+
+/// What the arm does at the moment at which a wait ends.
+fn assert_rests(controller: &Controller, outcome: &Outcome) {
+    let state = controller.state();
+    assert!(
+        state.at_rest,
+        "{outcome:?} while it moves at joint 1 {}, z {}",
+        state.joint_position.0[0], state.tcp_pose.z
+    );
+}
+
+#[test]
+fn old_packets_alone_say_of_no_arm_that_it_rests() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(3000));
+    robot.start(&to(40.0, 10.0)).expect("accepted");
+    controller.inject_for("get_joint_pos", Fault::Close);
+    let end = robot.wait(ms(2500));
+    if end.outcome.is_at_rest() {
+        assert_rests(&controller, &end.outcome);
+    }
+}
+
+#[test]
+fn refused_queries_and_old_packets_are_no_rest() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(3000));
+    robot.start(&to(40.0, 10.0)).expect("accepted");
+    for _ in 0..20 {
+        controller.inject_for(
+            "get_joint_pos",
+            Fault::Instead(br#"{"errorCode":"2","errorMsg":"busy","cmdName":"get_joint_pos"}"#.to_vec()),
+        );
+    }
+    let end = robot.wait(ms(2500));
+    if end.outcome.is_at_rest() {
+        assert_rests(&controller, &end.outcome);
+    }
+}
+
+#[test]
+fn a_slow_motion_behind_old_status_is_not_stopped() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(3000));
+    robot.start(&up(5.0, 0.1)).expect("accepted");
+    let end = robot.wait(ms(2500));
+    if !matches!(end.outcome, Outcome::Deadline) {
+        assert_rests(&controller, &end.outcome);
+    }
+}
+
+#[test]
+fn a_slow_motion_behind_old_status_is_not_reached() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(3000));
+    robot.start(&up(0.4, 0.1)).expect("accepted");
+    let end = robot.wait(ms(2500));
+    if !matches!(end.outcome, Outcome::Deadline) {
+        assert_rests(&controller, &end.outcome);
+    }
+}
+
+#[test]
+fn packets_of_the_motion_before_do_not_end_this_one() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(1500));
+    let end = robot.run(&to(5.0, 40.0), LONG).expect("accepted");
+    assert!(end.outcome.is_reached());
+    let end = robot.run(&up(1.2, 0.5), LONG).expect("accepted");
+    assert_rests(&controller, &end.outcome);
+}
+
+#[test]
+fn packets_of_the_motion_before_do_not_end_this_one_by_default() {
+    let controller = arm_with([], PERIOD);
+    let mut robot = robot_of(&controller, &Config::new());
+    delayed(&controller, ms(800));
+    for round in 0..3 {
+        let first = robot.run(&to(f64::from(round % 2) * 3.0 + 1.0, 40.0), LONG).expect("accepted");
+        assert!(first.outcome.is_reached(), "{:?}", first.outcome);
+        let end = robot.run(&up(0.9, 1.0), LONG).expect("accepted");
+        assert_rests(&controller, &end.outcome);
+    }
+}
+
+#[test]
+fn no_motion_is_sent_while_the_newest_packet_shows_a_stop() {
+    let controller = arm_with([], ms(500));
+    let mut robot = robot_of(&controller, &lenient()).status_silence(LONG);
+    controller.collide();
+    robot.monitor().wait_until(|status| status.protective_stop == Some(true), LONG).expect("packets come");
+    while robot.latch().is_none() {
+        thread::yield_now();
+    }
+    robot.acknowledge();
+    let newest = robot.monitor().last().expect("packets came");
+    assert_eq!(newest.status.protective_stop, Some(true));
+    let _ = robot.start(&to(5.0, 40.0));
+    assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out while the newest packet shows a stop");
+}
+
+#[test]
+fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
+    let controller = arm_with([], PERIOD);
+    let config = lenient();
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
+    let (seen, saw) = mpsc::channel();
+    monitor.observe(move |snapshot| {
+        if snapshot.status.protective_stop == Some(true) {
+            let _ = seen.send(());
+            thread::sleep(ms(1500));
+        }
+        std::ops::ControlFlow::Continue(())
+    });
+    let mut robot = Robot::new(config.connect(controller.command_addr()).expect("listens"), monitor);
+    controller.collide();
+    saw.recv_timeout(LONG).expect("packets come");
+    let newest = robot.monitor().last().expect("packets came");
+    assert_eq!(newest.status.protective_stop, Some(true));
+    let _ = robot.start(&to(5.0, 40.0));
+    assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out while the newest packet shows a stop");
+}
+
+#[test]
+fn a_stop_that_only_a_packet_passed_over_shows_latches() {
+    let controller = arm_with([], PERIOD);
+    let robot = robot_of(&controller, &lenient());
+    controller.link(Port::Status).to_client().hold();
+    thread::sleep(ms(200));
+    controller.set_state(|state| state.protective_stop = true);
+    thread::sleep(ms(40));
+    controller.set_state(|state| state.protective_stop = false);
+    thread::sleep(ms(100));
+    controller.link(Port::Status).to_client().release();
+    thread::sleep(ms(300));
+    assert!(robot.latch().is_some(), "a packet showed a protective stop");
+}
+
+#[test]
+fn a_predicate_that_stops_the_arm_does_not_hang() {
+    let (_controller, robot) = ready();
+    let (stop, monitor) = (robot.stop_handle(), Arc::clone(robot.monitor()));
+    let (done, ended) = mpsc::channel();
+    thread::spawn(move || {
+        let result = monitor.wait_until(|_| stop.stop().is_ok(), ms(1000));
+        let _ = done.send(result.is_ok());
+    });
+    let ended = ended.recv_timeout(ms(8000));
+    std::mem::forget(robot);
+    assert!(ended.is_ok(), "it hangs");
+}
+
+#[test]
+fn no_motion_is_sent_behind_its_deadline() {
+    let controller = arm_with([], PERIOD);
+    let config = Config::new().stale_after(ms(1000));
+    let mut robot = robot_of(&controller, &config).status_silence(LONG);
+    controller.link(Port::Status).to_client().hold();
+    thread::sleep(ms(1300));
+    let result = thread::scope(|scope| {
+        scope.spawn(|| {
+            thread::sleep(ms(600));
+            controller.link(Port::Status).to_client().release();
+        });
+        robot.run(&to(30.0, 40.0), ms(100))
+    });
+    thread::sleep(ms(200));
+    assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out behind its deadline: {result:?}");
+}
+
+#[test]
+fn a_session_on_a_broken_connection_says_that_servo_mode_may_be_on() {
+    let (controller, mut robot) = ready();
+    let error = {
+        let mut session = robot.servo(&ServoConfig::new()).expect("it enters");
+        for _ in 0..10 {
+            session.joints_by([0.01, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("fine");
+        }
+        controller.inject_for("servo_j", Fault::Instead(b"{nonsense}".to_vec()));
+        let mut go = || -> Result<(), Error> {
+            for _ in 0..100 {
+                session.joints_by([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
+            }
+            Ok(())
+        };
+        go().expect_err("it breaks")
+    };
+    assert!(matches!(error, Error::ServoModeNotLeft { .. }) || !controller.state().servo_mode, "{error}");
+}
+
+#[test]
+fn a_relative_motion_behind_a_stop_is_not_measured_from_a_moving_arm() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(2000));
+    let stop = robot.stop_handle();
+    let slow = JointMove { acceleration: Some(20.0), ..to(60.0, 20.0) };
+    let stopped = thread::scope(|scope| {
+        scope.spawn(|| {
+            thread::sleep(ms(1200));
+            stop.stop().expect("taken");
+        });
+        robot.run(&slow, LONG).expect("accepted")
+    });
+    assert!(matches!(stopped.outcome, Outcome::Stopped), "{:?}", stopped.outcome);
+    let by = JointMove {
+        mode: MoveMode::Relative,
+        joint_position: [10.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(),
+        speed: 20.0,
+        acceleration: Some(100.0),
+    };
+    let end = robot.run(&by, LONG).expect("accepted");
+    assert!(!matches!(end.outcome, Outcome::Stopped), "nobody stopped it");
+}
+
+#[test]
+fn no_motion_is_sent_on_the_first_packet_of_a_backlog() {
+    let controller = arm_with([], ms(10));
+    let config = Config::new().stale_after(ms(1000)).reply_timeout(ms(3000));
+    let mut gone_out = 0;
+    for _ in 0..2 {
+        let mut robot = robot_of(&controller, &config).status_silence(LONG);
+        let before = sent(&controller, "joint_move");
+        controller.link(Port::Status).to_client().hold();
+        thread::sleep(ms(1100));
+        controller.collide();
+        thread::sleep(ms(300));
+        let _ = thread::scope(|scope| {
+            scope.spawn(|| {
+                thread::sleep(ms(100));
+                controller.link(Port::Status).to_client().release();
+            });
+            robot.start(&to(30.0, 40.0))
+        });
+        let now = sent(&controller, "joint_move") - before;
+        gone_out += now;
+        robot.client().clear_error().expect("fine");
+        drop(robot);
+        controller.set_state(|state| state.protective_stop = false);
+    }
+    assert_eq!(gone_out, 0, "motions went out behind a stop that had been received for 300 ms");
+}
+
+#[test]
+fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
+    let (controller, mut robot) = ready();
+    let foreign = robot.client().stop_handle();
+    let at = controller.state().tcp_pose;
+    let mid_pose = Pose { x: at.x + 30.0, z: at.z + 1.0, ..at };
+    let end_pose = Pose { z: at.z + 0.3, ..at };
+    let circle = MoveC { mode: MoveMode::Absolute, mid_pose, end_pose, speed: 30.0, acceleration: 5.0, tolerance: 0.0 };
+    delayed(&controller, ms(400));
+    robot.start(&circle).expect("accepted");
+    controller.link(Port::Command).to_client().hold();
+    let end = thread::scope(|scope| {
+        scope.spawn(|| {
+            thread::sleep(ms(1000));
+            // Its reply is held, and the stop is taken all the same.
+            drop(foreign.stop());
+        });
+        scope.spawn(|| {
+            thread::sleep(ms(3500));
+            controller.link(Port::Command).to_client().release();
+        });
+        robot.wait(ms(9000))
+    });
+    let state = controller.state();
+    if end.outcome.is_reached() {
+        assert!(state.tcp_pose.distance_mm(&end_pose) < 0.5 && state.at_rest);
+    }
+}
+
+#[test]
+fn a_stop_that_fails_behind_an_acknowledgement_keeps_the_next_motion_back() {
+    let controller = arm_with([], PERIOD);
+    let config = lenient().reply_timeout(ms(800));
+    let mut robot = robot_of(&controller, &config).status_silence(LONG);
+    controller.link(Port::Command).to_controller().hold();
+    let stop = robot.stop_handle();
+    let stopping = thread::spawn(move || stop.stop());
+    while robot.latch().is_none() {
+        thread::yield_now();
+    }
+    robot.acknowledge();
+    let stopped = stopping.join().expect("no panic");
+    assert!(stopped.is_err());
+    controller.link(Port::Command).to_controller().release();
+    let result = robot.start(&to(5.0, 40.0));
+    assert!(matches!(result, Err(Error::NotAcknowledged { .. })), "{result:?}");
+}
+
+#[test]
+fn servo_mode_is_not_entered_while_the_arm_moves() {
+    let (controller, mut robot) = ready();
+    delayed(&controller, ms(1500));
+    robot.client().joint_move(&to(40.0, 20.0)).expect("accepted");
+    thread::sleep(ms(300));
+    let session = robot.servo(&ServoConfig::new());
+    let state = controller.state();
+    drop(session);
+    assert!(state.at_rest || !state.servo_mode, "servo mode was entered while the arm moved");
+}
+
+#[test]
+fn a_refused_motion_is_told_within_its_deadline() {
+    let controller = arm_with([Habit::LateQueries(Some(ms(3000)))], PERIOD);
+    let mut robot = robot_of(&controller, &lenient()).status_silence(LONG);
+    robot.start(&to(90.0, 10.0)).expect("accepted");
+    let far = MoveL {
+        pose: Pose { x: 9000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 },
+        mode: MoveMode::Absolute,
+        ..up(0.0, 20.0)
+    };
+    let since = Instant::now();
+    let error = robot.run(&far, ms(200)).expect_err("it is not reachable");
+    let took = since.elapsed();
+    assert!(took < ms(2500), "{error} after {took:?}");
+}
+
+#[test]
+fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_told_of() {
+    let controller = arm_with([], PERIOD);
+    let config = lenient().reply_timeout(ms(1500));
+    let mut robot = robot_of(&controller, &config).status_silence(LONG);
+    robot.start(&to(40.0, 10.0)).expect("accepted");
+    let (one, two) = (robot.stop_handle(), robot.stop_handle());
+    controller.inject_for("stop_program", Fault::Drop);
+    let stopped = thread::scope(|scope| {
+        let first = scope.spawn(|| one.stop());
+        thread::sleep(ms(300));
+        let second = scope.spawn(|| two.stop());
+        let end = robot.wait(LONG);
+        assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+        [first, second].map(|stop| stop.join().expect("it does not panic"))
+    });
+    let result = robot.start(&to(5.0, 40.0));
+    // Of which of the two the reply was lost cannot be told.
+    assert!(stopped.iter().any(Result::is_err), "{stopped:?}");
+    assert!(matches!(result, Err(Error::NotAcknowledged { .. })), "{stopped:?}, {result:?}");
+}
+
+/// Neither does it hold up a stop.
+#[test]
+fn a_slow_predicate_holds_up_no_stop() {
+    let (_controller, mut robot) = ready();
+    let (stop, monitor) = (robot.stop_handle(), Arc::clone(robot.monitor()));
+    let (looking, looks) = mpsc::channel();
+    let (go_on, may_go_on) = mpsc::channel::<()>();
+    thread::scope(|scope| {
+        scope.spawn(move || {
+            let slow = |_: &jaka_sync::status::RobotStatus| {
+                let _ = looking.send(());
+                may_go_on.recv().is_err()
+            };
+            let _ = monitor.wait_until(slow, ms(100));
+        });
+        looks.recv_timeout(LONG).expect("the predicate is asked");
+        let moving = scope.spawn(|| robot.start(&to(5.0, 40.0)));
+        // It goes out, or is refused because of the stop, and waits for nobody who looks.
+        stop.stop().expect("the controller takes the stop");
+        let _ = moving.join().expect("it does not panic");
+        drop(go_on);
+    });
+}
