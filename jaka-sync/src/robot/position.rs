@@ -82,9 +82,9 @@ impl Robot {
         Ok(Some(place(reply)))
     }
 
-    /// The arm's position now; `None` where the controller does not say it.
+    /// The arm's position now; `None` where the controller does not say it. Waits no longer than for any reply.
     pub(super) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
-        let since = Instant::now();
+        let (since, timeout) = (Instant::now(), timeout.min(self.client.reply_timeout()));
         loop {
             self.ask(quantity)?;
             let left = timeout.saturating_sub(since.elapsed());

@@ -76,6 +76,7 @@ pub(crate) fn expected(trouble: &Trouble, kind: Kind) -> Expected {
         Kind::StatusStream | Kind::Monitor => status::expected(packets),
         Kind::Motion => motion::sent(&replies, packets),
         Kind::EndOfMotion => motion::end(&replies, packets),
+        Kind::Entering if matches!(trouble, Trouble::Link(_)) => servo::asking_for_rest(&replies, packets),
         Kind::Entering => servo::entering(&replies, packets),
         Kind::SetPoints => servo::set_points(&replies, packets),
         Kind::StopBeside => stop_beside(&replies),

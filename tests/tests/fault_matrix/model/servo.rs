@@ -16,9 +16,20 @@ pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     let leaving = if first == Outcome::Ok { other } else { same.unwrap_or(other) };
     match (replies.when, leaving) {
         (_, Outcome::Broken(_)) => Expected::new(leaving, leaving, leaving),
-        (When::Never, _) => Expected::new(Outcome::NotLeft, Outcome::Timeout, Outcome::NotLeft),
-        (When::Released, _) => Expected::new(Outcome::NotLeft, Outcome::Ok, Outcome::Ok),
+        // The next session gets no answer to where the arm is, and asks for nothing that moves it.
+        (When::Never, _) => Expected::new(Outcome::NotLeft, Outcome::Timeout, Outcome::Timeout),
         _ => Expected::new(first, other, leaving),
+    }
+}
+
+/// The same where the link is as it is from before: whether the arm is at rest is asked first, and without an answer servo mode is
+/// not asked for.
+pub(super) fn asking_for_rest(replies: &Replies, packets: Packets) -> Expected {
+    match replies.when {
+        _ if !packets.are_known() => unknown(replies, packets),
+        When::Never => Expected::new(Outcome::Timeout, Outcome::Timeout, Outcome::Timeout),
+        When::Released => Expected::new(Outcome::Timeout, Outcome::Ok, Outcome::Ok),
+        _ => Expected::new(Outcome::Ok, later(replies), later(replies)),
     }
 }
 
