@@ -105,8 +105,10 @@ fn not_entered(error: &Error) -> Vec<Sent> {
         Error::ServoModeNotLeft { .. } => (Fate::Sent, Fate::Perhaps),
         // Of the first command there is nothing to leave, of the others there is.
         Error::Refused { .. } => (Fate::Seen, Fate::Perhaps),
-        Error::Timeout { .. } | Error::ReplyLost { .. } | Error::UnexpectedReply { .. } => (Fate::Seen, Fate::Seen),
-        Error::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
+        Error::Timeout { .. }
+        | Error::ReplyLost { .. }
+        | Error::UnexpectedReply { .. }
+        | Error::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
         // Nothing went out: the arm moves, the status is not known, somebody must look first, or the connection is broken.
         _ => return Vec::new(),
     };
@@ -163,13 +165,9 @@ fn leave(
     let known =
         |error: &Error| if matches!(error, Error::ServoModeNotLeft { .. }) { Fate::Perhaps } else { Fate::Seen };
     match (failed, finished) {
-        // It ended with its error.
-        (Some(error), Some(Err(Error::SessionEnded { .. }))) => {
-            let left = known(&error);
-            (Err(error), left)
-        }
         (_, Some(Ok(report))) => (Ok(Some(report)), Fate::Seen),
-        (_, Some(Err(error))) => {
+        // It ended with its first error, or fails now.
+        (Some(error), Some(Err(Error::SessionEnded { .. }))) | (_, Some(Err(error))) => {
             let left = known(&error);
             (Err(error), left)
         }

@@ -164,7 +164,7 @@ impl<'t> Cell<'t> {
             // A motion has ended by then, and the controller is asked where the arm is.
             Kind::EndOfMotion => Duration::from_millis(1500),
             // Shorter than a late reply takes, and longer than half of that.
-            Kind::Entering => Duration::from_millis(1000),
+            Kind::Entering => Duration::from_secs(1),
             _ => Duration::from_millis(100),
         }
     }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use jaka_proto::Mistrust;
 use jaka_proto::framing::FrameError;
-use jaka_sync::{Disconnect, Error, Explanation};
+use jaka_sync::{Disconnect, Error};
 
 /// What a call ended with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,7 +56,6 @@ impl Outcome {
             Error::UnexpectedReply { .. } | Error::UnexpectedStatus { .. } => Self::Unexpected,
             Error::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
             Error::StatusUnknown { .. } => Self::StatusUnknown,
-            Error::NotReady { explanation: Explanation::ServoModeNotLeft, .. } => Self::NotLeft,
             Error::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
             Error::ServoModeNotLeft { .. } => Self::NotLeft,
             other => panic!("no fault may lead to {other:?}"),
