@@ -12,6 +12,8 @@ use crate::Error;
 use crate::reply::Payload;
 
 /// A command that was sent, and whose reply has no deadline: see [`Link::poll`].
+///
+/// [`Link::forget`] gives up a reply that nobody will look for any more.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Question {
     ticket: Ticket,
@@ -61,6 +63,14 @@ impl Link {
                 return Ok(false);
             }
             state = self.turn(state, left, &mut caller);
+        }
+    }
+
+    /// Gives up the reply to a question: it belongs to nobody when it comes.
+    pub(crate) fn forget(&self, question: &Question) {
+        let mut state = self.lock();
+        if state.take(question.ticket).is_none() {
+            state.ledger.abandon(question.ticket);
         }
     }
 }

@@ -8,6 +8,8 @@ use jaka_proto::messages::types::Switch;
 
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
+use crate::link::Question;
+use crate::reply::TextAlone;
 use crate::{Disconnect, Error, Exchanges, Explanation};
 
 /// How long the last answers may take, and the end of servo mode behind set-points that are not answered.
@@ -62,39 +64,49 @@ impl ServoSession<'_> {
 
     /// Leaves servo mode, and asks whether it was left.
     ///
-    /// Set-points that are not answered may wait where nothing passes. If the end of servo mode is not answered either, the
-    /// connection is reset, so that the system discards what it has queued of them.
+    /// Only the answer to the query counts: the next reply of the command's name may be the late one to the command that entered
+    /// servo mode, and waiting for a second one that was lost would cost the connection, and the stop with it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
         // Another thread that reads may have taken answers in meanwhile.
         let (answers, unanswered) = self.robot.client().link().forget_posted();
         self.count(answers);
         self.report.unanswered += unanswered;
-        let client = self.robot.client();
-        let timeout = if unanswered > 0 { PATIENCE } else { client.timeout_of(ServoMove::INFO) };
-        match client.call_within(&ServoMove { servo_mode: Switch::Off }, timeout) {
-            Err(error) if error.is_disconnected() => Err(error),
-            Err(Error::Timeout { .. }) if unanswered > 0 => {
-                let cause = client.link().reset(Disconnect::Reset { unanswered });
-                let (command, exchanges) = (Some(ServoMove::INFO.name.to_owned()), Exchanges::default());
-                Err(client.link().attach(Error::Disconnected { command, sent: true, cause, exchanges }))
+        let link = self.robot.client().link();
+        let off = ServoMove { servo_mode: Switch::Off };
+        let off = link.ask(ServoMove::INFO, &mut |out| off.write_request(out))?;
+        let left = self.wait_until_left(&off, unanswered);
+        self.robot.client().link().forget(&off);
+        left
+    }
+
+    /// Set-points that are not answered may wait where nothing passes. If the end of servo mode is not answered either, the
+    /// connection is reset, so that the system discards what it has queued of them.
+    fn wait_until_left(&mut self, off: &Question, unanswered: u64) -> Result<(), Error> {
+        let since = Instant::now();
+        let mut pace = Pace::new(CYCLE, Duration::ZERO);
+        loop {
+            let client = self.robot.client();
+            let timeout = if unanswered > 0 { PATIENCE } else { client.timeout_of(IsInServomove::INFO) };
+            match client.call_within(&IsInServomove, timeout) {
+                Ok(reply) if !reply.in_servo_mode => return Ok(()),
+                Ok(_) if since.elapsed() > PATIENCE => return Err(self.still_in_servo_mode(off)),
+                Ok(_) => drop(pace.wait()),
+                Err(Error::Timeout { .. }) if unanswered > 0 => {
+                    let link = client.link();
+                    let cause = link.reset(Disconnect::Reset { unanswered });
+                    let (command, exchanges) = (Some(ServoMove::INFO.name.to_owned()), Exchanges::default());
+                    return Err(link.attach(Error::Disconnected { command, sent: true, cause, exchanges }));
+                }
+                Err(error) => return Err(error),
             }
-            // What counts is the mode, also where the command was refused or its reply was lost.
-            switched => self.check_left(switched.err()),
         }
     }
 
-    /// The reply that came may have been the late one to the command that entered servo mode.
-    fn check_left(&mut self, failed: Option<Error>) -> Result<(), Error> {
-        let since = Instant::now();
-        let mut pace = Pace::new(CYCLE, Duration::ZERO);
-        while self.robot.client().call(&IsInServomove)?.in_servo_mode {
-            if since.elapsed() > PATIENCE {
-                return Err(failed.unwrap_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft)));
-            }
-            pace.wait();
-        }
-        Ok(())
+    /// The command was refused, or was acknowledged and not carried out.
+    fn still_in_servo_mode(&mut self, off: &Question) -> Error {
+        let answer = self.robot.client().link().poll(off, Duration::ZERO, &mut String::new(), &mut TextAlone);
+        answer.err().unwrap_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft))
     }
 }
 

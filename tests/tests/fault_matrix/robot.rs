@@ -4,7 +4,6 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_proto::wire::Writer;
-use jaka_sim::StatusFault;
 use jaka_sync::motion::JointMove;
 use jaka_sync::servo::{ServoJ, ServoMove};
 use jaka_sync::types::Switch;
@@ -20,8 +19,7 @@ pub(crate) const MOTION: u32 = 100;
 /// Packets enough for a fault of the status port to show.
 const SHOWN: u32 = 25;
 
-/// Where packets do not say whether the arm moves, or the position is asked for again, the arm must be seen at rest for longer
-/// than that takes, and than this machine stalls.
+/// Where the position is asked for again, the arm must be seen at rest for longer than that takes, and than this machine stalls.
 const UNSEEN: Duration = Duration::from_secs(2);
 
 pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
@@ -29,7 +27,7 @@ pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
     monitor.wait_until(|_| true, PATIENCE).expect("the first packet comes at once");
     // Counted in packets alone, so that nothing depends on how fast this machine is.
     let grace = match cell.trouble {
-        Trouble::Refusal | Trouble::Misfit | Trouble::Status(StatusFault::Instead(_)) => UNSEEN,
+        Trouble::Refusal | Trouble::Misfit => UNSEEN,
         _ => Duration::ZERO,
     };
     let silence = if cell.expected.first == Outcome::StatusLost { STALE } else { LIMIT };

@@ -45,6 +45,12 @@ fn a_slice_that_ends_gives_nothing_up() {
     // Its successor of the same name has its own reply, or none.
     let next = ask(&link);
     assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextAlone).expect("it is not answered yet"));
+    link.forget(&next);
+    // Nobody is given what comes for it, and it breaks nothing.
+    server.write_all(expected.as_bytes()).expect("the link reads");
+    let last = ask(&link);
+    server.write_all(expected.as_bytes()).expect("the link reads");
+    assert_eq!(poll(&link, &last).expect("it is answered"), expected);
     assert!(link.broken().is_none());
 }
 

@@ -6,19 +6,18 @@ use super::{Expected, Replies, When, call, end, later};
 use crate::cell::Kind;
 use crate::outcome::{Cause, Outcome};
 
-/// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left by a command of the same name, and
-/// whether it was is asked.
+/// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left, and a query tells whether it was:
+/// a lost reply is no reason to give up the connection, on which a stop can be sent.
 pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     if !packets.are_known() {
         return unknown(replies, packets);
     }
-    let Expected { first, other, same, .. } = call(replies, Kind::Entering);
-    let leaving = if first == Outcome::Ok { other } else { same.unwrap_or(other) };
-    match (replies.when, leaving) {
-        (_, Outcome::Broken(_)) => Expected::new(leaving, leaving, leaving),
+    let Expected { first, other, .. } = call(replies, Kind::Entering);
+    match (replies.when, other) {
+        (_, Outcome::Broken(_)) => Expected::new(other, other, other),
         // The next session gets no answer to where the arm is, and asks for nothing that moves it.
         (When::Never, _) => Expected::new(Outcome::NotLeft, Outcome::Timeout, Outcome::Timeout),
-        _ => Expected::new(first, other, leaving),
+        _ => Expected::new(first, other, other),
     }
 }
 
