@@ -23,6 +23,9 @@ const ENTER: Duration = Duration::from_secs(1);
 /// Longer than any session: its set-points need no answers.
 const LONG: Duration = Duration::from_secs(60);
 
+/// How often the arm's position may be asked for before, until it is at rest: twice each 100 ms.
+const QUESTIONS: usize = 30;
+
 /// The command that leaves servo mode.
 pub(super) const LEAVE: ServoMove = ServoMove { servo_mode: Switch::Off };
 
@@ -85,9 +88,15 @@ fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Op
     }
 }
 
+/// Whether the arm is at rest is asked first.
+fn asking() -> Sent {
+    (text(&GetJointPos), Fate::Perhaps, QUESTIONS)
+}
+
 /// What a session begins with.
 fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     vec![
+        asking(),
         (text(&ServoMove { servo_mode: Switch::On }), switched, 1),
         (text(&IsInServomove), entered, usize::MAX),
         (text(&GetJointPos), entered, 1),
@@ -101,16 +110,19 @@ fn leaving(fate: Fate) -> [Sent; 2] {
 
 /// What went out of a session that did not begin.
 fn not_entered(error: &Error) -> Vec<Sent> {
+    let is_of_position = |command: &str| command == GetJointPos::INFO.name;
     let (switched, left) = match error {
         Error::ServoModeNotLeft { .. } => (Fate::Sent, Fate::Perhaps),
+        // The position is asked for before and after.
+        Error::Timeout { command, .. } if is_of_position(command) => (Fate::Perhaps, Fate::Perhaps),
         // Of the first command there is nothing to leave, of the others there is.
         Error::Refused { .. } => (Fate::Seen, Fate::Perhaps),
         Error::Timeout { .. }
         | Error::ReplyLost { .. }
         | Error::UnexpectedReply { .. }
         | Error::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
-        // Nothing went out: the arm moves, the status is not known, somebody must look first, or the connection is broken.
-        _ => return Vec::new(),
+        // Servo mode was not asked for: the arm moves, the status is not known, somebody must look first, or the connection is broken.
+        _ => return vec![asking()],
     };
     entering(switched, Fate::Perhaps).into_iter().chain(leaving(left)).collect()
 }

@@ -17,7 +17,7 @@ const WHILE: u32 = 25;
 /// Where the trouble is with replies, has one come: status packets must know nothing of it.
 fn trouble_elsewhere(cell: &Cell<'_>) {
     if cell.trouble.is_of_replies() {
-        let config = cell.config().reply_timeout(Duration::from_millis(1));
+        let config = cell.config().reply_timeout(Duration::from_millis(20));
         let mut client = config.connect(cell.controller.command_addr()).expect("the controller listens");
         // What it ends with is for other cells.
         drop(client.get_joint_pos());
