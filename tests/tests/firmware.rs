@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
 use jaka_sim::{Controller, Fault};
-use jaka_sync::{Client, Config, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Robot, Target};
+use jaka_sync::{Client, Config, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Outcome, Robot, Target};
 use serde_json::json;
 
 jaka_sync::pack!("data/fan.toml");
@@ -133,6 +133,6 @@ fn a_motion_that_the_controller_does_not_have_is_not_waited_for() {
     robot.client().check_firmware().expect("the simulator says its version");
     missing(robot.start(&PLAIN));
     assert!(robot.run(&PLAIN, Duration::from_secs(30)).is_err_and(|error| error.is_not_in_firmware()));
-    assert!(robot.wait(Duration::ZERO).outcome.is_reached());
+    assert!(matches!(robot.wait(Duration::ZERO).outcome, Outcome::NoMotion));
     assert_eq!(controller.requests().len(), 1);
 }

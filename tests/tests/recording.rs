@@ -208,7 +208,7 @@ fn errors_of_each_kind_have_the_last_messages() {
         // The first packet comes at once, which on a busy machine can be later than the timeout.
         while status.next_packet().is_err() {}
         with(&status.next_packet().expect_err("no packet comes"), 1);
-        robot.send_status(br#"{"enabled": "perhaps"}"#);
+        robot.send_status(br#"{"enabled" true}"#);
         let mut errors = std::iter::repeat_with(|| status.next_packet().expect_err("it does not fit"));
         with(&errors.find(|error| !error.is_timeout()).expect("the iterator has no end"), 2);
         let monitor: Monitor = config.monitor(robot.status_addr()).expect("it listens");

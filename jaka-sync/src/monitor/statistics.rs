@@ -12,7 +12,7 @@ pub struct MonitorStatistics {
     /// [`packets`](Self::packets) counts too; and packets that could not be read at all: what is no JSON object, or what a
     /// [`Decode`](jaka_proto::wire::Decode) of your own refuses.
     pub unfit: u64,
-    /// Packets that were passed over since a newer one had come.
+    /// Packets that never were the newest, since a newer one had come already; queues and observers have them.
     pub skipped: u64,
     /// Bytes that belonged to no packet, or to one that breaks off.
     pub dropped_bytes: u64,

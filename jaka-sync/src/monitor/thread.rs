@@ -9,10 +9,11 @@ use jaka_proto::framing::{self, FrameError, Framer};
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use super::{Board, Snapshot};
+use super::{Board, Snapshot, State};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
 use crate::resync;
+use crate::sync::MutexGuard;
 use crate::{Config, Disconnect, Error, ports};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
@@ -130,7 +131,7 @@ impl<S: Decode> Worker<S> {
         }
         drop(state);
         if let Ok(snapshot) = self.decode(packet) {
-            self.hand_out(&snapshot);
+            self.hand_out(self.board.lock(), &snapshot);
         }
     }
 
@@ -168,8 +169,7 @@ impl<S: Decode> Worker<S> {
                     state.resumed = Some(snapshot.received);
                 }
                 self.spare = state.latest.replace(Arc::clone(&snapshot));
-                drop(state);
-                self.hand_out(&snapshot);
+                self.hand_out(state, &snapshot);
             }
             Err(error) => {
                 log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
@@ -182,8 +182,7 @@ impl<S: Decode> Worker<S> {
     }
 
     /// To the queues and the observers.
-    fn hand_out(&self, snapshot: &Arc<Snapshot<S>>) {
-        let mut state = self.board.lock();
+    fn hand_out(&self, mut state: MutexGuard<'_, State<S>>, snapshot: &Arc<Snapshot<S>>) {
         // A queue that nobody else holds has lost its subscription.
         state.queues.retain(|queue| Arc::strong_count(queue) > 1);
         for queue in &state.queues {
