@@ -32,7 +32,7 @@ use self::cell::{Cell, Kind, LIMIT, Next, Seen};
 use self::troubles::Trouble;
 
 /// How many cells are gone through at once.
-const AT_ONCE: usize = 24;
+const AT_ONCE: usize = 48;
 
 #[test]
 fn each_fault_with_each_kind_of_call() {
