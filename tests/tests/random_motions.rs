@@ -235,7 +235,7 @@ enum End {
 fn any_move(random: &mut Random, state: &State, is_alone: bool) -> (Move, End) {
     let at = state.tcp_pose;
     // Some are short and slow: an arm that hardly moves is not at rest.
-    let scale = if random.one_in(5) { 0.05 } else { 1.0 };
+    let scale = if is_alone && random.one_in(5) { 0.05 } else { 1.0 };
     let by = [random.offset(12.0) * scale, random.offset(12.0) * scale, random.offset(12.0) * scale];
     let there = Pose { x: at.x + by[0], y: at.y + by[1], z: at.z + by[2], ..at };
     let speed = scale * (20.0 + f64::from(random.below(80)));
