@@ -14,9 +14,10 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::figures::{Contender, Samples};
 use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
-use jaka_sync::Client;
 use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
+use jaka_sync::{Client, Command};
 
 type Failure = Box<dyn Error + Send + Sync>;
 
@@ -32,11 +33,19 @@ const BOUND: f64 = 20.0;
 /// What a program does meanwhile, until it is told to end.
 type Load = fn(&mut Client, &AtomicBool) -> Result<(), jaka_sync::Error>;
 
-const LOADS: [(&str, Load); 4] = [
+const LOADS: [(&str, Load); 5] = [
     ("nothing else", |_, _| Ok(())),
     ("one call after the other", calls),
     ("a pipeline of 100,000 commands", long_pipeline),
     ("pipelines that are dropped", dropped_pipelines),
+    ("replies that are odd", odd_replies),
+];
+
+/// What the peer says in place of the fields of a version: half a surrogate pair, no number, and bytes that are no UTF-8.
+const ODD: [&[u8]; 3] = [
+    br#"{"errorCode":"2","errorMsg":"call \ud83d failed","cmdName":"get_version"}"#,
+    br#"{"errorCode":"0","errorMsg":"","version":NaN,"cmdName":"get_version"}"#,
+    b"{\"errorCode\":\"2\",\"errorMsg\":\"\xcd\xa3\xd6\xb9\",\"cmdName\":\"get_version\"}",
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -100,7 +109,7 @@ fn times(
 /// Accepts each request, and says when a stop has come.
 fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> {
     peer.set_nodelay(true)?;
-    let (mut bytes, mut chunk, mut replies) = (Vec::new(), vec![0; 64 << 10], Vec::new());
+    let (mut bytes, mut chunk, mut replies, mut odd) = (Vec::new(), vec![0; 64 << 10], Vec::new(), 0);
     loop {
         let len = peer.read(&mut chunk)?;
         let now = Instant::now();
@@ -115,6 +124,11 @@ fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> 
             let name = request.split('"').nth(3).ok_or("a request names no command")?;
             if name == "stop_program" {
                 arrived.send(now)?;
+            }
+            if name == GetVersion::INFO.name {
+                replies.extend_from_slice(ODD[odd % ODD.len()]);
+                odd += 1;
+                continue;
             }
             write!(replies, "{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{name}\"}}")?;
         }
@@ -131,6 +145,16 @@ fn calls(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error
     (0..1000)
         .filter(|_| !ended.load(Ordering::SeqCst))
         .try_for_each(|number| client.set_digital_output(&output(number)))
+}
+
+/// None of these replies breaks the connection.
+fn odd_replies(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+    let answered = |client: &mut Client| match client.get_version() {
+        Err(error) if error.is_disconnected() => Err(error),
+        // Refused, or a reply that does not fit.
+        _ => Ok(()),
+    };
+    (0..1000).filter(|_| !ended.load(Ordering::SeqCst)).try_for_each(|_| answered(client))
 }
 
 fn long_pipeline(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
