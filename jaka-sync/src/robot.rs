@@ -176,8 +176,9 @@ impl Robot {
     /// Where a motion by an offset is the first, the controller is asked before where the arm is.
     ///
     /// # Errors
-    /// As [`Client::call`]. Nothing was sent after [`Error::NotAcknowledged`] (a stop or a silent status has not been
-    /// acknowledged) and [`Error::StatusUnknown`] (the status is stale, missing or unreadable).
+    /// As [`Client::call`]. Nothing that moves the arm was sent after [`Error::NotAcknowledged`] (a stop or a silent status has not
+    /// been acknowledged), [`Error::StatusUnknown`] (the status is stale, missing or unreadable), [`Error::NotReady`] (the newest
+    /// packet shows a stop) and [`Error::NotSentInTime`].
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO))
     }
