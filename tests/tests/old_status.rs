@@ -392,12 +392,14 @@ fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_told_of()
     controller.inject_for("stop_program", Fault::Drop);
     let stopped = thread::scope(|scope| {
         let first = scope.spawn(|| one.stop());
-        thread::sleep(ms(300));
+        while sent(&controller, "stop_program") == 0 {
+            thread::yield_now();
+        }
         let second = scope.spawn(|| two.stop());
-        let end = robot.wait(LONG);
-        assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
         [first, second].map(|stop| stop.join().expect("it does not panic"))
     });
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
     let result = robot.start(&to(5.0, 40.0));
     // Of which of the two the reply was lost cannot be told.
     assert!(stopped.iter().any(Result::is_err), "{stopped:?}");
