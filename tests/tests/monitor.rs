@@ -238,3 +238,32 @@ fn monitors_are_shared_between_threads() {
     assert_send_and_sync::<Monitor<Joints>>();
     assert_send_and_sync::<jaka_sync::Subscription<RobotStatus>>();
 }
+
+/// What a user keeps of a packet, with a bug in it.
+#[derive(Debug)]
+struct Buggy(bool);
+
+impl Decode for Buggy {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let status = RobotStatus::decode(reader)?;
+        assert!(status.powered_on != Some(true), "a bug in the user's program");
+        Ok(Self(status.protective_stop == Some(true)))
+    }
+}
+
+#[test]
+fn a_panic_of_a_users_decoder_is_a_packet_that_cannot_be_read_and_the_monitor_goes_on() {
+    let (controller, _) = quiet();
+    let monitor: Monitor<Buggy> = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|_| true, LONG).expect("the first packet comes at once");
+    controller.set_state(|state| state.powered = true);
+    controller.publish();
+    let error = monitor.wait_until(|_| false, Duration::from_millis(300)).expect_err("it panics");
+    assert!(error.to_string().contains("does not fit"), "{error}");
+    controller.set_state(|state| {
+        state.powered = false;
+        state.protective_stop = true;
+    });
+    controller.publish();
+    monitor.wait_until(|packet| packet.0, LONG).expect("the monitor goes on");
+}
