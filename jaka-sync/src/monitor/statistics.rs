@@ -12,7 +12,8 @@ pub struct MonitorStatistics {
     /// [`packets`](Self::packets) counts too; and packets that could not be read at all: what is no JSON object, or what a
     /// [`Decode`](jaka_proto::wire::Decode) of your own refuses.
     pub unfit: u64,
-    /// Packets that never were the newest, since a newer one had come already; queues and observers have them.
+    /// Packets that never were the newest, since a newer one had come already; queues and observers have them, and where there are
+    /// none of these, nobody looks at them.
     pub skipped: u64,
     /// Bytes that belonged to no packet, or to one that breaks off.
     pub dropped_bytes: u64,

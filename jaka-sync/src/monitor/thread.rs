@@ -130,8 +130,11 @@ impl<S: Decode> Worker<S> {
             return;
         }
         drop(state);
-        if let Ok(snapshot) = self.decode(packet) {
-            self.hand_out(self.board.lock(), &snapshot);
+        let decoded = self.decode(packet);
+        let mut state = self.board.lock();
+        state.counters.unfit += u64::from(decoded.as_ref().map_or(true, |snapshot| !snapshot.unfit.is_empty()));
+        if let Ok(snapshot) = decoded {
+            self.hand_out(state, &snapshot);
         }
     }
 
