@@ -101,23 +101,19 @@ impl Wait {
 
     /// Which query is to be asked now, if any.
     pub(super) fn query(&self, now: Instant) -> Option<Quantity> {
-        // At first packets still say that the arm is in position; a query then would be asked in vain.
-        let has_begun =
-            self.batch.has_left || now.saturating_duration_since(self.batch.accepted) >= self.grace.time / 2;
-        let is_due = self.asked.is_none_or(|asked| now.saturating_duration_since(asked) >= QUERY_PERIOD);
-        let is_wanted = !self.packets.is_empty() && self.may_rest() && has_begun && is_due;
-        is_wanted.then(|| self.batch.goal.quantity())
+        self.query_in(now).is_zero().then(|| self.batch.goal.quantity())
     }
 
-    /// In how long to look again whether a query is to be asked, if no packet comes before.
+    /// In how long a query is to be asked, if no packet comes before.
     pub(super) fn query_in(&self, now: Instant) -> Duration {
         if self.packets.is_empty() || !self.may_rest() {
             return Duration::MAX;
         }
         let after = |from: Instant, time: Duration| time.saturating_sub(now.saturating_duration_since(from));
         let next = self.asked.map_or(Duration::ZERO, |asked| after(asked, QUERY_PERIOD));
+        // At first packets still say that the arm is in position; a query then would be asked in vain.
         let begun = if self.batch.has_left { Duration::ZERO } else { after(self.batch.accepted, self.grace.time / 2) };
-        next.max(begun).max(Duration::from_millis(1))
+        next.max(begun)
     }
 
     /// True if queries are asked as soon as they are due.
