@@ -67,7 +67,9 @@ impl State {
         let reply = caller.read(text).map_err(Disconnect::NotJson)?;
         let arrival = self.arrived(&reply).map_err(Disconnect::Mistrust)?;
         for ticket in &arrival.lost {
-            if !self.posted.fail(*ticket, lost) {
+            if caller.is(*ticket) {
+                caller.take(Answer::Lost);
+            } else if !self.posted.fail(*ticket, lost) {
                 self.aside.push((*ticket, Answer::Lost));
             }
         }

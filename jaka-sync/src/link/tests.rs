@@ -1,3 +1,4 @@
+mod lost;
 mod panics;
 mod question;
 mod reset;
