@@ -2,14 +2,12 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
-
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
 use expect_test::expect;
 
-use self::common::{failure, jaka, output};
+use crate::common::{failure, jaka, output};
 
 #[test]
 fn a_simulated_controller_serves_other_programs() {

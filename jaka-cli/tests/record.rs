@@ -3,9 +3,6 @@
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 #![cfg(unix)]
 
-mod common;
-mod program;
-
 use std::fs;
 use std::io::{BufReader, ErrorKind, Read, Write};
 use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
@@ -20,8 +17,8 @@ use jaka_sync::recording::{Ending, Event, Message, Port, Recording};
 use jaka_sync::{Config, Error, Recorder, StatusStream};
 use socket2::SockRef;
 
-use self::common::{end, interrupt, started};
-use self::program::{address_of, command, jaka, scratch};
+use crate::common::{end, interrupt, started};
+use crate::program::{address_of, command, jaka, scratch};
 
 fn controller() -> Controller {
     Controller::builder().delays(Delays::NONE).start().unwrap()

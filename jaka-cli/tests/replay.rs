@@ -2,14 +2,11 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
-mod program;
-
 use std::fs;
 
 use expect_test::expect;
 
-use self::program::{Run, jaka, scratch};
+use crate::program::{Run, jaka, scratch};
 
 /// All that a recording can have in it.
 const SESSION: &str = r#"{"jaka_recording":1,"started":1763726000.5,"software":"a test"}

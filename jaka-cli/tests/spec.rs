@@ -2,16 +2,13 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
-mod program;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use expect_test::expect;
 use serde_json::Value;
 
-use self::program::{jaka, pack, scratch};
+use crate::program::{jaka, pack, scratch};
 
 /// A file of this text, for one test.
 fn file(name: &str, text: &str) -> String {

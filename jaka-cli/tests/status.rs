@@ -2,8 +2,6 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
-
 use std::io::{BufRead, BufReader};
 use std::time::Duration;
 
@@ -11,8 +9,8 @@ use expect_test::expect;
 use jaka_sim::Controller;
 
 #[cfg(unix)]
-use self::common::interrupt;
-use self::common::{end, failure, jaka, output, started};
+use crate::common::interrupt;
+use crate::common::{end, failure, jaka, output, started};
 
 /// What the program prints, which must succeed.
 fn printed(args: &[&str]) -> String {

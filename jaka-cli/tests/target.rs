@@ -2,8 +2,6 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
-
 use std::net::TcpListener;
 use std::path::PathBuf;
 use std::{env, fs};
@@ -11,7 +9,7 @@ use std::{env, fs};
 use expect_test::expect;
 use jaka_sim::Controller;
 
-use self::common::{failure, jaka, output};
+use crate::common::{failure, jaka, output};
 
 /// A config file of this text, for one test.
 fn config(name: &str, text: &str) -> PathBuf {

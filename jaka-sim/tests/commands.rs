@@ -1,10 +1,8 @@
 //! What the controller answers.
 
-mod common;
-
 use std::time::Duration;
 
-use common::{Peer, assert_accepted, assert_refused, assert_unknown, fresh, json, ready, request, stepped};
+use crate::common::{Peer, assert_accepted, assert_refused, assert_unknown, fresh, json, ready, request, stepped};
 use jaka_proto::{Command, Envelope, Request, Visit, read_payload};
 use jaka_spec::Requirement;
 

@@ -1,8 +1,6 @@
 //! Which replies have faults.
 
-mod common;
-
-use common::{Peer, assert_accepted, fresh, json, request};
+use crate::common::{Peer, assert_accepted, fresh, json, request};
 use jaka_sim::{Controller, Fault, FaultPlan};
 
 fn with(plan: FaultPlan) -> (Controller, Peer) {

@@ -1,10 +1,8 @@
 //! Every fault, as a client meets it.
 
-mod common;
-
 use std::io::{ErrorKind, Read};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request};
 use jaka_sim::{Controller, Fault};
 
 const PAYLOAD: &str = "get_payload";

@@ -1,10 +1,8 @@
 //! Shapes of status packets.
 
-mod common;
-
 use std::time::Duration;
 
-use common::{Peer, json};
+use crate::common::{Peer, json};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader, Typed, Value};
 use jaka_sim::{Builder, Controller, Delays, Firmware, State};

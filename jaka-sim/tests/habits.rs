@@ -1,11 +1,9 @@
 //! What real controllers do that no document says, one by one, on a clock that the test moves on.
 
-mod common;
-
 use std::io::ErrorKind;
 use std::time::Duration;
 
-use common::{LIMIT, Peer, assert_accepted, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, json, request};
 use jaka_sim::{Controller, Delays, Firmware, Habit, Habits, State};
 
 const CYCLE: Duration = Duration::from_millis(8);

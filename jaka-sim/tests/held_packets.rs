@@ -2,14 +2,13 @@
 
 #![cfg(target_os = "linux")]
 
-mod common;
 #[path = "common/netns.rs"]
 mod netns;
 
 use std::io::ErrorKind;
 use std::time::{Duration, Instant};
 
-use common::{Peer, assert_accepted, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, json, request};
 use netns::{Namespace, skipped};
 
 /// For how long the link is down at least: longer than a packet takes to be sent again on one that is up.
@@ -19,7 +18,7 @@ const DOWN: Duration = Duration::from_millis(600);
 fn is_quiet_for(peer: &Peer, time: Duration) -> bool {
     peer.stream.set_read_timeout(Some(time)).expect("a timeout can be set");
     let peeked = peer.stream.peek(&mut [0]).map_err(|error| error.kind());
-    peer.stream.set_read_timeout(Some(common::LIMIT)).expect("a timeout can be set");
+    peer.stream.set_read_timeout(Some(LIMIT)).expect("a timeout can be set");
     matches!(peeked, Err(ErrorKind::WouldBlock | ErrorKind::TimedOut))
 }
 
@@ -57,7 +56,7 @@ fn what_is_sent_while_the_link_is_down_arrives_when_it_is_up() {
     let mut old = 1;
     while json(&status.receive())["powered_on"] == json("0") {
         old += 1;
-        assert!(began.elapsed() < was_down + common::LIMIT);
+        assert!(began.elapsed() < was_down + LIMIT);
     }
     assert!(old >= 3, "{old} packets of {was_down:?}");
     assert_accepted(&commands.call("get_version"), "get_version");

@@ -1,11 +1,9 @@
 //! Replies that come later.
 
-mod common;
-
 use std::io::{ErrorKind, Read};
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request};
 use jaka_sim::{Controller, Fault};
 
 const DELAY: Duration = Duration::from_millis(200);

@@ -1,12 +1,10 @@
 //! Starting and ending.
 
-mod common;
-
 use std::io::ErrorKind;
 use std::net::{TcpListener, TcpStream};
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request};
 use jaka_sim::{Controller, Fault};
 
 #[test]

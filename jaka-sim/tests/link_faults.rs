@@ -1,11 +1,9 @@
 //! Links that stall, delay and cut, as plain sockets see them.
 
-mod common;
-
 use std::io::{ErrorKind, Read};
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request};
 use jaka_sim::{Controller, Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, Takeover};
 
 /// How long nothing comes where nothing must come. A test that waits too short passes, and never fails by chance.

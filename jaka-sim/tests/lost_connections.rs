@@ -1,10 +1,8 @@
 //! Connections that are open and dead, and ports that another client has taken.
 
-mod common;
-
 use std::io::{ErrorKind, Write};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, request};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, request};
 use jaka_sim::{Controller, Fault, Takeover};
 
 /// A client whose connection is half open, and its controller.

@@ -1,11 +1,9 @@
 //! A client in another language that knows nothing of this code talks to the simulator's program on both ports.
 
-mod common;
-
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
 
-use common::skipped;
+use crate::common::skipped;
 
 /// Python's standard library alone: sockets and JSON.
 const CLIENT: &str = r#"

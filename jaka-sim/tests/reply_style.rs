@@ -1,8 +1,6 @@
 //! Styles of replies.
 
-mod common;
-
-use common::{Peer, assert_unknown, json, request};
+use crate::common::{Peer, assert_unknown, json, request};
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::wire::{Value, Writer};
 use jaka_proto::{Command, Envelope, ErrorCode, Request, Visit, read_payload, write_reply};

@@ -1,11 +1,9 @@
 //! What follows a reply: the end of a connection; and the reply that follows the end of a motion.
 
-mod common;
-
 use std::io::ErrorKind;
 use std::time::Duration;
 
-use common::{LIMIT, Peer, assert_accepted, fresh, json, request, stepped};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request, stepped};
 use jaka_sim::{Controller, Fault};
 
 /// The name in the reply to `wait_complete`, as the document prints it.

@@ -1,10 +1,8 @@
 //! Status packets.
 
-mod common;
-
 use std::time::Duration;
 
-use common::{LIMIT, Peer, fresh, json, ready};
+use crate::common::{LIMIT, Peer, fresh, json, ready};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader, Typed, Value};
 use jaka_sim::Controller;

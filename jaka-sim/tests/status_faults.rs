@@ -1,10 +1,8 @@
 //! What a monitor must survive.
 
-mod common;
-
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, fresh, json};
+use crate::common::{LIMIT, Peer, fresh, json};
 use jaka_sim::{Controller, FaultPlan, StatusFault};
 
 /// A reader that has had its first packet, and a controller that sends none but those asked for.

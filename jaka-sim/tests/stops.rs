@@ -1,10 +1,8 @@
 //! What comes after a stop.
 
-mod common;
-
 use std::time::Duration;
 
-use common::{Peer, assert_accepted, stepped};
+use crate::common::{Peer, assert_accepted, stepped};
 
 /// The speed and deceleration of each motion here, in deg/s and deg/s²: a stop takes 1.5 s and 45 deg.
 const TURN: &str =

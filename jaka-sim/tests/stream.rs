@@ -1,10 +1,8 @@
 //! Requests however they come, and clients whoever they are.
 
-mod common;
-
 use std::io::{ErrorKind, Write};
 
-use common::{LIMIT, Peer, assert_accepted, assert_unknown, fresh, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, assert_unknown, fresh, json, request};
 use jaka_sim::{Controller, Takeover};
 
 const MOVE: &str = r#"{"cmdName": "set_user_offsets", "userffset": [1,2,3,4,5,6], "id": 2, "name": "}\"{\\"}"#;

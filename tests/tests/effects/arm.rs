@@ -28,7 +28,7 @@ macro_rules! effects {
         mod effect_of {
             $(#[test]
             fn $command() {
-                crate::arm::check(stringify!($command), super::$effect);
+                $crate::effects::arm::check(stringify!($command), super::$effect);
             })+
         }
     };

@@ -1,6 +1,6 @@
 //! Collision detection and protective stop.
 
-use crate::arm::{Arm, refused, turn};
+use super::arm::{Arm, refused, turn};
 
 effects! {
     protective_stop_status => a_collision_is_told,

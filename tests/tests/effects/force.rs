@@ -8,7 +8,7 @@ use jaka_sync::force::{
 use jaka_sync::status::TaskMode;
 use jaka_sync::types::Switch;
 
-use crate::arm::{Arm, disabled};
+use super::arm::{Arm, disabled};
 
 effects! {
     torque_control_enable => drag_mode_shows_on_port_10000,

@@ -2,7 +2,7 @@
 
 use jaka_sync::frames::{SetToolOffsets, SetUserOffsets};
 
-use crate::arm::{Arm, assert_close, shift};
+use super::arm::{Arm, assert_close, shift};
 
 effects! {
     set_tool_offsets => a_tool_frame_is_set,

@@ -6,7 +6,7 @@ use jaka_sync::io::{
 };
 use jaka_sync::types::Switch;
 
-use crate::arm::Arm;
+use super::arm::Arm;
 
 effects! {
     set_digital_output => digital_outputs_show_on_port_10000,

@@ -3,7 +3,7 @@
 use jaka_sim::Model;
 use jaka_sync::kinematics::KineInverse;
 
-use crate::arm::{Arm, assert_close, refused, shift};
+use super::arm::{Arm, assert_close, refused, shift};
 
 effects! {
     kine_forward => forward_kinematics_agree_with_the_arm,

@@ -5,7 +5,7 @@ use std::thread;
 use jaka_sync::motion::{EndMove, Jog, JogFrame, MoveC, MoveL};
 use jaka_sync::types::MoveMode;
 
-use crate::arm::{Arm, LIMIT, assert_close, disabled, raised, servo_mode, shift, turn, turned};
+use super::arm::{Arm, LIMIT, assert_close, disabled, raised, servo_mode, shift, turn, turned};
 
 effects! {
     jog => a_jog_moves_one_axis_until_it_is_stopped,

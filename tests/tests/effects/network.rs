@@ -2,7 +2,7 @@
 
 use jaka_sync::network::{NetworkExceptionAction, SetNetworkExceptionHandle};
 
-use crate::arm::Arm;
+use super::arm::Arm;
 
 effects! {
     set_network_exception_handle => the_reaction_is_kept,

@@ -2,7 +2,7 @@
 
 use jaka_sync::payload::SetPayload;
 
-use crate::arm::Arm;
+use super::arm::Arm;
 
 effects! {
     set_payload => the_payload_is_given_back,

@@ -3,7 +3,7 @@
 use jaka_sync::Client;
 use jaka_sync::status::TaskState;
 
-use crate::arm::{Arm, LIMIT, disabled, refused, turn};
+use super::arm::{Arm, LIMIT, disabled, refused, turn};
 
 effects! {
     power_on => power_lets_the_arm_be_enabled,

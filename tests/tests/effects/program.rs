@@ -4,7 +4,7 @@ use jaka_sync::Client;
 use jaka_sync::program::ProgramState;
 use jaka_sync::status::InterpreterState;
 
-use crate::arm::{Arm, assert_close, disabled, refused, turn, turned};
+use super::arm::{Arm, assert_close, disabled, refused, turn, turned};
 
 effects! {
     rapid_rate => the_rate_scales_speed,

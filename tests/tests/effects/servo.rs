@@ -4,7 +4,7 @@ use jaka_sync::ErrorCode;
 use jaka_sync::servo::{ServoJ, ServoP, SetServoMoveFilter};
 use jaka_sync::types::{MoveMode, Switch};
 
-use crate::arm::{Arm, CYCLE, assert_close, disabled, raised, refused, servo_mode, turn, turned};
+use super::arm::{Arm, CYCLE, assert_close, disabled, raised, refused, servo_mode, turn, turned};
 
 effects! {
     is_in_servomove => servo_mode_is_told,

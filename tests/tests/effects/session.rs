@@ -1,6 +1,6 @@
 //! The connection.
 
-use crate::arm::{Arm, LIMIT, assert_close, turn, turned};
+use super::arm::{Arm, LIMIT, assert_close, turn, turned};
 
 effects! {
     quit => the_connection_ends_and_nothing_else,

@@ -7,7 +7,7 @@ use jaka_sync::force::{
 use jaka_sync::payload::SetPayload;
 use jaka_sync::status::TorqueSensorSettings;
 
-use crate::arm::{Arm, assert_close, servo_mode, turned};
+use super::arm::{Arm, assert_close, servo_mode, turned};
 
 effects! {
     set_torsenosr_brand => the_brand_is_given_back,

@@ -3,7 +3,7 @@
 use jaka_sync::trajectory::{RenameTrajFileName, SetTrajConfig, SetTrajSampleMode};
 use jaka_sync::types::Switch;
 
-use crate::arm::{Arm, assert_close, refused, turn, turned};
+use super::arm::{Arm, assert_close, refused, turn, turned};
 
 effects! {
     set_traj_config => the_settings_are_given_back,

@@ -2,7 +2,7 @@
 
 use jaka_sync::variables::{ModifyUserDefinedVariable, UserVariable};
 
-use crate::arm::{Arm, refused};
+use super::arm::{Arm, refused};
 
 effects! {
     query_user_defined_variable => variables_are_read,

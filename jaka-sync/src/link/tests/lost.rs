@@ -8,8 +8,7 @@ use crate::reply::TextAlone;
 #[test]
 fn a_lost_reply_is_told_before_anything_behind_it_is_looked_at() {
     let (link, mut server) = connection(Mode::Blocking);
-    let mut send =
-        |name| link.send(name, Cow::Borrowed(name), LONG, None, &mut |out| write(0, out)).expect("it goes out");
+    let send = |name| link.send(name, Cow::Borrowed(name), LONG, None, &mut |out| write(0, out)).expect("it goes out");
     let (first, second) = (send("a"), send("b"));
     // The answer to the later command, and behind it one that comes too late.
     server.write_all([reply("b", 0, ""), reply("a", 0, "")].concat().as_bytes()).expect("the link reads");

@@ -1,10 +1,5 @@
 //! `jaka probe`, as its users run it.
 
-#[path = "../common/mod.rs"]
-mod common;
-#[path = "../program/mod.rs"]
-mod program;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -19,7 +14,7 @@ use jaka_sync::{Client, StatusStream};
 use jaka_tests::spec;
 use serde_json::{Value, json};
 
-use program::{Run, address_of, jaka, pack, scratch};
+use crate::program::{Run, address_of, jaka, pack, scratch};
 
 fn controller(firmware: Firmware) -> Controller {
     Controller::builder().firmware(firmware).delays(Delays::NONE).start().expect("loopback has free ports")
@@ -51,7 +46,7 @@ fn effect_of(spec: &Spec, request: &str) -> Effect {
 fn a_controller_that_fits_the_document() {
     let controller = controller(Firmware::Document);
     let run = probe(&controller, &["--packets", "2"]);
-    expect_file!["../snapshots/probe_document.txt"].assert_eq(&report(&run));
+    expect_file!["snapshots/probe_document.txt"].assert_eq(&report(&run));
     let spec = spec();
     let requests = controller.requests();
     assert!(requests.iter().all(|request| effect_of(&spec, request) == Effect::Query), "{requests:?}");
@@ -61,13 +56,13 @@ fn a_controller_that_fits_the_document() {
 #[test]
 fn an_old_controller() {
     let run = probe(&controller(Firmware::V1_5_14), &[]);
-    expect_file!["../snapshots/probe_1_5_14.txt"].assert_eq(&report(&run));
+    expect_file!["snapshots/probe_1_5_14.txt"].assert_eq(&report(&run));
 }
 
 #[test]
 fn a_newer_controller() {
     let run = probe(&controller(Firmware::Newer), &[]);
-    expect_file!["../snapshots/probe_newer.txt"].assert_eq(&report(&run));
+    expect_file!["snapshots/probe_newer.txt"].assert_eq(&report(&run));
 }
 
 /// Replies that drift: unknown keys, other forms, another type, and no reply at all.
@@ -92,9 +87,9 @@ fn a_controller_that_drifts() {
     let draft = unwritten("drifted.toml");
     let run = probe(&drifted(), &["--timeout", "0.3", "--draft", &draft.display().to_string()]);
     assert_eq!(run.code, Some(7), "{}", run.text());
-    expect_file!["../snapshots/probe_drifted.txt"].assert_eq(&report(&run));
+    expect_file!["snapshots/probe_drifted.txt"].assert_eq(&report(&run));
     let text = fs::read_to_string(&draft).expect("the draft is written");
-    expect_file!["../snapshots/draft.toml"].assert_eq(&text);
+    expect_file!["snapshots/draft.toml"].assert_eq(&text);
     let pack = load_pack(&spec(), Source { path: "drifted.toml", text: &text }).expect("the draft loads");
     assert!(pack.notes.is_empty(), "{:?}", pack.notes);
 }

@@ -1,0 +1,13 @@
+//! All tests of the program, which is run as its users run it.
+
+mod call;
+mod common;
+mod hostile_text;
+mod others;
+mod probe;
+mod program;
+mod record;
+mod replay;
+mod spec;
+mod status;
+mod target;

@@ -1,0 +1,20 @@
+//! All tests through sockets that need no process of their own.
+
+mod commands;
+mod common;
+mod fault_plans;
+mod faults;
+mod firmware;
+mod habits;
+mod held_packets;
+mod late_replies;
+mod lifecycle;
+mod link_faults;
+mod lost_connections;
+mod plain_socket;
+mod reply_style;
+mod sequels;
+mod status;
+mod status_faults;
+mod stops;
+mod stream;

@@ -1,0 +1,8 @@
+//! All tests through the public interface.
+
+mod errors;
+mod events;
+mod lookup;
+mod mutations;
+mod packs;
+mod unfit;

@@ -1,0 +1,32 @@
+//! All end-to-end tests that need no process of their own.
+
+mod corpora;
+mod diff;
+mod document;
+mod effects;
+mod examples;
+mod exchange;
+mod faults;
+mod firmware;
+mod first_program;
+mod hostile_text;
+mod monitor;
+mod motion;
+mod odd_replies;
+mod odd_status;
+mod old_status;
+mod packs;
+mod pipeline;
+mod properties;
+mod recording;
+mod reference;
+mod replay;
+mod robot;
+mod robot_faults;
+mod safety;
+mod schema;
+mod servo;
+mod spec_json;
+mod stalls;
+mod status;
+mod strange;
