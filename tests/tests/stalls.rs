@@ -447,7 +447,7 @@ fn power_up_keeps_its_time_and_says_what_is_in_its_way() {
     assert!(error.to_string().contains("emergency stop is pressed"), "{error}");
     assert_eq!(controller.requests().len(), before, "nothing was sent");
     // Packets that say something else are told apart from none.
-    let error = robot.monitor().wait_until(|status| status.enabled == Some(true), Duration::from_millis(200));
+    let error = robot.monitor().wait_until(|status| status.enabled == Some(true), Duration::from_secs(1));
     let error = error.expect_err("it is not enabled");
     assert!(matches!(error, Error::StateTimeout { .. }) && error.to_string().contains("emergency stop"), "{error}");
 }
