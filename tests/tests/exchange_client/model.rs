@@ -18,6 +18,8 @@ pub(crate) enum Got {
     /// The reply that the server wrote for the command with this number.
     Reply(u32),
     Timeout,
+    /// The deadline passed before anything was sent.
+    NotSentInTime,
     Lost,
     /// The connection broke while the call waited.
     Broken,
@@ -99,17 +101,24 @@ impl Model {
 
     /// The same, before what has come is read.
     pub(crate) fn send_only(&mut self, actor: Actor, name: &'static str, number: u32) -> bool {
+        if !self.send_nothing(actor) {
+            return false;
+        }
+        let doubtful = self.owed.iter().any(|owed| owed.doubtful && owed.name == name);
+        self.owed.push(Owed { number, name, actor, waits: true, doubtful });
+        true
+    }
+
+    /// A call begins, and its command does not go out yet. False if the connection is broken.
+    pub(crate) fn send_nothing(&mut self, actor: Actor) -> bool {
         // What has been read before a command goes out is no reply to it.
         while let Some(message) = self.read.pop_front() {
             self.arrive(message);
         }
         if self.is_broken {
             self.ended.push((actor, Got::NotSent));
-            return false;
         }
-        let doubtful = self.owed.iter().any(|owed| owed.doubtful && owed.name == name);
-        self.owed.push(Owed { number, name, actor, waits: true, doubtful });
-        true
+        !self.is_broken
     }
 
     /// The server writes, at once.

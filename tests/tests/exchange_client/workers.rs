@@ -66,6 +66,7 @@ pub(crate) fn got(result: Result<u32, Error>) -> Got {
             Got::Reply(u32::try_from(refusal.code.0).expect("the server numbers its replies"))
         }
         Err(Error::Timeout { .. }) => Got::Timeout,
+        Err(Error::NotSentInTime { .. }) => Got::NotSentInTime,
         Err(Error::ReplyLost { .. }) => Got::Lost,
         Err(Error::Disconnected { sent: true, .. }) => Got::Broken,
         Err(Error::Disconnected { sent: false, .. }) => Got::NotSent,
