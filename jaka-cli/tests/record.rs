@@ -312,7 +312,7 @@ fn a_robot_that_cannot_be_reached_is_told_and_recorded() {
     assert!(is_reset(&client));
     let mut errors = proxy.child.stderr.take().unwrap();
     let recording = proxy.finish();
-    let [Event::Error { text }] = events(&recording, 2)[..] else { panic!("there is one") };
+    let [Event::Error { text }] = events(&recording, 2)[..] else { panic!("{recording:?}") };
     assert!(text.starts_with("cannot connect to 127.0.0.1:"), "{text}");
     let mut told = String::new();
     errors.read_to_string(&mut told).unwrap();
