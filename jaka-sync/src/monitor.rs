@@ -335,6 +335,11 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().observers.add(call);
     }
 
+    /// The same, before all of the user's observers.
+    pub(crate) fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
+        self.board.lock().observers.add_own(call);
+    }
+
     /// How packets have been coming.
     pub fn statistics(&self) -> MonitorStatistics {
         self.board.lock().counters.statistics()

@@ -301,7 +301,7 @@ fn lock(latched: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {
 /// Has the monitor latch a robot at each stop that a packet shows, for as long as the robot lives.
 fn latch_on_stops(monitor: &Monitor, latched: &Arc<Mutex<Option<Outcome>>>) {
     let latched = Arc::downgrade(latched);
-    monitor.observe(move |snapshot| {
+    monitor.observe_first(move |snapshot| {
         let Some(latched) = latched.upgrade() else {
             return ControlFlow::Break(());
         };

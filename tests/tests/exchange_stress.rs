@@ -42,7 +42,7 @@ fn call_on(mut call: impl FnMut(u32) -> Result<(), Error>) -> Tally {
     for number in 0.. {
         match call(number) {
             Ok(()) => tally.answered += 1,
-            Err(Error::Timeout { .. }) => tally.timeouts += 1,
+            Err(Error::Timeout { .. } | Error::NotSentInTime { .. }) => tally.timeouts += 1,
             Err(Error::ReplyLost { .. }) => tally.lost += 1,
             Err(Error::Disconnected { .. }) => break,
             Err(other) => panic!("no call may end with {other:?}"),

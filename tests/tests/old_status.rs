@@ -188,6 +188,35 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
 }
 
 #[test]
+fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_over_shows() {
+    let controller = arm_with([], PERIOD);
+    let config = lenient();
+    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
+    let (seen, saw) = mpsc::channel();
+    // It was there before the robot.
+    monitor.observe(move |snapshot| {
+        if snapshot.status.protective_stop == Some(true) {
+            let _ = seen.send(());
+            thread::sleep(ms(1500));
+        }
+        std::ops::ControlFlow::Continue(())
+    });
+    let mut robot = Robot::new(config.connect(controller.command_addr()).expect("listens"), monitor);
+    controller.link(Port::Status).to_client().hold();
+    thread::sleep(ms(200));
+    controller.set_state(|state| state.protective_stop = true);
+    thread::sleep(ms(40));
+    controller.set_state(|state| state.protective_stop = false);
+    thread::sleep(ms(100));
+    controller.link(Port::Status).to_client().release();
+    saw.recv_timeout(LONG).expect("packets come");
+    let error = robot.start(&to(5.0, 40.0)).expect_err("a packet showed a protective stop");
+    assert!(matches!(error, Error::NotAcknowledged { .. }), "{error:?}");
+    assert_eq!(sent(&controller, "joint_move"), 0);
+}
+
+#[test]
 fn a_stop_that_only_a_packet_passed_over_shows_latches() {
     let controller = arm_with([], PERIOD);
     let robot = robot_of(&controller, &lenient());

@@ -9,11 +9,10 @@ use jaka_proto::framing::{self, FrameError, Framer};
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use super::{Board, Snapshot, State};
+use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
 use crate::resync;
-use crate::sync::MutexGuard;
 use crate::{Config, Disconnect, Error, ports};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
@@ -34,11 +33,14 @@ pub(super) struct Worker<S> {
     tap: Tap,
     /// The packet before the latest, whose memory is used again.
     spare: Option<Arc<Snapshot<S>>>,
+    /// Packets behind which a newer one had come already. They are handed out once that one is posted: an observer that takes its
+    /// time over an old packet must not keep the newest back.
+    passed: Vec<Arc<Snapshot<S>>>,
 }
 
 impl<S: Decode> Worker<S> {
     pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
-        Self { board, address, config, number: 0, tap: Tap::default(), spare: None }
+        Self { board, address, config, number: 0, tap: Tap::default(), spare: None, passed: Vec::new() }
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made anew.
@@ -88,13 +90,22 @@ impl<S: Decode> Worker<S> {
                     // What has gathered is old but for its end. A controller that floods the port is behind for ever.
                     let is_behind = chunk == Chunk::Part && waiting.is_some_and(|since| since.elapsed() < BEHIND);
                     if !is_behind && waiting.take().is_some() {
-                        let decoded = self.decode(&newest);
-                        newest.clear();
-                        self.post(decoded);
+                        self.post_newest(&mut newest);
                     }
                 }
-                Err(cause) => return cause,
+                Err(cause) => {
+                    self.post_newest(&mut newest);
+                    return cause;
+                }
             }
+        }
+    }
+
+    fn post_newest(&mut self, newest: &mut String) {
+        if !newest.is_empty() {
+            let decoded = self.decode(newest);
+            newest.clear();
+            self.post(decoded);
         }
     }
 
@@ -122,7 +133,7 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    /// Hands out a packet behind which a newer one has come already: it is not the newest, and may show a stop.
+    /// Puts a packet aside behind which a newer one has come already: it is not the newest, and may show a stop.
     fn pass_over(&mut self, packet: &str) {
         let mut state = self.board.lock();
         state.counters.skipped += 1;
@@ -131,11 +142,9 @@ impl<S: Decode> Worker<S> {
         }
         drop(state);
         let decoded = self.decode(packet);
-        let mut state = self.board.lock();
-        state.counters.unfit += u64::from(decoded.as_ref().map_or(true, |snapshot| !snapshot.unfit.is_empty()));
-        if let Ok(snapshot) = decoded {
-            self.hand_out(state, &snapshot);
-        }
+        let is_unfit = decoded.as_ref().map_or(true, |snapshot| !snapshot.unfit.is_empty());
+        self.board.lock().counters.unfit += u64::from(is_unfit);
+        self.passed.extend(decoded);
     }
 
     /// Goes on at the next packet.
@@ -160,6 +169,7 @@ impl<S: Decode> Worker<S> {
     }
 
     pub(super) fn post(&mut self, decoded: Result<Arc<Snapshot<S>>, DecodeError>) {
+        let mut to_hand_out = std::mem::take(&mut self.passed);
         match decoded {
             Ok(snapshot) => {
                 let mut state = self.board.lock();
@@ -172,7 +182,7 @@ impl<S: Decode> Worker<S> {
                     state.resumed = Some(snapshot.received);
                 }
                 self.spare = state.latest.replace(Arc::clone(&snapshot));
-                self.hand_out(state, &snapshot);
+                to_hand_out.push(snapshot);
             }
             Err(error) => {
                 log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
@@ -181,11 +191,16 @@ impl<S: Decode> Worker<S> {
                 state.unfit = Some(error);
             }
         }
+        for snapshot in to_hand_out.drain(..) {
+            self.hand_out(&snapshot);
+        }
+        self.passed = to_hand_out;
         self.board.wake(self.board.lock());
     }
 
     /// To the queues and the observers.
-    fn hand_out(&self, mut state: MutexGuard<'_, State<S>>, snapshot: &Arc<Snapshot<S>>) {
+    fn hand_out(&self, snapshot: &Arc<Snapshot<S>>) {
+        let mut state = self.board.lock();
         // A queue that nobody else holds has lost its subscription.
         state.queues.retain(|queue| Arc::strong_count(queue) > 1);
         for queue in &state.queues {
