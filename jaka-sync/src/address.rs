@@ -7,14 +7,14 @@ use std::time::{Duration, Instant};
 
 use socket2::{SockRef, TcpKeepalive};
 
-use crate::{Config, Error};
+use crate::{Config, Error, ErrorKind};
 
 /// What systems take as the times of a keepalive.
 const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
 
 /// Connects to `address`; `port` is used where it names none.
 pub(crate) fn connect(address: &str, port: u16, config: &Config) -> Result<TcpStream, Error> {
-    let failed = |source| Error::Connect { address: address.to_owned(), source };
+    let failed = |source| Error::from(ErrorKind::Connect { address: address.to_owned(), source });
     let candidates = resolve(address, port).map_err(failed)?;
     let stream = first_that_answers(&candidates, config.connect_timeout).map_err(failed)?;
     set_options(&stream, config).map_err(failed)?;

@@ -16,7 +16,7 @@ use serde_json::Value;
 
 use crate::link::{Gate, Link, Posting};
 use crate::reply::{Payload, TextAlone, Typed};
-use crate::{Config, Disconnect, Error, Pipeline, StopHandle, recorder, reply};
+use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, recorder, reply};
 
 /// A connection to a controller's command port.
 ///
@@ -46,7 +46,7 @@ impl Client {
     /// Connects to a controller: `10.5.5.100`, `robot.local`, `10.5.5.100:10001`, or a socket address.
     ///
     /// # Errors
-    /// [`Error::Connect`] if nobody answers there within the connect timeout.
+    /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect(address)
     }
@@ -60,13 +60,13 @@ impl Client {
     /// Sends a command and waits for its reply.
     ///
     /// # Errors
-    /// - [`InvalidArgument`](Error::InvalidArgument): the spec forbids a field; nothing was sent.
-    /// - [`NotInFirmware`](Error::NotInFirmware): the controller does not have it, after
+    /// - [`InvalidArgument`](ErrorKind::InvalidArgument): the spec forbids a field; nothing was sent.
+    /// - [`NotInFirmware`](ErrorKind::NotInFirmware): the controller does not have it, after
     ///   [`check_firmware`](Self::check_firmware); nothing was sent.
-    /// - [`Refused`](Error::Refused): the controller refused; the command did not run.
-    /// - [`Timeout`](Error::Timeout), [`ReplyLost`](Error::ReplyLost): the command may have run.
-    /// - [`UnexpectedReply`](Error::UnexpectedReply): accepted, but the reply does not fit the spec.
-    /// - [`Disconnected`](Error::Disconnected): the connection is broken for good.
+    /// - [`Refused`](ErrorKind::Refused): the controller refused; the command did not run.
+    /// - [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost): the command may have run.
+    /// - [`UnexpectedReply`](ErrorKind::UnexpectedReply): accepted, but the reply does not fit the spec.
+    /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good.
     pub fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
         self.call_within(command, self.timeout_of(C::INFO))
     }
@@ -154,7 +154,7 @@ impl Client {
     /// ```
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`UnexpectedReply`](Error::UnexpectedReply) with the controller's text if that is no version.
+    /// As [`call`](Self::call); [`UnexpectedReply`](ErrorKind::UnexpectedReply) with the controller's text if that is no version.
     /// The checks stay as they were then.
     pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
         let text = self.call(&GetVersion)?.version;
@@ -188,8 +188,8 @@ impl Client {
     /// ```
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`InvalidArgument`](Error::InvalidArgument) if `parameters` is something else, or has a
-    /// `cmdName` of its own; [`UnexpectedReply`](Error::UnexpectedReply) if the reply is accepted but not JSON throughout, or a
+    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `parameters` is something else, or has a
+    /// `cmdName` of its own; [`UnexpectedReply`](ErrorKind::UnexpectedReply) if the reply is accepted but not JSON throughout, or a
     /// key comes twice in it.
     pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
         let request = raw_request(command, parameters)?;
@@ -209,7 +209,7 @@ impl Client {
     /// a command line or the replay of a log: nothing is checked beyond that.
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`InvalidArgument`](Error::InvalidArgument) if `request` is no JSON object or has no `cmdName`.
+    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `request` is no JSON object or has no `cmdName`.
     pub fn call_text(&mut self, request: &str, timeout: Duration) -> Result<&str, Error> {
         let envelope = Envelope::read(request);
         let command = envelope.as_ref().ok().and_then(|envelope| envelope.command.as_deref());
@@ -296,7 +296,7 @@ fn exchange<'t>(
 
 /// True if the controller closed the connection, as it does when it goes down.
 fn closed(error: &Error) -> bool {
-    let Error::Disconnected { sent: true, cause, .. } = error else {
+    let ErrorKind::Disconnected { sent: true, cause, .. } = error.kind() else {
         return false;
     };
     matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))

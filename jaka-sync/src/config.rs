@@ -7,7 +7,7 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 use jaka_proto::wire::Decode;
 
-use crate::{Client, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream, address};
+use crate::{Client, Error, ErrorKind, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream, address};
 
 /// How a connection behaves: timeouts, keepalive, frame size and checks.
 ///
@@ -141,7 +141,7 @@ impl Config {
     pub fn robot(&self, address: impl Display) -> Result<Robot, Error> {
         let address = address.to_string();
         if address::names_a_port(&address) {
-            return Err(Error::PortInAddress { address });
+            return Err(ErrorKind::PortInAddress { address }.into());
         }
         self.connect_robot(&address, &address)
     }

@@ -25,7 +25,7 @@ mod sync;
 pub use call::Call;
 pub use client::Client;
 pub use config::Config;
-pub use error::{Disconnect, Error};
+pub use error::{Disconnect, Error, ErrorKind};
 /// The layer below: messages, framing and codec, without I/O.
 pub use jaka_proto as proto;
 #[doc(no_inline)]
@@ -43,7 +43,7 @@ pub use jaka_proto::{
 };
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use pipeline::Pipeline;
-pub use recorder::{Exchanges, Recorder, RecorderReport, StatusSampling, Track};
+pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop, StatusProblem, Target};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;

@@ -13,7 +13,7 @@ mod state;
 mod wait;
 
 use std::borrow::Cow;
-use std::io::{self, ErrorKind};
+use std::io;
 use std::net::{Shutdown, SocketAddr, TcpStream};
 use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
@@ -94,7 +94,7 @@ impl Link {
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
         let state = self.lock();
-        state.stream.as_ref().map_or_else(|| Err(ErrorKind::NotConnected.into()), |stream| stream.peer_addr())
+        state.stream.as_ref().map_or_else(|| Err(io::ErrorKind::NotConnected.into()), |stream| stream.peer_addr())
     }
 
     /// A thread that panicked while it held the lock left the state as it was: every change is made whole.

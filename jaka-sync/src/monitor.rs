@@ -29,7 +29,7 @@ use self::subscription::Queue;
 pub use self::subscription::Subscription;
 use crate::recorder::{self, Tap};
 use crate::sync::{Condvar, Mutex, MutexGuard};
-use crate::{Config, Disconnect, Error, Exchanges, StatusProblem};
+use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
 ///
@@ -173,7 +173,7 @@ impl Monitor<RobotStatus> {
     /// Connects to a controller's status port: `10.5.5.100`, or an address with a port.
     ///
     /// # Errors
-    /// [`Error::Connect`] if nobody answers there within the connect timeout.
+    /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().monitor(address)
     }
@@ -187,7 +187,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let thread = builder.spawn(move || worker.run((stream, tap)));
-        let thread = thread.map_err(|source| Error::Connect { address: address.to_owned(), source })?;
+        let thread = thread.map_err(|source| ErrorKind::Connect { address: address.to_owned(), source })?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, thread: Some(thread), timeout, stale_after })
     }
@@ -197,7 +197,7 @@ impl<S: 'static> Monitor<S> {
     /// The newest packet, if one has come.
     ///
     /// # Errors
-    /// [`Error::Disconnected`] if the connection has ended, so that old news is not taken for new.
+    /// [`ErrorKind::Disconnected`] if the connection has ended, so that old news is not taken for new.
     pub fn latest(&self) -> Result<Option<Arc<Snapshot<S>>>, Error> {
         let state = self.board.lock();
         ended(&state)?;
@@ -243,7 +243,7 @@ impl<S: 'static> Monitor<S> {
     /// Waits for the next packet that comes.
     ///
     /// # Errors
-    /// [`Error::StatusTimeout`] after the reply timeout; [`Error::Disconnected`] if the connection has ended.
+    /// [`ErrorKind::StatusTimeout`] after the reply timeout; [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn next(&self) -> Result<Arc<Snapshot<S>>, Error> {
         let now = self.last().map_or(0, |snapshot| snapshot.number);
         self.wait_for(self.timeout, |snapshot| snapshot.number > now)
@@ -252,8 +252,8 @@ impl<S: 'static> Monitor<S> {
     /// Waits until a packet says what `wanted` asks for; the newest one counts, unless it is stale.
     ///
     /// # Errors
-    /// After `timeout` [`Error::StateTimeout`] if packets came and said something else, [`Error::UnexpectedStatus`] if they could not
-    /// be read, [`Error::StatusTimeout`] if none came. [`Error::Disconnected`] if the connection has ended.
+    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came and said something else, [`ErrorKind::UnexpectedStatus`] if they could not
+    /// be read, [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
@@ -305,15 +305,14 @@ impl<S: 'static> Monitor<S> {
 
     /// The error for a state that did not come, or for packets that did not.
     fn not_in_time(&self, after: Duration, before: u64) -> Error {
-        let (packets, exchanges) = (self.statistics().packets.saturating_sub(before), Exchanges::default());
+        let packets = self.statistics().packets.saturating_sub(before);
         let state = self.board.lock();
-        state.tap.attach(match (state.unfit.clone(), &state.latest) {
-            (Some(source), _) => Error::UnexpectedStatus { source, exchanges },
-            (None, Some(last)) if packets > 0 => {
-                Error::StateTimeout { after, packets, says: in_words(last), exchanges }
-            }
-            _ => Error::StatusTimeout { after, exchanges },
-        })
+        let kind = match (state.unfit.clone(), &state.latest) {
+            (Some(source), _) => ErrorKind::UnexpectedStatus { source },
+            (None, Some(last)) if packets > 0 => ErrorKind::StateTimeout { after, packets, says: in_words(last) },
+            _ => ErrorKind::StatusTimeout { after },
+        };
+        state.tap.attach(kind.into())
     }
 
     /// Every packet from now on, in a queue of at most `capacity`; if it is full, the oldest is dropped and counted.
@@ -388,11 +387,8 @@ pub(crate) fn in_words<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
 }
 
 fn ended<S>(state: &State<S>) -> Result<(), Error> {
-    let cause = state.ended.clone();
-    let exchanges = Exchanges::default();
-    cause.map_or(Ok(()), |cause| {
-        Err(state.tap.attach(Error::Disconnected { command: None, sent: false, cause, exchanges }))
-    })
+    let disconnected = |cause| ErrorKind::Disconnected { command: None, sent: false, cause };
+    state.ended.clone().map_or(Ok(()), |cause| Err(state.tap.attach(disconnected(cause).into())))
 }
 
 impl<S> Drop for Monitor<S> {

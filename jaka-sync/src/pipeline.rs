@@ -61,11 +61,11 @@ impl<'c> Pipeline<'c> {
     /// Sends a command. Where the window is full, waits first until half of it has been answered.
     ///
     /// # Errors
-    /// - [`Error::InvalidArgument`], [`Error::NotInFirmware`]: as [`Client::call`].
-    /// - [`Error::Refused`], [`Error::Timeout`], [`Error::ReplyLost`], [`Error::UnexpectedReply`]: what became of an earlier
+    /// - [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument), [`ErrorKind::NotInFirmware`](crate::ErrorKind::NotInFirmware): as [`Client::call`].
+    /// - [`ErrorKind::Refused`](crate::ErrorKind::Refused), [`ErrorKind::Timeout`](crate::ErrorKind::Timeout), [`ErrorKind::ReplyLost`](crate::ErrorKind::ReplyLost), [`ErrorKind::UnexpectedReply`](crate::ErrorKind::UnexpectedReply): what became of an earlier
     ///   command, which the error names. Each is told once.
-    /// - [`Error::Disconnected`]: the connection is broken for good; what was outstanding may have run.
-    /// - [`Error::NotSentInTime`]: the controller took in too little, or answered too little, for this one to be sent.
+    /// - [`ErrorKind::Disconnected`](crate::ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have run.
+    /// - [`ErrorKind::NotSentInTime`](crate::ErrorKind::NotSentInTime): the controller took in too little, or answered too little, for this one to be sent.
     ///
     /// After an error, this command was not sent, unless the error is `Disconnected` and says so.
     pub fn send<C: Command<Reply = ()>>(&mut self, command: &C) -> Result<(), Error> {
@@ -76,7 +76,7 @@ impl<'c> Pipeline<'c> {
     ///
     /// # Errors
     /// As [`send`](Self::send); [`sent`](Self::sent) tells how many have gone out. If one of the commands is an
-    /// [`InvalidArgument`](Error::InvalidArgument), none of those was sent that the window had room for together with it.
+    /// [`InvalidArgument`](crate::ErrorKind::InvalidArgument), none of those was sent that the window had room for together with it.
     pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
         let mut rest = commands;
         while !rest.is_empty() {

@@ -18,7 +18,6 @@ use std::time::{Duration, Instant, SystemTime};
 use jaka_proto::recording::{Entry, Header};
 use jaka_proto::wire::Writer;
 
-pub use self::exchanges::Exchanges;
 pub(crate) use self::exchanges::show;
 use self::queue::Queue;
 pub use self::sampling::StatusSampling;

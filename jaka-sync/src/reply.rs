@@ -5,7 +5,7 @@ use std::fmt;
 use jaka_proto::wire::{DecodeError, Fields};
 use jaka_proto::{CommandInfo, Envelope, read_payload, read_reply};
 
-use crate::{Error, Exchanges};
+use crate::{Error, ErrorKind};
 
 /// What a reply says beside its payload.
 #[derive(Debug)]
@@ -27,7 +27,7 @@ impl<'a> Reply<'a> {
         };
         if let Some(mut refusal) = envelope.refusal() {
             command.clone_into(&mut refusal.command);
-            return Err(Error::Refused { refusal, exchanges: Exchanges::default() });
+            return Err(ErrorKind::Refused { refusal, explanation: None }.into());
         }
         envelope.code.map(drop).map_err(|source| unexpected(command, source))
     }
@@ -35,7 +35,7 @@ impl<'a> Reply<'a> {
 
 /// The error for a reply that does not fit the spec.
 pub(crate) fn unexpected(command: &str, source: DecodeError) -> Error {
-    Error::UnexpectedReply { command: command.to_owned(), source, exchanges: Exchanges::default() }
+    ErrorKind::UnexpectedReply { command: command.to_owned(), source }.into()
 }
 
 /// What a call makes of the reply that it waits for, in the pass that reads whose reply it is.

@@ -29,7 +29,7 @@ use self::stops::Stops;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
-use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
+use crate::{Client, Config, Error, ErrorKind, Monitor, ServoConfig, ServoSession};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
 ///
@@ -63,7 +63,7 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 ///
 /// After a protective stop, an emergency stop or a silent status port, motions are refused until
 /// [`acknowledge`](Self::acknowledge) is called: somebody should have looked first. They are refused also while the status is
-/// stale, missing or unreadable ([`Error::StatusUnknown`]). Nothing is ever sent again, or enabled again, on its own.
+/// stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or enabled again, on its own.
 #[derive(Debug)]
 pub struct Robot {
     client: Client,
@@ -89,7 +89,7 @@ impl Robot {
     /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
     ///
     /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`]; [`Error::PortInAddress`] where the address names a port, which can be only one of
+    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] where the address names a port, which can be only one of
     /// the two. [`Config::connect_robot`] takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().robot(address)
@@ -176,9 +176,9 @@ impl Robot {
     /// Where a motion by an offset is the first, the controller is asked before where the arm is.
     ///
     /// # Errors
-    /// As [`Client::call`]. Nothing that moves the arm was sent after [`Error::NotAcknowledged`] (a stop or a silent status has not
-    /// been acknowledged), [`Error::StatusUnknown`] (the status is stale, missing or unreadable), [`Error::NotReady`] (the newest
-    /// packet shows a stop) and [`Error::NotSentInTime`].
+    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
+    /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
+    /// packet shows a stop) and [`ErrorKind::NotSentInTime`].
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO))
     }
@@ -291,7 +291,7 @@ impl Robot {
 }
 
 fn not_latched(latch: Option<Outcome>) -> Result<(), Error> {
-    latch.map_or(Ok(()), |outcome| Err(Error::NotAcknowledged { outcome: Box::new(outcome) }))
+    latch.map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
 }
 
 fn lock(latched: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {

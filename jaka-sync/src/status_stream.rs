@@ -13,7 +13,7 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
 use crate::resync::{record_lost, resync};
-use crate::{Config, Disconnect, Error, Exchanges, ports};
+use crate::{Config, Disconnect, Error, ErrorKind, ports};
 
 /// A reader of the status packets that a controller sends on port 10000.
 ///
@@ -50,7 +50,7 @@ impl StatusStream {
     /// Connects to a controller's status port: `10.5.5.100`, or an address with a port.
     ///
     /// # Errors
-    /// [`Error::Connect`] if nobody answers there within the connect timeout.
+    /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect_status(address)
     }
@@ -73,10 +73,10 @@ impl StatusStream {
     /// The next packet that has not been read yet, which may be old.
     ///
     /// # Errors
-    /// - [`StatusTimeout`](Error::StatusTimeout): no packet within the reply timeout.
-    /// - [`UnexpectedStatus`](Error::UnexpectedStatus): a packet is no JSON object, or a [`Decode`] of your own refuses it; its
+    /// - [`StatusTimeout`](ErrorKind::StatusTimeout): no packet within the reply timeout.
+    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is no JSON object, or a [`Decode`] of your own refuses it; its
     ///   text is kept.
-    /// - [`Disconnected`](Error::Disconnected): the stream is broken for good.
+    /// - [`Disconnected`](ErrorKind::Disconnected): the stream is broken for good.
     pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
         self.next_packet_as()
     }
@@ -156,7 +156,7 @@ impl StatusStream {
     }
 
     fn unexpected(&self, source: DecodeError) -> Error {
-        self.tap.attach(Error::UnexpectedStatus { source, exchanges: Exchanges::default() })
+        self.tap.attach(ErrorKind::UnexpectedStatus { source }.into())
     }
 
     /// Waits for a packet and keeps its text.
@@ -255,12 +255,11 @@ impl StatusStream {
     }
 
     fn disconnected(&self, cause: Arc<Disconnect>) -> Error {
-        let exchanges = Exchanges::default();
-        self.tap.attach(Error::Disconnected { command: None, sent: false, cause, exchanges })
+        self.tap.attach(ErrorKind::Disconnected { command: None, sent: false, cause }.into())
     }
 
     fn time_up(&self) -> Error {
-        self.tap.attach(Error::StatusTimeout { after: self.timeout, exchanges: Exchanges::default() })
+        self.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into())
     }
 }
 

@@ -1,14 +1,14 @@
 //! A client and many stop handles at once, with a server that answers when it likes: every call ends, and no query gets the
 //! reply to another.
 
-use std::io::{ErrorKind, Read, Write};
+use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
 use jaka_proto::framing::Framer;
-use jaka_sync::{Client, Config, Error, StopHandle};
+use jaka_sync::{Client, Config, Error, ErrorKind, StopHandle};
 use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 use serde_json::{Value, json};
@@ -40,11 +40,11 @@ struct Tally {
 fn call_on(mut call: impl FnMut(u32) -> Result<(), Error>) -> Tally {
     let mut tally = Tally::default();
     for number in 0.. {
-        match call(number) {
+        match call(number).as_ref().map_err(Error::kind) {
             Ok(()) => tally.answered += 1,
-            Err(Error::Timeout { .. } | Error::NotSentInTime { .. }) => tally.timeouts += 1,
-            Err(Error::ReplyLost { .. }) => tally.lost += 1,
-            Err(Error::Disconnected { .. }) => break,
+            Err(ErrorKind::Timeout { .. } | ErrorKind::NotSentInTime { .. }) => tally.timeouts += 1,
+            Err(ErrorKind::ReplyLost { .. }) => tally.lost += 1,
+            Err(ErrorKind::Disconnected { .. }) => break,
             Err(other) => panic!("no call may end with {other:?}"),
         }
     }
@@ -91,7 +91,7 @@ fn serve(mut stream: &TcpStream, random: &mut TestRng) -> u32 {
         match stream.read(framer.spare()) {
             Ok(0) => return answered,
             Ok(count) => framer.filled(count),
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+            Err(error) if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => {
                 if stream.write_all(&std::mem::take(&mut out)).is_err() {
                     return answered;
                 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::Mistrust;
 use jaka_proto::framing::FrameError;
 use jaka_sim::{Controller, Fault};
-use jaka_sync::{Client, Config, Disconnect, Error, ErrorCode};
+use jaka_sync::{Client, Config, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::json;
 
 /// Short, but long enough for a busy machine: no test fails for taking longer, only for never ending.
@@ -54,8 +54,8 @@ fn assert_broken(controller: &Controller, client: &mut Client, cause: &str) {
 
 /// The cause of a broken connection, of a call that had been sent.
 fn cause_of(error: Error) -> String {
-    match error {
-        Error::Disconnected { command: Some(_), sent: true, cause, .. } => format!("{cause:?}"),
+    match error.kind() {
+        ErrorKind::Disconnected { command: Some(_), sent: true, cause, .. } => format!("{cause:?}"),
         other => panic!("the connection should be broken: {other:?}"),
     }
 }
@@ -68,7 +68,7 @@ fn refused_connect() {
     let error = Client::connect(address).expect_err("nobody listens");
     assert!(error.is_connect() && !error.may_have_run());
     assert_eq!(error.to_string(), format!("cannot connect to {address}"));
-    let Error::Connect { source, .. } = error else { panic!("it is a connect error") };
+    let ErrorKind::Connect { source, .. } = error.kind() else { panic!("it is a connect error") };
     assert_eq!(source.kind(), std::io::ErrorKind::ConnectionRefused);
 }
 
@@ -101,7 +101,7 @@ fn connect_timeout() {
         })
         .expect("a backlog of one is full after a few connections");
     assert!(since.elapsed() < Duration::from_secs(60));
-    let Error::Connect { source, .. } = error else { panic!("it is a connect error") };
+    let ErrorKind::Connect { source, .. } = error.kind() else { panic!("it is a connect error") };
     assert_eq!(source.kind(), std::io::ErrorKind::TimedOut);
 }
 
@@ -224,7 +224,7 @@ fn reply_that_comes_twice() {
 fn garbage_instead_of_a_reply() {
     let (controller, mut client) = patient(Fault::Instead(b"HTTP/1.1 400 Bad Request\r\n".to_vec()));
     let error = client.get_joint_pos().expect_err("that is no reply");
-    let Error::Disconnected { cause, .. } = &error else { panic!("it breaks the connection: {error:?}") };
+    let ErrorKind::Disconnected { cause, .. } = error.kind() else { panic!("it breaks the connection: {error:?}") };
     assert!(matches!(&**cause, Disconnect::Frame(FrameError::Garbage { .. })));
     assert!(cause.to_string().contains("HTTP/1.1 400 Bad Request"), "{cause}");
     assert_broken(&controller, &mut client, "HTTP/1.1 400 Bad Request");
@@ -269,7 +269,7 @@ fn reply_that_does_not_fit_the_spec() {
     let (controller, mut client) = patient(Fault::Instead(reply.to_vec()));
     let error = client.get_joint_pos().expect_err("three joints are not six");
     assert!(!error.is_disconnected());
-    assert_eq!(error.to_string(), "`get_joint_pos` was accepted, but its reply does not fit the spec");
+    assert_eq!(error.to_string(), "`get_joint_pos` was not refused, but its reply does not fit the spec");
     let source = std::error::Error::source(&error).expect("the field is named");
     assert_eq!(source.to_string(), "field `joint_position`: expected an array of 6, found `[1, 2, 3]`");
     assert_eq!(client.last_reply().map(str::as_bytes), Some(reply.as_slice()));

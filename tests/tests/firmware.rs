@@ -6,7 +6,9 @@ use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
 use jaka_sim::{Controller, Fault};
-use jaka_sync::{Client, Config, Error, FirmwareVersion, Monitor, Motion, NotInFirmware, Outcome, Robot, Target};
+use jaka_sync::{
+    Client, Config, Error, ErrorKind, FirmwareVersion, Monitor, Motion, NotInFirmware, Outcome, Robot, Target,
+};
 use serde_json::json;
 
 jaka_sync::pack!("data/fan.toml");
@@ -36,8 +38,8 @@ fn says(controller: &Controller, version: &str) {
 }
 
 fn missing(result: Result<(), Error>) -> NotInFirmware {
-    match result {
-        Err(Error::NotInFirmware(missing)) => missing,
+    match result.map_err(Error::into_kind) {
+        Err(ErrorKind::NotInFirmware(missing)) => missing,
         other => panic!("the firmware does not have it, not {other:?}"),
     }
 }
@@ -100,7 +102,7 @@ fn a_version_that_cannot_be_read_is_an_error_and_changes_nothing() {
     let (controller, mut client) = connected();
     says(&controller, "development build");
     let error = client.check_firmware().expect_err("it is no version");
-    assert_eq!(error.to_string(), "`get_version` was accepted, but its reply does not fit the spec");
+    assert_eq!(error.to_string(), "`get_version` was not refused, but its reply does not fit the spec");
     let source = std::error::Error::source(&error).expect("the field is told");
     assert_eq!(
         source.to_string(),

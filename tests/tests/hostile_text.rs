@@ -10,7 +10,7 @@ use jaka_proto::text::is_visible;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{ErrorCode, FirmwareVersion, Mistrust, Refusal};
 use jaka_sim::{Controller, Fault};
-use jaka_sync::{Client, Config, Disconnect, Error, Exchanges, Explanation, Outcome, Recorder, StatusStream};
+use jaka_sync::{Client, Config, Disconnect, Error, ErrorKind, Explanation, Outcome, Recorder, StatusStream};
 
 /// A character of each kind that a terminal or an editor acts on.
 const HOSTILE: &str = "\u{1b}[2J\u{7}\r\n\u{85}\u{9b}31m\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}";
@@ -41,24 +41,24 @@ fn no_error_shows_a_controller_s_text_raw() {
         Disconnect::Ended { by: HOSTILE.to_owned() },
     ]
     .map(Arc::new);
-    let exchanges = Exchanges::default;
     let (command, source) = (HOSTILE.to_owned(), unfit());
-    let mut errors = vec![
-        Error::Refused { refusal: refusal(), exchanges: exchanges() },
-        Error::RefusedBecause { refusal: refusal(), explanation: Explanation::NotPowered, exchanges: exchanges() },
-        Error::Timeout { command: command.clone(), after: Duration::ZERO, exchanges: exchanges() },
-        Error::ReplyLost { command: command.clone(), exchanges: exchanges() },
-        Error::UnexpectedReply { command: command.clone(), source: source.clone(), exchanges: exchanges() },
-        Error::UnexpectedStatus { source, exchanges: exchanges() },
+    let mut kinds = vec![
+        ErrorKind::Refused { refusal: refusal(), explanation: None },
+        ErrorKind::Refused { refusal: refusal(), explanation: Some(Explanation::NotPowered) },
+        ErrorKind::Timeout { command: command.clone(), after: Duration::ZERO },
+        ErrorKind::ReplyLost { command: command.clone() },
+        ErrorKind::UnexpectedReply { command: command.clone(), source: source.clone() },
+        ErrorKind::UnexpectedStatus { source },
     ];
     for cause in causes {
         let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)), unreadable: None };
-        errors.push(Error::NotAcknowledged { outcome: Box::new(outcome) });
-        errors.push(Error::Disconnected { command: Some(command.clone()), sent: true, cause, exchanges: exchanges() });
+        kinds.push(ErrorKind::NotAcknowledged { outcome });
+        kinds.push(ErrorKind::Disconnected { command: Some(command.clone()), sent: true, cause });
     }
     let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), event: None, message: HOSTILE.to_owned() };
     assert_visible("an outcome", &outcome.to_string());
-    errors.push(Error::NotAcknowledged { outcome: Box::new(outcome) });
+    kinds.push(ErrorKind::NotAcknowledged { outcome });
+    let errors: Vec<Error> = kinds.into_iter().map(Error::from).collect();
     for error in &errors {
         let sources = std::iter::successors(Some(error as &dyn StdError), |&error| error.source());
         sources.for_each(|part| assert_visible(&format!("{error:?}"), &part.to_string()));

@@ -10,7 +10,7 @@ use jaka_proto::framing::{self, Framer};
 use jaka_proto::{Envelope, ErrorCode};
 use jaka_sync::servo::ServoJ;
 use jaka_sync::types::MoveMode;
-use jaka_sync::{Client, Config, Disconnect, Error};
+use jaka_sync::{Client, Config, Disconnect, ErrorKind};
 use serde_json::json;
 
 /// Longer than anything takes.
@@ -101,7 +101,7 @@ fn an_odd_payload_is_an_unexpected_reply() {
         let before = r#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_joint_pos", "joint_pos": "#;
         let mut client = client(reply(before, &odd, "}"));
         let error = client.get_joint_pos().expect_err("that is no position");
-        assert!(matches!(error, Error::UnexpectedReply { .. }) && error.may_have_run(), "{error:?}");
+        assert!(matches!(error.kind(), ErrorKind::UnexpectedReply { .. }) && error.may_have_run(), "{error:?}");
         let kept = client.last_reply().expect("it is kept").to_owned();
         assert_eq!(kept, framing::text(&reply(before, &odd, "}")));
         assert_usable(&mut client);
@@ -131,7 +131,7 @@ fn a_code_that_is_odd_is_never_a_success() {
         let mut client = client(reply(r#"{"errorCode": "#, &code, r#", "errorMsg": "", "cmdName": "enable_robot"}"#));
         let error = client.enable_robot().expect_err("that is no success");
         let shown = String::from_utf8_lossy(&code);
-        assert!(matches!(error, Error::UnexpectedReply { .. }), "{shown}: {error:?}");
+        assert!(matches!(error.kind(), ErrorKind::UnexpectedReply { .. }), "{shown}: {error:?}");
         assert!(error.may_have_run(), "{shown}");
         assert_usable(&mut client);
     }
@@ -148,7 +148,7 @@ fn a_name_that_is_odd_is_none() {
         assert_usable(&mut refused);
         let before = r#"{"errorCode": "0", "joint_pos": [6, 5, 4, 3, 2, 1], "cmdName": "#;
         let error = client(reply(before, &name, "}")).get_joint_pos().expect_err("it may be anybody's");
-        let Error::Disconnected { cause, .. } = &error else { panic!("{error:?}") };
+        let ErrorKind::Disconnected { cause, .. } = error.kind() else { panic!("{error:?}") };
         assert!(matches!(**cause, Disconnect::Mistrust(_)), "{error:?}");
     }
 }
@@ -160,7 +160,7 @@ fn raw_calls_get_json_or_an_error_and_text_calls_the_text() {
         let bytes = reply(r#"{"new": "#, &odd, behind);
         let mut raw = client(&bytes);
         let error = raw.call_raw("look", &json!({})).expect_err("that is not JSON throughout");
-        assert!(matches!(error, Error::UnexpectedReply { .. }), "{error:?}");
+        assert!(matches!(error.kind(), ErrorKind::UnexpectedReply { .. }), "{error:?}");
         assert_eq!(raw.last_reply(), Some(&*framing::text(&bytes)));
         assert_usable(&mut raw);
         let mut text = client(&bytes);
@@ -191,7 +191,7 @@ fn what_is_no_object_breaks_the_connection() {
         [r#"{"errorCode": [0}"#, r#"{"errorCode": "0" "cmdName": "get_joint_pos"}"#, "{errorCode: 0}", r#"{"x": {]}}"#]
     {
         let error = client(bytes).get_joint_pos().expect_err("that is no object");
-        let Error::Disconnected { cause, .. } = &error else { panic!("{error:?}") };
+        let ErrorKind::Disconnected { cause, .. } = error.kind() else { panic!("{error:?}") };
         assert!(matches!(**cause, Disconnect::NotJson(_)), "{error:?}");
     }
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::wire::DecodeError;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Config, Error, Monitor, StatusStream};
+use jaka_sync::{Config, ErrorKind, Monitor, StatusStream};
 
 /// Longer than anything takes.
 const LONG: Duration = Duration::from_secs(30);
@@ -125,7 +125,7 @@ fn what_is_no_object_is_an_error_and_the_stream_goes_on() {
     for odd in [r#"{"len": [0}"#, r#"{"len": 5 "enabled": true}"#, "{len: 5}", r#"{"x": {]}}"#] {
         send(&controller, odd);
         let error = status.next_packet().expect_err(odd);
-        assert!(matches!(error, Error::UnexpectedStatus { .. }), "{odd}: {error:?}");
+        assert!(matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }), "{odd}: {error:?}");
         assert_eq!(status.last_packet(), Some(odd));
     }
     send(&controller, br#"{"len": 28, "enabled": true}"#);

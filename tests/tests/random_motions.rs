@@ -11,7 +11,8 @@ use jaka_sim::{Controller, Delays, Habit, Port, State};
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
 use jaka_sync::{
-    Command, Config, Error, Monitor, MotionEnd, Outcome, Robot, RobotStop, ServoConfig, ServoSession, StopHandle,
+    Command, Config, Error, ErrorKind, Monitor, MotionEnd, Outcome, Robot, RobotStop, ServoConfig, ServoSession,
+    StopHandle,
 };
 use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
@@ -373,11 +374,11 @@ fn check_sent(rig: &mut Rig, started: &[Result<(), Error>], before: usize, what:
     let (mut least, mut most) = (accepted, accepted);
     if let Some(error) = failed {
         let allowed = matches!(
-            error,
-            Error::NotAcknowledged { .. }
-                | Error::StatusUnknown { .. }
-                | Error::Timeout { .. }
-                | Error::Disconnected { .. }
+            error.kind(),
+            ErrorKind::NotAcknowledged { .. }
+                | ErrorKind::StatusUnknown { .. }
+                | ErrorKind::Timeout { .. }
+                | ErrorKind::Disconnected { .. }
         );
         assert!(allowed || error.is_refused(), "{what}: {error:?}");
         rig.tally.refused += 1;

@@ -9,7 +9,7 @@ use jaka_sim::{Controller, Delays, Deviation, Fault, Replay, ReplayTiming};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
-use jaka_sync::{Client, Config, Error, Monitor, Recorder, StatusSampling};
+use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Recorder, StatusSampling};
 use jaka_tests::{Tape, events, recorded};
 use serde_json::json;
 
@@ -195,7 +195,7 @@ fn errors_of_each_kind_have_the_last_messages() {
         with(&client.call_within(&GetVersion, SHORT).expect_err("no reply comes"), 1);
         robot.inject(Fault::Instead(br#"{"errorCode": "0", "cmdName": "get_joint_pos"}"#.to_vec()));
         let unexpected = client.get_joint_pos().expect_err("the position is missing");
-        assert!(matches!(unexpected, Error::UnexpectedReply { .. }));
+        assert!(matches!(unexpected.kind(), ErrorKind::UnexpectedReply { .. }));
         with(&unexpected, 3);
         robot.disconnect();
         let lost = client.get_version().expect_err("the connection is lost");

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use jaka_sim::{Controller, Delays, Fault, StatusFault};
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::MoveMode;
-use jaka_sync::{Client, Config, Error, Monitor, Outcome, Robot, RobotStop, ServoConfig};
+use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Outcome, Robot, RobotStop, ServoConfig};
 
 /// No call may take longer than its deadline by more than this, on a busy machine.
 const SLACK: Duration = Duration::from_secs(20);
@@ -106,7 +106,7 @@ fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
             // The connection is broken: no set-point has gone out after the one that showed it.
             (Some(error), _) | (None, Err(error)) => {
                 let ends = error.is_disconnected()
-                    || matches!(error, Error::NotAcknowledged { .. } | Error::ServoModeNotLeft { .. });
+                    || matches!(error.kind(), ErrorKind::NotAcknowledged { .. } | ErrorKind::ServoModeNotLeft { .. });
                 assert!(ends || error.may_have_run(), "{fault}: {error:?}");
                 assert!(sent <= 20, "{fault}");
             }

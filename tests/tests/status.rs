@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_sim::Controller;
-use jaka_sync::{Config, Disconnect, Error, StatusStream};
+use jaka_sync::{Config, Disconnect, ErrorKind, StatusStream};
 
 /// A controller that sends packets only when told to, but for the first one.
 fn quiet() -> (Controller, StatusStream) {
@@ -131,7 +131,9 @@ fn text_lines_of_very_old_firmware_are_told_clearly() {
     controller.send_status(b"joint_actual_position:(0,0,0,0,0,0)\n");
     for _ in 0..2 {
         let error = status.next_packet().expect_err("that is no packet");
-        let Error::Disconnected { command: None, cause, .. } = &error else { panic!("it is told apart: {error:?}") };
+        let ErrorKind::Disconnected { command: None, cause, .. } = error.kind() else {
+            panic!("it is told apart: {error:?}")
+        };
         assert!(matches!(**cause, Disconnect::Frame(_)));
         assert!(cause.to_string().contains("only very old versions do"), "{cause}");
     }

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use clap::{ArgGroup, Args};
 use jaka_sync::recording::Port;
-use jaka_sync::{Error, Recorder, RecorderReport, StatusSampling, StatusStream};
+use jaka_sync::{ErrorKind, Recorder, RecorderReport, StatusSampling, StatusStream};
 
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
@@ -144,7 +144,7 @@ impl Record {
 /// Reads so many packets, also such as do not fit the spec.
 fn read(stream: &mut StatusStream, count: u64) -> Result<(), Failure> {
     (0..count).try_for_each(|_| match stream.next_packet() {
-        Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(()),
-        Err(error) => Err(error.into()),
+        Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => Err(error.into()),
+        _ => Ok(()),
     })
 }

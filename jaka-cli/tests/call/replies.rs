@@ -187,7 +187,7 @@ fn a_reply_that_cannot_be_read_says_where() {
     let run = call(&controller, "get_joint_pos");
     expect![[r#"
         joint_position  none
-        jaka: `get_joint_pos` was accepted, but its reply does not fit the spec: field `joint_pos`: expected an array of 6, each a number (in deg), found `"none"`
+        jaka: `get_joint_pos` was not refused, but its reply does not fit the spec: field `joint_pos`: expected an array of 6, each a number (in deg), found `"none"`
         exit code 4
     "#]].assert_eq(&run.text());
 }

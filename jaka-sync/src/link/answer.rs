@@ -6,7 +6,7 @@ use jaka_proto::Ticket;
 use jaka_proto::wire::DecodeError;
 
 use crate::reply::{self, Payload, Reply};
-use crate::{Disconnect, Error, Exchanges};
+use crate::{Disconnect, Error, ErrorKind};
 
 /// What became of a command, told to the thread that waits for it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -83,7 +83,7 @@ impl<'s, 'r> Caller<'s, 'r> {
 }
 
 pub(super) fn lost(command: &str) -> Error {
-    Error::ReplyLost { command: command.to_owned(), exchanges: Exchanges::default() }
+    ErrorKind::ReplyLost { command: command.to_owned() }.into()
 }
 
 /// Whether a command was on the wire when its connection was broken.
@@ -95,5 +95,5 @@ pub(super) enum Progress {
 
 pub(super) fn disconnected(command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
     let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
-    Error::Disconnected { command, sent, cause, exchanges: Exchanges::default() }
+    ErrorKind::Disconnected { command, sent, cause }.into()
 }

@@ -1,7 +1,7 @@
 //! The sending half of a connection, and whose turn it is to send.
 
 use std::borrow::Cow;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::net::TcpStream;
 use std::sync::MutexGuard;
 use std::sync::atomic::Ordering;
@@ -13,7 +13,7 @@ use jaka_proto::wire::Writer;
 use super::answer::{Progress, disconnected};
 use super::state::{Mode, State};
 use super::{FRAME_COMMANDS, Gate, Link};
-use crate::{Disconnect, Error, Exchanges};
+use crate::{Disconnect, Error, ErrorKind};
 
 /// About how much goes out in one write: behind it a stop can go out.
 const PIECE: usize = 4096;
@@ -85,8 +85,7 @@ impl Dispatch<'_> {
     }
 
     fn not_sent(&self) -> Error {
-        let (command, after) = (self.command.to_owned(), self.timeout);
-        Error::NotSentInTime { command, after, exchanges: Exchanges::default() }
+        ErrorKind::NotSentInTime { command: self.command.to_owned(), after: self.timeout }.into()
     }
 }
 
@@ -218,11 +217,11 @@ impl Link {
             }
             outbound.timeout.set(stream, left)?;
             match stream.write(&bytes[written..]) {
-                Ok(0) => return Err(ErrorKind::WriteZero.into()),
+                Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
                 Ok(len) => written += len,
                 Err(error) => match error.kind() {
-                    ErrorKind::Interrupted => {}
-                    ErrorKind::WouldBlock | ErrorKind::TimedOut => {
+                    io::ErrorKind::Interrupted => {}
+                    io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => {
                         self.wait_in_writes()?;
                         outbound.timeout.lengthen(stream, dispatch.left())?;
                     }
@@ -237,7 +236,7 @@ impl Link {
     fn wait_in_writes(&self) -> io::Result<()> {
         let mut state = self.lock();
         if state.broken.is_some() {
-            return Err(ErrorKind::NotConnected.into());
+            return Err(io::ErrorKind::NotConnected.into());
         }
         Self::switch(&mut state, Mode::Blocking)
     }
@@ -261,9 +260,10 @@ impl Link {
                 Ok(()) => return Err(dispatch.not_sent()),
                 Err(cause) => cause,
             },
-            Ok(_) => {
-                Disconnect::Write(io::Error::new(ErrorKind::TimedOut, "a command was written in part by its deadline"))
-            }
+            Ok(_) => Disconnect::Write(io::Error::new(
+                io::ErrorKind::TimedOut,
+                "a command was written in part by its deadline",
+            )),
             Err(source) => Disconnect::Write(source),
         };
         Err(disconnected(dispatch.command, Progress::Sent, self.break_off(state, cause)))

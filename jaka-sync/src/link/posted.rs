@@ -8,7 +8,7 @@ use jaka_proto::Ticket;
 use super::Link;
 use super::answer::{Caller, Progress, disconnected};
 use super::state::State;
-use crate::{Disconnect, Error, Exchanges};
+use crate::{Disconnect, Error, ErrorKind};
 
 /// How many replies a connection may be owed when a command is posted, with those that were given up: a stop behind more than that
 /// would be of little use, since the controller works off what came before it.
@@ -77,7 +77,7 @@ impl Posted {
 
 /// The error for a command whose reply has not come in time.
 pub(super) fn time_up(command: &str, after: Duration) -> Error {
-    Error::Timeout { command: command.to_owned(), after, exchanges: Exchanges::default() }
+    ErrorKind::Timeout { command: command.to_owned(), after }.into()
 }
 
 impl Link {
@@ -123,8 +123,8 @@ impl Link {
             self.check(&state, command, Progress::NotSent)?;
             let left = timeout.saturating_sub(since.elapsed());
             if left.is_zero() {
-                let (command, exchanges) = (command.to_owned(), Exchanges::default());
-                return Err(self.attach(Error::NotSentInTime { command, after: timeout, exchanges }));
+                let not_sent = ErrorKind::NotSentInTime { command: command.to_owned(), after: timeout };
+                return Err(self.attach(not_sent.into()));
             }
             state = self.turn(state, left, &mut Caller::nobody());
         }

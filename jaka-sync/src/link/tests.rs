@@ -12,6 +12,7 @@ use socket2::SockRef;
 
 use super::state::Mode;
 use super::*;
+use crate::ErrorKind;
 
 /// Far longer than anything takes unless something is wrong.
 const LONG: Duration = Duration::from_secs(60);

@@ -13,7 +13,7 @@ use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
 use crate::recorder::{self, Tap};
 use crate::resync;
-use crate::{Config, Disconnect, Error, ports};
+use crate::{Config, Disconnect, ErrorKind, ports};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
@@ -226,8 +226,11 @@ impl<S: Decode> Worker<S> {
             }
             match recorder::connect(&self.address, Port::Status, &self.config) {
                 Ok(connected) => return self.connected(connected),
-                Err(Error::Connect { source, .. }) => cause = Disconnect::Read(source),
-                Err(_) => {}
+                Err(error) => {
+                    if let ErrorKind::Connect { source, .. } = error.into_kind() {
+                        cause = Disconnect::Read(source);
+                    }
+                }
             }
         }
         self.board.lock().ended = Some(Arc::new(cause));

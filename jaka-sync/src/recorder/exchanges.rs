@@ -11,29 +11,6 @@ pub(super) const KEPT: usize = 8;
 /// How many characters of a message are shown.
 const SHOWN: usize = 300;
 
-/// The last messages of the connection on which a call failed, where recording was on: see
-/// [`Error::exchanges`](crate::Error::exchanges).
-#[derive(Default)]
-pub struct Exchanges(Option<Box<[Entry]>>);
-
-impl Exchanges {
-    pub(super) fn new(entries: Box<[Entry]>) -> Self {
-        Self(Some(entries))
-    }
-
-    /// The messages, oldest first.
-    pub(crate) fn entries(&self) -> &[Entry] {
-        self.0.as_deref().unwrap_or_default()
-    }
-}
-
-/// Only their number: errors are printed often, and the messages are long.
-impl fmt::Debug for Exchanges {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Exchanges({})", self.entries().len())
-    }
-}
-
 /// Writes messages, a line each; nothing if there are none.
 pub(crate) fn show(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if !entries.is_empty() {

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
 
-use super::exchanges::{Exchanges, KEPT};
+use super::exchanges::KEPT;
 use super::track::Track;
 use crate::{COMMAND_PORT, Config, Disconnect, Error, STATUS_PORT, address};
 
@@ -128,15 +128,12 @@ impl Tap {
     }
 
     /// The same error, with the last messages. One that no other entry tells of is recorded.
-    pub(crate) fn attach(&self, mut error: Error) -> Error {
+    pub(crate) fn attach(&self, error: Error) -> Error {
         let Some(connection) = &self.0 else { return error };
         if !error.is_refused() && !error.is_disconnected() {
             connection.track.record(Event::Error { text: with_source(&error) });
         }
-        if let Some(exchanges) = error.exchanges_mut() {
-            *exchanges = connection.exchanges();
-        }
-        error
+        error.with_exchanges(connection.exchanges())
     }
 }
 
@@ -161,8 +158,8 @@ impl Connection {
         state.last.push_back(Arc::clone(entry));
     }
 
-    fn exchanges(&self) -> Exchanges {
-        Exchanges::new(self.lock().last.iter().map(|entry| Entry::clone(entry)).collect())
+    fn exchanges(&self) -> Box<[Entry]> {
+        self.lock().last.iter().map(|entry| Entry::clone(entry)).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal, Request, Requirement};
 
 use super::Robot;
-use crate::Error;
+use crate::{Error, ErrorKind};
 
 /// How long the question for the state may take that explains a refusal.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -79,20 +79,19 @@ impl fmt::Display for Explanation {
 
 impl Robot {
     /// The same error, with the reason for a refusal where the robot's state tells it.
-    pub(super) fn explained(&mut self, error: Error, timeout: Duration) -> Error {
-        match (self.explain_within(&error, timeout), error) {
-            (Some(explanation), Error::Refused { refusal, exchanges }) => {
-                Error::RefusedBecause { refusal, explanation, exchanges }
-            }
-            (_, error) => error,
+    pub(super) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
+        let found = self.explain_within(&error, timeout);
+        if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
+            *explanation = found;
         }
+        error
     }
 
     /// Why the controller refused a command of the [`client`](Self::client), as far as its state tells, and what helps.
     ///
     /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than the
     /// refusal. Whether the robot is stopped, packets alone tell. Motions of the robot itself are explained in their error:
-    /// [`Error::RefusedBecause`].
+    /// [`ErrorKind::Refused`].
     pub fn explain(&mut self, error: &Error) -> Option<Explanation> {
         self.explain_within(error, PATIENCE.min(self.client.reply_timeout()))
     }

@@ -1,5 +1,6 @@
 //! How motions end.
 
+use std::error::Error as StdError;
 use std::fmt::{self, Write};
 use std::sync::Arc;
 use std::time::Duration;
@@ -62,6 +63,11 @@ impl Outcome {
     /// True if the arm is at rest, and nothing says that it is elsewhere than where it was sent.
     pub fn is_at_rest(&self) -> bool {
         matches!(self, Self::Reached | Self::AtRest)
+    }
+
+    /// What is below the error whose text is part of this one's.
+    pub(crate) fn cause(&self) -> Option<&(dyn StdError + 'static)> {
+        if let Self::StatusLost { cause: Some(cause), .. } = self { cause.source() } else { None }
     }
 
     /// True if the robot must not move again before somebody has looked at it.
@@ -155,4 +161,9 @@ impl fmt::Display for NotReached {
     }
 }
 
-impl std::error::Error for NotReached {}
+impl StdError for NotReached {
+    fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        let not_answered = self.0.not_answered.as_ref();
+        self.0.outcome.cause().or_else(|| not_answered.and_then(StdError::source))
+    }
+}

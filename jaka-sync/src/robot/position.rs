@@ -15,7 +15,7 @@ use super::target::{Place, Quantity};
 use super::wait::QUERY_PERIOD;
 use crate::link::Question;
 use crate::reply::{self, Typed};
-use crate::{Error, Exchanges};
+use crate::{Error, ErrorKind};
 
 /// A query whose answer has not been taken.
 #[derive(Debug)]
@@ -131,8 +131,8 @@ impl Robot {
     }
 
     fn no_position(&self, quantity: Quantity, after: Duration) -> Error {
-        let (command, exchanges) = (quantity.info().name.to_owned(), Exchanges::default());
-        self.client.link().attach(Error::Timeout { command, after, exchanges })
+        let command = quantity.info().name.to_owned();
+        self.client.link().attach(ErrorKind::Timeout { command, after }.into())
     }
 }
 

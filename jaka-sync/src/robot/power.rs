@@ -6,7 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::power::{EnableRobot, GetRobotState, GetRobotStateReply, PowerOn};
 
 use super::{Explanation, Robot};
-use crate::{Error, Exchanges, monitor};
+use crate::{Error, ErrorKind, monitor};
 
 /// How often the state is asked for.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
@@ -29,9 +29,9 @@ impl Robot {
     /// waits until the status packets say so too. Takes some 12 s as a rule.
     ///
     /// # Errors
-    /// - [`Error::NotReady`], at once: the emergency stop is pressed.
-    /// - [`Error::StateTimeout`]: the state did not come in time; with what the last packet says.
-    /// - [`Error::StatusTimeout`]: no status packet came.
+    /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
+    /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
+    /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Else as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
         let limit = Limit { since: Instant::now(), timeout };
@@ -84,7 +84,6 @@ impl Robot {
     fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
         let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
         let says = self.monitor.last().and_then(|last| monitor::in_words(&last));
-        let exchanges = Exchanges::default();
-        self.client.link().attach(Error::StateTimeout { after, packets, says, exchanges })
+        self.client.link().attach(ErrorKind::StateTimeout { after, packets, says }.into())
     }
 }

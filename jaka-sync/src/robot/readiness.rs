@@ -1,5 +1,6 @@
 //! Whether the robot's state is known well enough to move it: unknown is not good.
 
+use std::error::Error as StdError;
 use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
@@ -7,7 +8,7 @@ use std::time::Duration;
 use jaka_proto::wire::DecodeError;
 
 use super::{Explanation, Outcome, Robot, lock, trouble};
-use crate::{Disconnect, Error, Exchanges, Snapshot};
+use crate::{Disconnect, Error, ErrorKind, Snapshot};
 
 /// Why the state of a robot is not known.
 #[derive(Debug, Clone)]
@@ -64,6 +65,13 @@ impl fmt::Display for StatusProblem {
     }
 }
 
+/// The cause of [`Ended`](Self::Ended) is part of this one's text: its source is the source of that.
+impl StdError for StatusProblem {
+    fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        if let Self::Ended { cause } = self { cause.source() } else { None }
+    }
+}
+
 impl Robot {
     /// The newest packet, if it is fresh and can be read. Where none has come lately, waits a little for one.
     fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
@@ -116,9 +124,9 @@ fn check_stops(newest: &Snapshot) -> Result<(), Error> {
         Some(Outcome::EmergencyStop) => Explanation::EmergencyStop,
         Some(_) => Explanation::ProtectiveStop,
     };
-    Err(Error::NotReady { explanation, exchanges: Exchanges::default() })
+    Err(ErrorKind::NotReady { explanation }.into())
 }
 
 fn unknown(problem: StatusProblem) -> Error {
-    Error::StatusUnknown { problem, exchanges: Exchanges::default() }
+    ErrorKind::StatusUnknown { problem }.into()
 }

@@ -9,7 +9,7 @@ use jaka_proto::messages::types::{JointPosition, Switch};
 
 use super::pace::{CYCLE, Pace};
 use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
-use crate::{Error, Exchanges, Explanation, Robot};
+use crate::{Error, ErrorKind, Explanation, Robot};
 
 impl<'r> ServoSession<'r> {
     pub(crate) fn enter(robot: &'r mut Robot, config: &ServoConfig) -> Result<Self, Error> {
@@ -93,6 +93,6 @@ impl Robot {
 
     /// The error for what the robot's state keeps it from doing.
     pub(crate) fn not_ready(&mut self, explanation: Explanation) -> Error {
-        self.client().link().attach(Error::NotReady { explanation, exchanges: Exchanges::default() })
+        self.client().link().attach(ErrorKind::NotReady { explanation }.into())
     }
 }

@@ -10,7 +10,7 @@ use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
 use crate::link::Question;
 use crate::reply::TextAlone;
-use crate::{Disconnect, Error, Exchanges, Explanation};
+use crate::{Disconnect, Error, ErrorKind, Explanation};
 
 /// How long the last answers may take, and the end of servo mode behind set-points that are not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -19,12 +19,12 @@ impl ServoSession<'_> {
     /// Waits for the last answers and leaves servo mode.
     ///
     /// # Errors
-    /// As [`Client::call`](crate::Client::call), and [`Error::Refused`] if the controller refused a set-point. Servo mode is
-    /// left in any case, if it can be; [`Error::ServoModeNotLeft`] where it cannot, or where that is not known, with the session's own
-    /// error if there is one. [`Error::SessionEnded`] if the session had ended before.
+    /// As [`Client::call`](crate::Client::call), and [`ErrorKind::Refused`] if the controller refused a set-point. Servo mode is
+    /// left in any case, if it can be; [`ErrorKind::ServoModeNotLeft`] where it cannot, or where that is not known, with the session's own
+    /// error if there is one. [`ErrorKind::SessionEnded`] if the session had ended before.
     pub fn finish(mut self) -> Result<ServoReport, Error> {
         if let Some(because) = self.ended.take() {
-            return Err(Error::SessionEnded { because });
+            return Err(ErrorKind::SessionEnded { because }.into());
         }
         let answers = self.last_answers();
         let left = self.leave();
@@ -92,11 +92,11 @@ impl ServoSession<'_> {
                 Ok(reply) if !reply.in_servo_mode => return Ok(()),
                 Ok(_) if since.elapsed() > PATIENCE => return Err(self.still_in_servo_mode(off)),
                 Ok(_) => drop(pace.wait()),
-                Err(Error::Timeout { .. }) if unanswered > 0 => {
+                Err(error) if unanswered > 0 && matches!(error.kind(), ErrorKind::Timeout { .. }) => {
                     let link = client.link();
                     let cause = link.reset(Disconnect::Reset { unanswered });
-                    let (command, exchanges) = (Some(ServoMove::INFO.name.to_owned()), Exchanges::default());
-                    return Err(link.attach(Error::Disconnected { command, sent: true, cause, exchanges }));
+                    let command = Some(ServoMove::INFO.name.to_owned());
+                    return Err(link.attach(ErrorKind::Disconnected { command, sent: true, cause }.into()));
                 }
                 Err(error) => return Err(error),
             }
@@ -111,7 +111,8 @@ impl ServoSession<'_> {
 }
 
 fn not_left(first: Option<Error>, leaving: Error) -> Error {
-    Error::ServoModeNotLeft { first: first.map(Box::new), leaving: Box::new(leaving) }
+    let exchanges = leaving.exchanges().to_vec();
+    Error::from(ErrorKind::ServoModeNotLeft { first, leaving }).with_exchanges(exchanges)
 }
 
 impl Drop for ServoSession<'_> {

@@ -13,7 +13,7 @@ use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 use super::pace::Pace;
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
-use crate::{Error, Exchanges, Robot, Snapshot};
+use crate::{Error, ErrorKind, Robot, Snapshot};
 
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
@@ -25,16 +25,16 @@ const MAX_SPEED: f64 = 180.0;
 /// Dropping the session leaves servo mode, also while a panic unwinds; [`finish`](Self::finish) does it with a report.
 ///
 /// # Entering
-/// [`Robot::servo`] fails with [`Error::NotReady`] while the arm moves or a motion of the robot has not been waited for, and
-/// where the controller acknowledges servo mode and does not enter it; with [`Error::NotAcknowledged`] after a stop, with
-/// [`Error::StatusUnknown`] where the status is stale, missing or unreadable, and as [`Client::call`](crate::Client::call). If
-/// something fails after servo mode was asked for, it is left again; [`Error::ServoModeNotLeft`] where it is not known that it was.
+/// [`Robot::servo`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not been waited for, and
+/// where the controller acknowledges servo mode and does not enter it; with [`ErrorKind::NotAcknowledged`] after a stop, with
+/// [`ErrorKind::StatusUnknown`] where the status is stale, missing or unreadable, and as [`Client::call`](crate::Client::call). If
+/// something fails after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
 /// # A link that stalls
 /// Where set-points are no longer answered ([`ServoConfig::max_unanswered`]), or the status is no longer known, none goes out any
-/// more: servo mode is left, and the call fails with [`Error::SetPointsUnanswered`] or [`Error::StatusUnknown`]. If the end of servo
+/// more: servo mode is left, and the call fails with [`ErrorKind::SetPointsUnanswered`] or [`ErrorKind::StatusUnknown`]. If the end of servo
 /// mode is not answered within a second, the connection is reset, which discards the set-points that the system has not sent, and the
-/// error is [`Error::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at most the
+/// error is [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at most the
 /// set-points that were unanswered.
 ///
 /// ```no_run
@@ -71,12 +71,12 @@ impl ServoSession<'_> {
     /// Waits for the next beat and sends a set-point for all joints.
     ///
     /// # Errors
-    /// - [`Error::InvalidArgument`]: a joint would have to move faster than 180 deg/s, which the controller ignores (4.15).
+    /// - [`ErrorKind::InvalidArgument`]: a joint would have to move faster than 180 deg/s, which the controller ignores (4.15).
     ///   Nothing was sent. Behind a pose this is not checked: it does not tell where the joints are.
-    /// - [`Error::Refused`]: the controller has refused an earlier set-point.
-    /// - [`Error::NotAcknowledged`]: a protective or emergency stop. [`Error::Disconnected`]: the connection is lost.
-    /// - [`Error::SetPointsUnanswered`], [`Error::StatusUnknown`]: nothing passes on one of the ports; the session has ended.
-    ///   [`Error::ServoModeNotLeft`]: it has ended so, and servo mode may be on. [`Error::SessionEnded`]: it had ended before.
+    /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
+    /// - [`ErrorKind::NotAcknowledged`]: a protective or emergency stop. [`ErrorKind::Disconnected`]: the connection is lost.
+    /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: nothing passes on one of the ports; the session has ended.
+    ///   [`ErrorKind::ServoModeNotLeft`]: it has ended so, and servo mode may be on. [`ErrorKind::SessionEnded`]: it had ended before.
     pub fn joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
         self.check_speed(target)?;
@@ -171,7 +171,7 @@ impl ServoSession<'_> {
 
     fn send<C: Command<Reply = ()>>(&mut self, request: &C) -> Result<(), Error> {
         if let Some(because) = self.ended.clone() {
-            return Err(Error::SessionEnded { because });
+            return Err(ErrorKind::SessionEnded { because }.into());
         }
         let late = self.pace.wait();
         // Behind the wait: a stop may have come meanwhile.
@@ -187,8 +187,9 @@ impl ServoSession<'_> {
         }
         let gate = self.robot.gate();
         let posted = self.robot.client().post(Some(&gate), std::slice::from_ref(request));
+        let ends = |error: &Error| error.is_disconnected() || matches!(error.kind(), ErrorKind::StatusUnknown { .. });
         let outstanding = match posted {
-            Err(error @ (Error::StatusUnknown { .. } | Error::Disconnected { .. })) => return Err(self.end(error)),
+            Err(error) if ends(&error) => return Err(self.end(error)),
             posted => posted?,
         };
         self.report.late(late, self.config.period());
@@ -203,8 +204,8 @@ impl ServoSession<'_> {
         if count < self.config.most_unanswered() {
             return Ok(());
         }
-        let (oldest, exchanges) = (link.oldest_posted().unwrap_or_default(), Exchanges::default());
-        Err(link.attach(Error::SetPointsUnanswered { count, oldest, exchanges }))
+        let oldest = link.oldest_posted().unwrap_or_default();
+        Err(link.attach(ErrorKind::SetPointsUnanswered { count, oldest }.into()))
     }
 
     pub(super) fn take_answers(&mut self, command: &str) -> Result<(), Error> {
@@ -216,7 +217,7 @@ impl ServoSession<'_> {
     pub(super) fn count(&mut self, answers: Answers) {
         self.report.accepted += answers.accepted;
         for error in answers.failed {
-            if matches!(error, Error::ReplyLost { .. }) {
+            if matches!(error.kind(), ErrorKind::ReplyLost { .. }) {
                 self.report.unanswered += 1;
             } else {
                 self.report.refused += 1;

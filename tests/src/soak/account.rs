@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use jaka_sync::Error;
+use jaka_sync::{Error, ErrorKind};
 
 /// What a call tells about its command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,16 +19,14 @@ pub(super) enum Fate {
 
 impl Fate {
     pub(super) fn of<T>(result: &Result<T, Error>) -> Self {
-        match result {
-            Ok(_)
-            | Err(
-                Error::Refused { .. }
-                | Error::RefusedBecause { .. }
-                | Error::UnexpectedReply { .. }
-                | Error::ReplyLost { .. },
-            ) => Self::Seen,
-            Err(error) if error.may_have_run() => Self::Sent,
-            Err(_) => Self::NotSent,
+        let error = match result {
+            Ok(_) => return Self::Seen,
+            Err(error) => error,
+        };
+        match error.kind() {
+            ErrorKind::Refused { .. } | ErrorKind::UnexpectedReply { .. } | ErrorKind::ReplyLost { .. } => Self::Seen,
+            _ if error.may_have_run() => Self::Sent,
+            _ => Self::NotSent,
         }
     }
 }

@@ -8,7 +8,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Config, Error, Monitor};
+use jaka_sync::{Config, Error, ErrorKind, Monitor};
 
 use super::account::{Fate, Stops};
 use super::host::{FIRST_RATE, Ports};
@@ -33,16 +33,16 @@ impl Findings {
 
 /// Counts what a call ended with.
 pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
-    let ended = match result {
+    let ended = match result.as_ref().map_err(|error| (error.kind(), error.may_have_run())) {
         Ok(_) => "accepted",
-        Err(Error::Refused { .. } | Error::RefusedBecause { .. }) => "refused",
-        Err(Error::Timeout { .. }) => "timeouts",
-        Err(Error::ReplyLost { .. }) => "replies lost",
-        Err(Error::UnexpectedReply { .. }) => "unexpected replies",
-        Err(error) if error.may_have_run() => "broken off",
-        Err(error) => {
+        Err((ErrorKind::Refused { .. }, _)) => "refused",
+        Err((ErrorKind::Timeout { .. }, _)) => "timeouts",
+        Err((ErrorKind::ReplyLost { .. }, _)) => "replies lost",
+        Err((ErrorKind::UnexpectedReply { .. }, _)) => "unexpected replies",
+        Err((_, true)) => "broken off",
+        Err((kind, false)) => {
             tally.one("not sent");
-            if matches!(error, Error::StatusUnknown { .. }) {
+            if matches!(kind, ErrorKind::StatusUnknown { .. }) {
                 tally.one("motions kept back without status");
             }
             return;
@@ -182,20 +182,24 @@ fn read(config: &Config, ports: Ports, ends: &AtomicBool, order: &mut Order, tal
     tally.one("status streams");
     while !ends.load(Ordering::SeqCst) {
         let newest = tally.get("packets") % 4 == 0;
-        match if newest { stream.newest_packet() } else { stream.next_packet() } {
+        let error = match if newest { stream.newest_packet() } else { stream.next_packet() } {
             Ok(status) => {
                 tally.one("packets");
                 order.see(&status);
+                continue;
             }
-            Err(Error::StatusTimeout { .. }) => tally.one("silences of the status port"),
-            Err(Error::UnexpectedStatus { .. }) => tally.one("packets that do not fit"),
-            Err(Error::Disconnected { .. }) => {
+            Err(error) => error,
+        };
+        match error.kind() {
+            ErrorKind::StatusTimeout { .. } => tally.one("silences of the status port"),
+            ErrorKind::UnexpectedStatus { .. } => tally.one("packets that do not fit"),
+            ErrorKind::Disconnected { .. } => {
                 tally.one("status streams broken");
                 // Where each connection ends at once, ports would run out.
                 thread::sleep(PAUSE);
                 break;
             }
-            Err(error) => return Err(error),
+            _ => return Err(error),
         }
     }
     Ok(())

@@ -6,7 +6,7 @@ use jaka_proto::read_payload;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, ServoMove};
 use jaka_sync::types::{MoveMode, Switch};
-use jaka_sync::{Command, Error, Explanation, ServoConfig, ServoReport, ServoSession};
+use jaka_sync::{Command, Error, ErrorKind, Explanation, ServoConfig, ServoReport, ServoSession};
 use serde_json::json;
 
 use super::account::{Connection, Fate};
@@ -63,12 +63,12 @@ fn note(connection: &mut Connection, sent: Vec<Sent>) {
 }
 
 fn ended(result: &Result<Option<ServoReport>, Error>) -> &'static str {
-    match result {
+    match result.as_ref().map_err(Error::kind) {
         Ok(Some(_)) => "servo sessions finished",
         Ok(None) => "servo sessions dropped",
-        Err(Error::ServoModeNotLeft { .. }) => "servo sessions not left",
-        Err(Error::SetPointsUnanswered { .. }) => "servo sessions without answers",
-        Err(Error::StatusUnknown { .. }) => "servo sessions without status",
+        Err(ErrorKind::ServoModeNotLeft { .. }) => "servo sessions not left",
+        Err(ErrorKind::SetPointsUnanswered { .. }) => "servo sessions without answers",
+        Err(ErrorKind::StatusUnknown { .. }) => "servo sessions without status",
         Err(_) => "servo sessions failed",
     }
 }
@@ -76,7 +76,8 @@ fn ended(result: &Result<Option<ServoReport>, Error>) -> &'static str {
 /// A session that does not say otherwise has left servo mode.
 fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Option<ServoReport>, Error>) {
     // One that was dropped says nothing.
-    arm.in_servo_mode = matches!(result, Ok(None) | Err(Error::ServoModeNotLeft { .. }));
+    arm.in_servo_mode =
+        matches!(result.as_ref().map_err(Error::kind), Ok(None) | Err(ErrorKind::ServoModeNotLeft { .. }));
     if arm.in_servo_mode {
         return;
     }
@@ -111,16 +112,16 @@ fn leaving(fate: Fate) -> [Sent; 2] {
 /// What went out of a session that did not begin.
 fn not_entered(error: &Error) -> Vec<Sent> {
     let is_of_position = |command: &str| command == GetJointPos::INFO.name;
-    let (switched, left) = match error {
-        Error::ServoModeNotLeft { .. } => (Fate::Sent, Fate::Perhaps),
+    let (switched, left) = match error.kind() {
+        ErrorKind::ServoModeNotLeft { .. } => (Fate::Sent, Fate::Perhaps),
         // The position is asked for before and after.
-        Error::Timeout { command, .. } if is_of_position(command) => (Fate::Perhaps, Fate::Perhaps),
+        ErrorKind::Timeout { command, .. } if is_of_position(command) => (Fate::Perhaps, Fate::Perhaps),
         // Of the first command there is nothing to leave, of the others there is.
-        Error::Refused { .. } => (Fate::Seen, Fate::Perhaps),
-        Error::Timeout { .. }
-        | Error::ReplyLost { .. }
-        | Error::UnexpectedReply { .. }
-        | Error::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
+        ErrorKind::Refused { .. } => (Fate::Seen, Fate::Perhaps),
+        ErrorKind::Timeout { .. }
+        | ErrorKind::ReplyLost { .. }
+        | ErrorKind::UnexpectedReply { .. }
+        | ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
         // Servo mode was not asked for: the arm moves, the status is not known, somebody must look first, or the connection is broken.
         _ => return vec![asking()],
     };
@@ -156,15 +157,15 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
 
 /// Whether a set-point went out.
 fn set_point(result: &Result<(), Error>) -> Fate {
-    let error = match result {
-        Ok(()) => return Fate::Sent,
-        Err(Error::ServoModeNotLeft { first: Some(first), .. }) => first,
-        Err(error) => error,
+    let Err(error) = result else { return Fate::Sent };
+    let error = match error.kind() {
+        ErrorKind::ServoModeNotLeft { first: Some(first), .. } => first,
+        _ => error,
     };
-    match error {
+    match error.kind() {
         // Those before it are meant.
-        Error::SetPointsUnanswered { .. } => Fate::NotSent,
-        error if error.may_have_run() => Fate::Perhaps,
+        ErrorKind::SetPointsUnanswered { .. } => Fate::NotSent,
+        _ if error.may_have_run() => Fate::Perhaps,
         _ => Fate::NotSent,
     }
 }
@@ -174,12 +175,15 @@ fn leave(
     failed: Option<Error>,
     finished: Option<Result<ServoReport, Error>>,
 ) -> (Result<Option<ServoReport>, Error>, Fate) {
-    let known =
-        |error: &Error| if matches!(error, Error::ServoModeNotLeft { .. }) { Fate::Perhaps } else { Fate::Seen };
+    let known = |error: &Error| {
+        if matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }) { Fate::Perhaps } else { Fate::Seen }
+    };
     match (failed, finished) {
         (_, Some(Ok(report))) => (Ok(Some(report)), Fate::Seen),
         // It ended with its first error, or fails now.
-        (Some(error), Some(Err(Error::SessionEnded { .. }))) | (_, Some(Err(error))) => {
+        (failed, Some(Err(error))) => {
+            let had_ended = matches!(error.kind(), ErrorKind::SessionEnded { .. });
+            let error = failed.filter(|_| had_ended).unwrap_or(error);
             let left = known(&error);
             (Err(error), left)
         }

@@ -4,7 +4,7 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use jaka_sync::{Client, Error, StopHandle};
+use jaka_sync::{Client, Error, ErrorKind, StopHandle};
 
 use crate::model::Got;
 
@@ -60,16 +60,16 @@ fn number_in(reply: &str) -> u32 {
 
 /// A refusal shows whose it is by its code.
 pub(crate) fn got(result: Result<u32, Error>) -> Got {
-    match result {
-        Ok(number) => Got::Reply(number),
-        Err(Error::Refused { refusal, .. }) => {
+    match result.as_ref().map_err(Error::kind) {
+        Ok(number) => Got::Reply(*number),
+        Err(ErrorKind::Refused { refusal, .. }) => {
             Got::Reply(u32::try_from(refusal.code.0).expect("the server numbers its replies"))
         }
-        Err(Error::Timeout { .. }) => Got::Timeout,
-        Err(Error::NotSentInTime { .. }) => Got::NotSentInTime,
-        Err(Error::ReplyLost { .. }) => Got::Lost,
-        Err(Error::Disconnected { sent: true, .. }) => Got::Broken,
-        Err(Error::Disconnected { sent: false, .. }) => Got::NotSent,
+        Err(ErrorKind::Timeout { .. }) => Got::Timeout,
+        Err(ErrorKind::NotSentInTime { .. }) => Got::NotSentInTime,
+        Err(ErrorKind::ReplyLost { .. }) => Got::Lost,
+        Err(ErrorKind::Disconnected { sent: true, .. }) => Got::Broken,
+        Err(ErrorKind::Disconnected { sent: false, .. }) => Got::NotSent,
         Err(other) => panic!("no exchange may end with {other:?}"),
     }
 }

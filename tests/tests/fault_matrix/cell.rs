@@ -10,7 +10,7 @@ use jaka_sim::{Controller, Delays};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::payload::GetPayload;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, Config, Error};
+use jaka_sync::{Client, Config, Error, ErrorKind};
 
 use crate::link::LinkTrouble;
 use crate::model::{self, Expected};
@@ -283,9 +283,12 @@ impl<'t> Cell<'t> {
         assert!(took < timeout + PATIENCE, "{self}: took {took:?}");
         let shown = format!("{result:?}");
         if let Err(error) = &result {
-            assert!(!matches!(error, Error::Timeout { .. }) || took >= timeout, "{self}: {error} after {took:?}");
+            assert!(
+                !matches!(error.kind(), ErrorKind::Timeout { .. }) || took >= timeout,
+                "{self}: {error} after {took:?}"
+            );
             assert!(!self.is_broken() || !error.may_have_run(), "{self}: sent on a broken connection, {error:?}");
-            if let Error::Disconnected { command: Some(command), sent: false, .. } = error {
+            if let ErrorKind::Disconnected { command: Some(command), sent: false, .. } = error.kind() {
                 // Of the call before, something may have come late.
                 let name = format!("\"{command}\"");
                 let came = self.controller.requests().split_off(before);

@@ -4,7 +4,7 @@ use std::fmt;
 
 use jaka_proto::Mistrust;
 use jaka_proto::framing::FrameError;
-use jaka_sync::{Disconnect, Error};
+use jaka_sync::{Disconnect, Error, ErrorKind};
 
 /// What a call ended with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,15 +49,17 @@ impl Outcome {
     /// # Panics
     /// The error is none that a fault may lead to.
     pub(crate) fn of(error: &Error) -> Self {
-        match error {
-            Error::Refused { .. } | Error::RefusedBecause { .. } => Self::Refused,
-            Error::Timeout { .. } | Error::StatusTimeout { .. } | Error::StateTimeout { .. } => Self::Timeout,
-            Error::ReplyLost { .. } => Self::ReplyLost,
-            Error::UnexpectedReply { .. } | Error::UnexpectedStatus { .. } => Self::Unexpected,
-            Error::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
-            Error::StatusUnknown { .. } => Self::StatusUnknown,
-            Error::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
-            Error::ServoModeNotLeft { .. } => Self::NotLeft,
+        match error.kind() {
+            ErrorKind::Refused { .. } => Self::Refused,
+            ErrorKind::Timeout { .. } | ErrorKind::StatusTimeout { .. } | ErrorKind::StateTimeout { .. } => {
+                Self::Timeout
+            }
+            ErrorKind::ReplyLost { .. } => Self::ReplyLost,
+            ErrorKind::UnexpectedReply { .. } | ErrorKind::UnexpectedStatus { .. } => Self::Unexpected,
+            ErrorKind::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
+            ErrorKind::StatusUnknown { .. } => Self::StatusUnknown,
+            ErrorKind::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
+            ErrorKind::ServoModeNotLeft { .. } => Self::NotLeft,
             other => panic!("no fault may lead to {other:?}"),
         }
     }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Command, Error, Monitor, StatusStream};
+use jaka_sync::{Command, Error, ErrorKind, Monitor, StatusStream};
 
 use crate::cell::{Cell, PATIENCE, PERIOD, Seen, position};
 use crate::outcome::Outcome;
@@ -51,7 +51,7 @@ fn patiently(mut read: impl FnMut() -> Result<(), Error>) -> Result<(), Error> {
     let since = Instant::now();
     loop {
         match read() {
-            Err(Error::StatusTimeout { .. }) if since.elapsed() < PATIENCE => {}
+            Err(error) if matches!(error.kind(), ErrorKind::StatusTimeout { .. }) && since.elapsed() < PATIENCE => {}
             result => return result,
         }
     }

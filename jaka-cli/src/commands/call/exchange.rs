@@ -7,7 +7,7 @@ use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::DecodeError;
-use jaka_sync::{Client, Disconnect, Error, Exchanges, Explanation};
+use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation};
 
 use super::options::Options;
 use super::request::Request;
@@ -44,25 +44,27 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
 /// The reply's text; none where the controller may go away instead of replying, and did.
 fn send(client: &mut Client, request: &Request<'_>, timeout: Duration) -> Result<Option<String>, Error> {
     let reply = client.call_text(&request.text, timeout).map(str::to_owned);
+    let may_end = request.command.is_some_and(|command| !command.reply_certain);
     match reply {
-        Err(Error::Disconnected { sent: true, cause, .. })
-            if request.command.is_some_and(|command| !command.reply_certain)
-                && matches!(*cause, Disconnect::Closed { .. } | Disconnect::Read(_)) =>
-        {
-            Ok(None)
-        }
+        Err(error) if may_end && has_ended(&error) => Ok(None),
         other => other.map(Some),
     }
 }
 
+/// True if the controller closed the connection after the request was sent.
+fn has_ended(error: &Error) -> bool {
+    let ErrorKind::Disconnected { sent: true, cause, .. } = error.kind() else { return false };
+    matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))
+}
+
 /// True if the error is about a reply that came.
 fn answered(error: &Error) -> bool {
-    matches!(error, Error::Refused { .. } | Error::UnexpectedReply { .. })
+    matches!(error.kind(), ErrorKind::Refused { .. } | ErrorKind::UnexpectedReply { .. })
 }
 
 /// The error with what the spec or a pack says about the controller's code, and what the robot's status says.
 fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
-    let Error::Refused { refusal, .. } = error else { return error.into() };
+    let Some(refusal) = error.refusal().cloned() else { return error.into() };
     let known = spec.errors().find(|known| known.wire == refusal.code.0);
     let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
     // Without a status the refusal stands for itself.
@@ -92,5 +94,5 @@ fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
         return Ok(());
     };
     let source = DecodeError::unfit(first.expected, &first.found).in_field(&first.field);
-    Err(Error::UnexpectedReply { command: command.wire.clone(), source, exchanges: Exchanges::default() }.into())
+    Err(Error::from(ErrorKind::UnexpectedReply { command: command.wire.clone(), source }).into())
 }

@@ -12,7 +12,7 @@ pub(super) fn check(client: &mut Client, spec: &Spec, request: &Request<'_>) -> 
     let firmware = client.check_firmware()?;
     let Some(command) = request.command else { return Ok(()) };
     match missing(spec, command, &request.text, firmware) {
-        Some(missing) => Err(Error::NotInFirmware(missing).into()),
+        Some(missing) => Err(Error::from(missing).into()),
         None => Ok(()),
     }
 }

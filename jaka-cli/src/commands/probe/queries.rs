@@ -2,7 +2,7 @@
 
 use jaka_spec::json::{self, AdvisoryRanges, Argument, departures};
 use jaka_spec::{Command, Effect, Spec};
-use jaka_sync::{Client, Disconnect, Error};
+use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::Map;
 
 use super::finding::{Finding, Outcome};
@@ -51,16 +51,16 @@ impl Line<'_> {
         let asked = client.call_text(&request, timeout).map(drop);
         let reply = client.last_reply().unwrap_or_default().to_owned();
         let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&reply)), reply);
-        match asked {
-            Ok(()) => finding(reply),
-            Err(Error::Refused { refusal, .. }) => {
-                let outcome = Outcome::Refused { code: refusal.code, message: refusal.message };
+        let Err(error) = asked else { return finding(reply) };
+        match error.kind() {
+            ErrorKind::Refused { refusal, .. } => {
+                let outcome = Outcome::Refused { code: refusal.code, message: refusal.message.clone() };
                 Finding { outcome, ..finding(reply) }
             }
-            Err(Error::UnexpectedReply { source, .. }) => {
+            ErrorKind::UnexpectedReply { source, .. } => {
                 Finding { outcome: Outcome::Unreadable(source.to_string()), ..finding(reply) }
             }
-            Err(error) => {
+            _ => {
                 let outcome = unanswered(&error);
                 if error.is_disconnected() {
                     self.connect_anew(name);
@@ -90,14 +90,14 @@ fn names(arguments: &[Argument]) -> String {
 
 /// What an error without a reply says: that something came that is no message, or that nothing came.
 fn unanswered(error: &Error) -> Outcome {
-    match error {
-        Error::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),
-        Error::Disconnected { cause, .. } => match &**cause {
+    match error.kind() {
+        ErrorKind::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),
+        ErrorKind::Disconnected { cause, .. } => match &**cause {
             Disconnect::Frame(_) | Disconnect::NotJson(_) | Disconnect::Mistrust(_) => {
                 Outcome::Unreadable(chain(&**cause))
             }
             _ => Outcome::NoReply(chain(&**cause)),
         },
-        other => Outcome::NoReply(chain(other)),
+        _ => Outcome::NoReply(chain(error)),
     }
 }

@@ -2,7 +2,7 @@
 
 use jaka_spec::Spec;
 use jaka_spec::json::{Departure, status_departures};
-use jaka_sync::{Error, StatusStream};
+use jaka_sync::{ErrorKind, StatusStream};
 
 use super::finding::{Finding, Outcome};
 use crate::commands::call::reply_json;
@@ -42,11 +42,14 @@ fn none() -> Outcome {
 
 /// The text of the next packet, whether it fits or not.
 fn next(stream: &mut StatusStream) -> Result<String, Outcome> {
-    match stream.next_packet() {
-        Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(stream.last_packet().unwrap_or_default().to_owned()),
-        Err(Error::Disconnected { cause, .. }) => Err(Outcome::Unreadable(chain(&*cause))),
-        Err(error) => Err(Outcome::NoReply(chain(&error))),
+    if let Err(error) = stream.next_packet() {
+        match error.kind() {
+            ErrorKind::UnexpectedStatus { .. } => {}
+            ErrorKind::Disconnected { cause, .. } => return Err(Outcome::Unreadable(chain(&**cause))),
+            _ => return Err(Outcome::NoReply(chain(&error))),
+        }
     }
+    Ok(stream.last_packet().unwrap_or_default().to_owned())
 }
 
 fn add_new(departures: &mut Vec<Departure>, more: Vec<Departure>) {

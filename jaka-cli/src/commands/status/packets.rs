@@ -3,7 +3,7 @@
 use std::io::{Write, stderr};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use jaka_sync::{Error, StatusStream};
+use jaka_sync::{Error, ErrorKind, StatusStream};
 use serde_json::Value;
 
 use crate::failure::Failure;
@@ -54,8 +54,8 @@ impl Packets {
     /// The text of the next packet that is due, also of one that does not fit the spec.
     pub(super) fn next_text(&mut self) -> Result<String, Failure> {
         self.next_due(|stream| match stream.next_packet() {
-            Ok(_) | Err(Error::UnexpectedStatus { .. }) => Ok(()),
-            Err(error) => Err(error),
+            Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => Err(error),
+            _ => Ok(()),
         })?;
         Ok(self.stream.last_packet().unwrap_or_default().to_owned())
     }

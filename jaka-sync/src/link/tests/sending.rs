@@ -13,9 +13,9 @@ const SHORT: Duration = Duration::from_millis(300);
 const HUGE: usize = 1 << 20;
 
 /// What the system said where a send failed.
-fn cause<T: std::fmt::Debug>(sent: Result<T, Error>) -> ErrorKind {
-    match sent.expect_err("it cannot be sent") {
-        Error::Disconnected { sent: true, cause, .. } => match &*cause {
+fn cause<T: std::fmt::Debug>(sent: Result<T, Error>) -> io::ErrorKind {
+    match sent.expect_err("it cannot be sent").kind() {
+        ErrorKind::Disconnected { sent: true, cause, .. } => match &**cause {
             Disconnect::Write(source) => source.kind(),
             other => panic!("{other}"),
         },
@@ -39,7 +39,7 @@ fn fill(link: &Link) -> usize {
     while last.elapsed() < Duration::from_secs(1) {
         match (&*stream).write(&[b' '; 4096]) {
             Ok(len) => (filled, last) = (filled + len, Instant::now()),
-            Err(error) => assert_eq!(error.kind(), ErrorKind::WouldBlock),
+            Err(error) => assert_eq!(error.kind(), io::ErrorKind::WouldBlock),
         }
         thread::yield_now();
     }
@@ -75,12 +75,12 @@ fn a_command_of_which_nothing_was_sent_by_its_deadline_did_not_run_and_the_conne
         let since = Instant::now();
         for _ in 0..2 {
             let error = send(&link, SHORT, 10).expect_err("nobody reads");
-            assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+            assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
             assert!(error.is_timeout() && !error.may_have_run() && !error.is_disconnected());
             assert_eq!(error.to_string(), "`y` could not be sent within 300ms; it did not run");
         }
         let error = post(&link, SHORT, 3).expect_err("nobody reads");
-        assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+        assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
         assert!(since.elapsed() > SHORT * 3 / 2, "{:?}", since.elapsed());
         assert_eq!(owed(&link), (0, 0));
         server.read_exact(&mut vec![0; filled]).expect("the link writes");
@@ -97,7 +97,7 @@ fn a_command_that_is_sent_in_part_by_its_deadline_breaks_the_connection() {
         let (link, _server) = connection(mode);
         let since = Instant::now();
         // Long enough for some of it to go out on a busy machine.
-        assert_eq!(cause(send(&link, 10 * SHORT, HUGE)), ErrorKind::TimedOut);
+        assert_eq!(cause(send(&link, 10 * SHORT, HUGE)), io::ErrorKind::TimedOut);
         assert!(since.elapsed() < LONG / 2, "{:?}", since.elapsed());
         assert!(link.broken().is_some());
     }
@@ -117,7 +117,7 @@ fn a_stop_ends_at_its_deadline_while_another_thread_cannot_send_on() {
     }
     let since = Instant::now();
     let error = StopHandle::new(Arc::clone(&link), SHORT).stop().expect_err("it has no turn");
-    assert!(matches!(error, Error::NotSentInTime { .. }), "{error:?}");
+    assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
     assert!((SHORT..LONG / 2).contains(&since.elapsed()), "{:?}", since.elapsed());
     link.reset(Disconnect::Panicked);
     assert!(sending.join().expect("it does not panic").is_err());
@@ -165,5 +165,5 @@ fn the_cause_of_a_failed_send_is_the_first_one() {
         thread::yield_now();
     }
     // A second try would say that the pipe is broken.
-    assert_eq!(cause(post(&link, LONG, 1)), ErrorKind::ConnectionReset);
+    assert_eq!(cause(post(&link, LONG, 1)), io::ErrorKind::ConnectionReset);
 }

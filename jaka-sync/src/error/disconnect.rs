@@ -1,0 +1,102 @@
+//! What broke a connection.
+
+use std::error::Error as StdError;
+use std::fmt::{self, Write};
+use std::io;
+
+use jaka_proto::Mistrust;
+use jaka_proto::framing::FrameError;
+use jaka_proto::text::VisibleWriter;
+use jaka_proto::wire::DecodeError;
+
+/// What broke a connection.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Disconnect {
+    /// The controller closed the connection.
+    Closed {
+        /// How many bytes of an unfinished message had come.
+        partial: usize,
+    },
+    /// The system reported an error while sending.
+    Write(io::Error),
+    /// The system reported an error while receiving.
+    Read(io::Error),
+    /// Bytes came that are no message, or a message longer than the limit.
+    Frame(FrameError),
+    /// A message came that is no JSON object by its quotes and brackets.
+    NotJson(DecodeError),
+    /// A reply came, or failed to come, in a way that leaves in doubt whose the next ones are.
+    Mistrust(Mistrust),
+    /// This side reset the connection, so that the system does not send what it had queued: set-points of a servo session and the
+    /// end of servo mode were not answered.
+    Reset {
+        /// How many set-points were not answered.
+        unanswered: u64,
+    },
+    /// A panic in this program, of a logger for instance, kept a reply from being attributed.
+    Panicked,
+    /// The client was dropped, and with it the connection: stop handles cannot stop any more.
+    ClientDropped,
+    /// This is the status port, or something that sends what it sends; port 10001 takes commands.
+    StatusPort,
+    /// This is the command port, or something that answers as it does; port 10000 sends the status.
+    CommandPort,
+    /// A command that ends the session was carried out.
+    Ended {
+        /// `cmdName` of the command.
+        by: String,
+    },
+}
+
+/// In one line, whatever came over the connection: see [`text`](crate::proto::text).
+impl fmt::Display for Disconnect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut f = VisibleWriter(f);
+        match self {
+            Self::Closed { partial } => {
+                f.write_str("the controller closed the connection")?;
+                if *partial > 0 {
+                    write!(f, " within a message, of which {partial} bytes had come")?;
+                }
+                f.write_str("; it may have shut down, or another client may have taken the command port")
+            }
+            Self::Write(_) => f.write_str("sending failed"),
+            Self::Read(_) => f.write_str("receiving failed"),
+            Self::Frame(error) if is_text_line(error) => {
+                write!(f, "this firmware sends status as text lines, which only very old versions do: {error}")
+            }
+            Self::Frame(error) => write!(f, "{error}"),
+            Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
+            Self::Reset { unanswered } => write!(
+                f,
+                "the connection was reset: {unanswered} set-points and the end of servo mode were not answered, \
+                 and those that the system had not sent yet are discarded; others may still move the arm"
+            ),
+            Self::Mistrust(mistrust) => write!(f, "{mistrust}"),
+            Self::Panicked => f.write_str("a panic in this program kept a reply from being attributed"),
+            Self::ClientDropped => f.write_str("the client was dropped, and with it the connection"),
+            Self::StatusPort => {
+                f.write_str("a status packet came instead of a reply: this is the status port, port 10001 takes commands")
+            }
+            Self::CommandPort => f.write_str(
+                "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
+            ),
+            Self::Ended { by } => write!(f, "`{by}` ended the session"),
+        }
+    }
+}
+
+/// Firmware before the JSON protocol sent lines such as `joint_actual_position:(…)`.
+pub(crate) fn is_text_line(error: &FrameError) -> bool {
+    matches!(error, FrameError::Garbage { excerpt } if excerpt.bytes().starts_with(b"joint_actual_position"))
+}
+
+impl StdError for Disconnect {
+    fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        match self {
+            Self::Write(source) | Self::Read(source) => Some(source),
+            _ => None,
+        }
+    }
+}

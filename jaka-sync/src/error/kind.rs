@@ -1,0 +1,289 @@
+//! What went wrong, told apart by what the caller can do about it.
+
+use std::error::Error as StdError;
+use std::fmt::{self, Write};
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::text::VisibleWriter;
+use jaka_proto::wire::DecodeError;
+use jaka_proto::{NotInFirmware, Refusal};
+
+use super::{Disconnect, Error};
+use crate::{Explanation, Outcome, StatusProblem};
+
+/// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// The spec forbids the request. Nothing was sent; correct the field that is named.
+    InvalidArgument(InvalidArgument),
+    /// The controller's firmware does not have the command, or a field that is given. Nothing was sent.
+    ///
+    /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
+    NotInFirmware(NotInFirmware),
+    /// No connection could be made. Check the address, the cable, and whether the controller is on.
+    Connect {
+        /// The address given.
+        address: String,
+        /// Why not, in the system's words.
+        source: io::Error,
+    },
+    /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give the address without a
+    /// port, or both addresses to [`Config::connect_robot`](crate::Config::connect_robot). Nothing was connected to.
+    PortInAddress {
+        /// The address given.
+        address: String,
+    },
+    /// The controller refused the command, which did not run. The connection is fine.
+    Refused {
+        /// The controller's own words.
+        refusal: Refusal,
+        /// Why, and what helps: for a motion of a [`Robot`](crate::Robot), where its status tells it.
+        explanation: Option<Explanation>,
+    },
+    /// No reply came in time. The command may have run; read the robot's state before you go on.
+    ///
+    /// The connection can still be used: the reply is discarded if it comes later.
+    Timeout {
+        /// `cmdName` of the command.
+        command: String,
+        /// How long the call waited.
+        after: Duration,
+    },
+    /// The command could not be sent in time: the controller accepts no more data, or other threads were sending. It did not run, and
+    /// the connection can still be used.
+    NotSentInTime {
+        /// `cmdName` of the command.
+        command: String,
+        /// How long the call waited.
+        after: Duration,
+    },
+    /// A later command was answered, this one was not. The command may have run; the connection is fine.
+    ReplyLost {
+        /// `cmdName` of the command.
+        command: String,
+    },
+    /// The reply is not a refusal, and does not fit the spec. The command has most likely run; the connection is fine.
+    ///
+    /// The raw reply is kept: see [`Client::last_reply`](crate::Client::last_reply).
+    UnexpectedReply {
+        /// `cmdName` of the command.
+        command: String,
+        /// Which field does not fit.
+        source: DecodeError,
+    },
+    /// The connection is broken for good, and each later call says so again. Connect again when the robot's state is known.
+    Disconnected {
+        /// `cmdName` of the command of this call; none for a status connection.
+        command: Option<String>,
+        /// True if the command had been sent, at least in part, and may have run.
+        sent: bool,
+        /// What broke the connection.
+        cause: Arc<Disconnect>,
+    },
+    /// Status packets came, but none in time that shows the state that was waited for.
+    StateTimeout {
+        /// How long the call waited.
+        after: Duration,
+        /// How many packets came meanwhile.
+        packets: u64,
+        /// What the last one says of the arm; none for a type of the user's own.
+        says: Option<String>,
+    },
+    /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
+    /// program that must do without it, [`Robot::move_without_status`](crate::Robot::move_without_status).
+    StatusUnknown {
+        /// Why it is not known, and what helps.
+        problem: StatusProblem,
+    },
+    /// The robot is in a state that keeps it from doing what was asked. Nothing that moves the arm was sent.
+    NotReady {
+        /// Which state, and what helps.
+        explanation: Explanation,
+    },
+    /// Too many set-points of a servo session have no reply. The session has ended.
+    SetPointsUnanswered {
+        /// How many.
+        count: usize,
+        /// How long ago the oldest of them was sent.
+        oldest: Duration,
+    },
+    /// A set-point was not sent: its servo session has ended.
+    SessionEnded {
+        /// Why it has ended.
+        because: String,
+    },
+    /// No status packet came in time. The stream can still be used.
+    StatusTimeout {
+        /// How long the call waited.
+        after: Duration,
+    },
+    /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been acknowledged: see
+    /// [`Robot::acknowledge`](crate::Robot::acknowledge).
+    NotAcknowledged {
+        /// What happened.
+        outcome: Outcome,
+    },
+    /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the connection is
+    /// broken ([`Error::is_disconnected`]), no stop can be sent on it either.
+    ServoModeNotLeft {
+        /// What failed in the session before; none where only leaving did.
+        first: Option<Error>,
+        /// Why servo mode could not be left.
+        leaving: Error,
+    },
+    /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
+    UnexpectedStatus {
+        /// Which field does not fit.
+        source: DecodeError,
+    },
+}
+
+/// What the predicates of [`Error`] ask for.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    InvalidArgument,
+    NotInFirmware,
+    Connect,
+    Refused,
+    Timeout,
+    Disconnected,
+    Other,
+}
+
+/// Each kind is named in each of these, so that a new one does not compile before it is decided what it means.
+impl ErrorKind {
+    pub(super) fn group(&self) -> Group {
+        match self {
+            Self::InvalidArgument(_) => Group::InvalidArgument,
+            Self::NotInFirmware(_) => Group::NotInFirmware,
+            Self::Connect { .. } | Self::PortInAddress { .. } => Group::Connect,
+            Self::Refused { .. } => Group::Refused,
+            Self::Timeout { .. }
+            | Self::NotSentInTime { .. }
+            | Self::StateTimeout { .. }
+            | Self::StatusTimeout { .. } => Group::Timeout,
+            Self::Disconnected { .. } => Group::Disconnected,
+            Self::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Group::Disconnected,
+            Self::ServoModeNotLeft { .. }
+            | Self::ReplyLost { .. }
+            | Self::UnexpectedReply { .. }
+            | Self::StatusUnknown { .. }
+            | Self::NotReady { .. }
+            | Self::SetPointsUnanswered { .. }
+            | Self::SessionEnded { .. }
+            | Self::NotAcknowledged { .. }
+            | Self::UnexpectedStatus { .. } => Group::Other,
+        }
+    }
+
+    pub(super) fn may_have_run(&self) -> bool {
+        match self {
+            Self::Timeout { .. }
+            | Self::ReplyLost { .. }
+            | Self::UnexpectedReply { .. }
+            | Self::SetPointsUnanswered { .. }
+            | Self::ServoModeNotLeft { .. } => true,
+            Self::Disconnected { sent, .. } => *sent,
+            Self::InvalidArgument(_)
+            | Self::NotInFirmware(_)
+            | Self::Connect { .. }
+            | Self::PortInAddress { .. }
+            | Self::Refused { .. }
+            | Self::NotSentInTime { .. }
+            | Self::StateTimeout { .. }
+            | Self::StatusUnknown { .. }
+            | Self::NotReady { .. }
+            | Self::SessionEnded { .. }
+            | Self::StatusTimeout { .. }
+            | Self::NotAcknowledged { .. }
+            | Self::UnexpectedStatus { .. } => false,
+        }
+    }
+
+    /// The error below. Where its text is part of this one's, the error below that.
+    pub(super) fn cause(&self) -> Option<&(dyn StdError + 'static)> {
+        match self {
+            Self::Connect { source, .. } => Some(source),
+            Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source } => Some(source),
+            Self::Disconnected { cause, .. } => Some(&**cause),
+            Self::ServoModeNotLeft { leaving, .. } => leaving.source(),
+            Self::StatusUnknown { problem } => problem.source(),
+            Self::NotAcknowledged { outcome } => outcome.cause(),
+            Self::InvalidArgument(_)
+            | Self::NotInFirmware(_)
+            | Self::PortInAddress { .. }
+            | Self::Refused { .. }
+            | Self::Timeout { .. }
+            | Self::NotSentInTime { .. }
+            | Self::ReplyLost { .. }
+            | Self::StateTimeout { .. }
+            | Self::NotReady { .. }
+            | Self::SetPointsUnanswered { .. }
+            | Self::SessionEnded { .. }
+            | Self::StatusTimeout { .. } => None,
+        }
+    }
+}
+
+/// In one line, whatever the controller says: see [`text`](crate::proto::text).
+impl fmt::Display for ErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut f = VisibleWriter(f);
+        match self {
+            Self::InvalidArgument(invalid) => write!(f, "{invalid}"),
+            Self::NotInFirmware(missing) => write!(f, "{missing}"),
+            Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
+            Self::PortInAddress { address } => write!(
+                f,
+                "cannot connect to {address}: a robot has two ports, so give its address without a port, or both addresses to \
+                 `Config::connect_robot`"
+            ),
+            Self::Refused { refusal, explanation: None } => write!(f, "{refusal}"),
+            Self::Refused { refusal, explanation: Some(explanation) } => write!(f, "{refusal}; {explanation}"),
+            Self::Timeout { command, after } => write!(f, "no reply to `{command}` within {after:?}; it may have run"),
+            Self::NotSentInTime { command, after } => {
+                write!(f, "`{command}` could not be sent within {after:?}; it did not run")
+            }
+            Self::ReplyLost { command } => {
+                write!(f, "`{command}` may have run, but its reply was lost: a later command was answered")
+            }
+            Self::UnexpectedReply { command, .. } => {
+                write!(f, "`{command}` was not refused, but its reply does not fit the spec")
+            }
+            Self::Disconnected { command: None, .. } => f.write_str("the status connection is broken"),
+            Self::Disconnected { command: Some(command), sent: false, .. } => {
+                write!(f, "`{command}` was not sent: the connection is broken")
+            }
+            Self::Disconnected { command: Some(command), .. } => {
+                write!(f, "the connection broke during `{command}`, which may have run")
+            }
+            Self::ServoModeNotLeft { first, leaving } => {
+                first.as_ref().map_or(Ok(()), |first| write!(f, "{first}; and "))?;
+                write!(f, "servo mode may be on, because leaving it failed or was not confirmed: {leaving}")?;
+                if leaving.is_disconnected() { f.write_str("; no stop can be sent on this connection") } else { Ok(()) }
+            }
+            Self::StateTimeout { after, packets, says } => {
+                write!(f, "the robot was not in the expected state within {after:?} ({packets} status packets came)")?;
+                says.as_ref().map_or(Ok(()), |says| write!(f, "; the last one says: {says}"))
+            }
+            Self::StatusUnknown { problem } => {
+                write!(f, "not sent, because the state of the robot is unknown: {problem}")
+            }
+            Self::NotReady { explanation } => write!(f, "the robot cannot do this now: {explanation}"),
+            Self::SetPointsUnanswered { count, oldest } => write!(
+                f,
+                "the servo session has ended: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago"
+            ),
+            Self::SessionEnded { because } => write!(f, "not sent, because the servo session has ended: {because}"),
+            Self::NotAcknowledged { outcome } => {
+                write!(f, "not sent: {outcome}; when somebody has checked the robot, call `acknowledge`")
+            }
+            Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
+            Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
+        }
+    }
+}
