@@ -87,7 +87,7 @@ impl Way {
     }
 
     fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
-        let monitor: Monitor = Config::new().monitor(robot.status)?;
+        let monitor: Monitor = Config::new().connect_monitor(robot.status)?;
         let mut robot = Robot::new(Client::connect(robot.commands)?, monitor).move_without_status();
         let mut session = robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
         let (cpu, start) = (process::thread_cpu(), Instant::now());

@@ -69,7 +69,7 @@ mod tests {
     #[test]
     fn codes_tell_whether_the_command_may_have_run() {
         let controller = Controller::start().unwrap();
-        let mut client = Config::new().reply_timeout(SHORT).connect(controller.command_addr()).unwrap();
+        let mut client = Config::new().reply_timeout(SHORT).connect_client(controller.command_addr()).unwrap();
         assert_eq!(code(client.joint_move(&joint_move(f64::NAN))), USAGE);
         assert_eq!(code(client.joint_move(&joint_move(20.0))), REFUSED, "without power");
         controller.inject(Fault::Drop);

@@ -183,7 +183,7 @@ impl Target {
 
     /// Connects to the command port, which has one seat.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
-        Ok(self.config.connect(&self.commands)?)
+        Ok(self.config.connect_client(&self.commands)?)
     }
 
     /// Connects to the status port, which serves any number of readers.
@@ -193,6 +193,6 @@ impl Target {
 
     /// The same, with a thread that reads and connects anew.
     pub(crate) fn monitor(&self, reconnect: Reconnect) -> Result<Monitor, Failure> {
-        Ok(self.config.clone().reconnect(reconnect).monitor(&self.status)?)
+        Ok(self.config.clone().reconnect(reconnect).connect_monitor(&self.status)?)
     }
 }

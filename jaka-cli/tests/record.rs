@@ -107,7 +107,7 @@ fn is_reset(mut stream: &TcpStream) -> bool {
 /// A session with replies, a refusal and status packets; the packets that were read.
 fn session(config: &Config, commands: SocketAddr, status: SocketAddr) -> Result<Vec<String>, Error> {
     let mut packets = config.connect_status(status)?;
-    let mut client = config.connect(commands)?;
+    let mut client = config.connect_client(commands)?;
     client.get_version()?;
     assert!(client.enable_robot().is_err_and(|error| error.is_refused()));
     client.power_on()?;

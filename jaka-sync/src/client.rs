@@ -48,7 +48,7 @@ impl Client {
     /// # Errors
     /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect(address)
+        Config::new().connect_client(address)
     }
 
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {

@@ -1,4 +1,4 @@
-//! How a connection behaves.
+//! How connections behave, and what connects them.
 
 use std::fmt::Display;
 use std::time::Duration;
@@ -9,15 +9,23 @@ use jaka_proto::wire::Decode;
 
 use crate::{Client, Error, ErrorKind, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream, address};
 
-/// How a connection behaves: timeouts, keepalive, frame size and checks.
+/// How connections behave: timeouts, keepalive, frame size and checks; and what connects them.
+///
+/// Each setting has a getter whose name begins with `get_`. Addresses are no settings: each `connect_` method takes its own. An
+/// address without a port, such as `10.5.5.100` or `robot.local`, means the protocol's port for what is connected; one with a port,
+/// such as `10.5.5.100:10001` or a socket address, means that port. Since a robot has two ports, [`connect_robot`](Self::connect_robot)
+/// takes an address without a port, and [`connect_robot_at`](Self::connect_robot_at) two addresses.
 ///
 /// ```no_run
 /// use std::time::Duration;
 /// use jaka_sync::Config;
 ///
-/// let mut robot = Config::new().reply_timeout(Duration::from_secs(2)).connect("10.5.5.100")?;
+/// let config = Config::new().reply_timeout(Duration::from_secs(2));
+/// let mut robot = config.connect_client("10.5.5.100")?;
+/// assert_eq!(config.get_reply_timeout(), Duration::from_secs(2));
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
+#[must_use = "a configuration does nothing until something is connected with it"]
 #[derive(Debug, Clone)]
 pub struct Config {
     pub(crate) connect_timeout: Duration,
@@ -56,94 +64,149 @@ impl Config {
         Self::default()
     }
 
-    /// How long connecting may take, over all addresses of a name, which share the time. 5 s by default.
-    #[must_use]
+    /// Sets how long connecting may take, over all addresses of a name, which share the time. 5 s by default.
     pub fn connect_timeout(mut self, timeout: Duration) -> Self {
         self.connect_timeout = timeout.max(SHORTEST);
         self
     }
 
-    /// How long a reply, or a status packet, may take from the moment of the call. 5 s by default.
+    /// The value of [`connect_timeout`](Self::connect_timeout).
+    pub fn get_connect_timeout(&self) -> Duration {
+        self.connect_timeout
+    }
+
+    /// Sets how long a reply, or a status packet, may take from the moment of the call. 5 s by default.
     ///
-    /// A call's time has in it the wait for other threads that send, and the sending: a controller that reads nothing lets it run out.
+    /// The time of a call includes the wait for other threads that send, and the sending itself.
     /// Commands for which the spec names a longer time, such as `power_on` and the motions, get that longer time.
-    #[must_use]
     pub fn reply_timeout(mut self, timeout: Duration) -> Self {
         self.reply_timeout = timeout.max(SHORTEST);
         self
     }
 
-    /// After how long a silence TCP probes the controller, so that a pulled cable is noticed; `None` for never.
+    /// The value of [`reply_timeout`](Self::reply_timeout).
+    pub fn get_reply_timeout(&self) -> Duration {
+        self.reply_timeout
+    }
+
+    /// Sets after how long a silence TCP probes the controller, so that a pulled cable is noticed; `None` for never.
     /// 9 s by default, and a third of it between probes.
     ///
-    /// Systems take whole seconds from 1 to 32767: other times are rounded up to the next second, or taken as the nearest of these. Between
-    /// probes there is a second at least.
-    #[must_use]
+    /// Systems take whole seconds from 1 to 32767: other times are rounded up to the next second, and limited to this
+    /// range. The time between probes is at least one second.
     pub fn keepalive(mut self, idle: Option<Duration>) -> Self {
         self.keepalive = idle;
         self
     }
 
-    /// The longest message taken from the controller, in bytes. 1 MiB by default.
-    #[must_use]
+    /// The value of [`keepalive`](Self::keepalive).
+    pub fn get_keepalive(&self) -> Option<Duration> {
+        self.keepalive
+    }
+
+    /// Sets the length of the longest message that is accepted from the controller, in bytes. 1 MiB by default.
     pub fn max_frame(mut self, bytes: usize) -> Self {
         self.max_frame = bytes;
         self
     }
 
-    /// Whether ranges are enforced that newer firmware has widened. Enforced by default.
-    #[must_use]
+    /// The value of [`max_frame`](Self::max_frame).
+    pub fn get_max_frame(&self) -> usize {
+        self.max_frame
+    }
+
+    /// Sets whether ranges are enforced that newer firmware has widened. Enforced by default.
     pub fn advisory_ranges(mut self, ranges: AdvisoryRanges) -> Self {
         self.advisory_ranges = ranges;
         self
     }
 
-    /// After how long without a packet a [`Monitor`]'s news is stale. 0.5 s by default, several periods of any firmware.
-    #[must_use]
+    /// The value of [`advisory_ranges`](Self::advisory_ranges).
+    pub fn get_advisory_ranges(&self) -> AdvisoryRanges {
+        self.advisory_ranges
+    }
+
+    /// Sets after how long without a packet a [`Monitor`]'s status is stale. 0.5 s by default, which is several periods of any firmware.
     pub fn stale_after(mut self, age: Duration) -> Self {
         self.stale_after = age;
         self
     }
 
-    /// When a [`Monitor`] connects anew after its connection has ended. Never, by default.
-    #[must_use]
+    /// The value of [`stale_after`](Self::stale_after).
+    pub fn get_stale_after(&self) -> Duration {
+        self.stale_after
+    }
+
+    /// Sets when a [`Monitor`] connects again after its connection has ended. Never, by default.
     pub fn reconnect(mut self, policy: Reconnect) -> Self {
         self.reconnect = policy;
         self
     }
 
+    /// The value of [`reconnect`](Self::reconnect).
+    pub fn get_reconnect(&self) -> Reconnect {
+        self.reconnect
+    }
+
     /// Records all connections that are made with this configuration. Nothing is recorded by default, which costs nothing.
-    #[must_use]
     pub fn recorder(mut self, recorder: Recorder) -> Self {
         self.recorder = Some(recorder);
         self
     }
 
-    /// Which status packets are recorded. All by default, which can be some 0.5 MB each second.
-    #[must_use]
+    /// The value of [`recorder`](Self::recorder).
+    pub fn get_recorder(&self) -> Option<&Recorder> {
+        self.recorder.as_ref()
+    }
+
+    /// Sets which status packets are recorded. All by default, which can be some 0.5 MB each second.
     pub fn status_sampling(mut self, sampling: StatusSampling) -> Self {
         self.status_sampling = sampling;
         self
     }
 
-    /// Connects to a controller's command port.
+    /// The value of [`status_sampling`](Self::status_sampling).
+    pub fn get_status_sampling(&self) -> StatusSampling {
+        self.status_sampling
+    }
+
+    /// Connects a [`Client`] to a controller's command port.
     ///
     /// # Errors
     /// As [`Client::connect`].
-    pub fn connect(&self, address: impl Display) -> Result<Client, Error> {
+    pub fn connect_client(&self, address: impl Display) -> Result<Client, Error> {
         Client::with_config(&address.to_string(), self)
+    }
+
+    /// Connects a [`Monitor`] to a controller's status port.
+    ///
+    /// # Errors
+    /// As [`Monitor::connect`].
+    pub fn connect_monitor<S: Decode + Send + Sync + 'static>(
+        &self,
+        address: impl Display,
+    ) -> Result<Monitor<S>, Error> {
+        Monitor::with_config(&address.to_string(), self)
+    }
+
+    /// Connects a [`StatusStream`] to a controller's status port.
+    ///
+    /// # Errors
+    /// As [`StatusStream::connect`].
+    pub fn connect_status(&self, address: impl Display) -> Result<StatusStream, Error> {
+        StatusStream::with_config(&address.to_string(), self)
     }
 
     /// Connects a [`Robot`] to a controller at the protocol's ports, 10001 and 10000.
     ///
     /// # Errors
     /// As [`Robot::connect`].
-    pub fn robot(&self, address: impl Display) -> Result<Robot, Error> {
+    pub fn connect_robot(&self, address: impl Display) -> Result<Robot, Error> {
         let address = address.to_string();
         if address::names_a_port(&address) {
             return Err(ErrorKind::PortInAddress { address }.into());
         }
-        self.connect_robot(&address, &address)
+        self.connect_robot_at(&address, &address)
     }
 
     /// Connects a [`Robot`] to a controller whose two ports have addresses of their own: a simulated one, or one behind a proxy.
@@ -153,31 +216,15 @@ impl Config {
     /// use jaka_sync::Config;
     ///
     /// let controller = Controller::start()?;
-    /// let robot = Config::new().connect_robot(controller.command_addr(), controller.status_addr())?;
+    /// let robot = Config::new().connect_robot_at(controller.command_addr(), controller.status_addr())?;
     /// # drop(robot);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// As [`connect`](Self::connect) and [`monitor`](Self::monitor).
-    pub fn connect_robot(&self, commands: impl Display, status: impl Display) -> Result<Robot, Error> {
-        let monitor: Monitor = self.monitor(status)?;
-        Ok(Robot::new(self.connect(commands)?, monitor))
-    }
-
-    /// Connects to a controller's status port.
-    ///
-    /// # Errors
-    /// As [`StatusStream::connect`].
-    pub fn connect_status(&self, address: impl Display) -> Result<StatusStream, Error> {
-        StatusStream::with_config(&address.to_string(), self)
-    }
-
-    /// Connects a monitor to a controller's status port.
-    ///
-    /// # Errors
-    /// As [`Monitor::connect`].
-    pub fn monitor<S: Decode + Send + Sync + 'static>(&self, address: impl Display) -> Result<Monitor<S>, Error> {
-        Monitor::with_config(&address.to_string(), self)
+    /// As [`connect_client`](Self::connect_client) and [`connect_monitor`](Self::connect_monitor).
+    pub fn connect_robot_at(&self, commands: impl Display, status: impl Display) -> Result<Robot, Error> {
+        let monitor: Monitor = self.connect_monitor(status)?;
+        Ok(Robot::new(self.connect_client(commands)?, monitor))
     }
 }

@@ -175,7 +175,7 @@ impl Monitor<RobotStatus> {
     /// # Errors
     /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().monitor(address)
+        Config::new().connect_monitor(address)
     }
 }
 

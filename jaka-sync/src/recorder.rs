@@ -48,7 +48,7 @@ const BLOCK: usize = 64 << 10;
 ///
 /// /// The program under test.
 /// fn program(config: &Config, address: impl std::fmt::Display) -> Result<(), Error> {
-///     let mut robot = config.connect(address)?;
+///     let mut robot = config.connect_client(address)?;
 ///     robot.get_version()?;
 ///     robot.enable_robot()?; // without power
 ///     Ok(())

@@ -90,9 +90,9 @@ impl Robot {
     ///
     /// # Errors
     /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] where the address names a port, which can be only one of
-    /// the two. [`Config::connect_robot`] takes two addresses.
+    /// the two. [`Config::connect_robot_at`] takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().robot(address)
+        Config::new().connect_robot(address)
     }
 
     /// A robot of connections that have been made, to the same controller.

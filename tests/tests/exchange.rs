@@ -94,7 +94,7 @@ fn ranges_of_newer_firmware_can_be_switched_off() {
     assert!(error.to_string().contains("newer firmware may take it"), "{error}");
     drop(strict);
     let config = Config::new().advisory_ranges(AdvisoryRanges::Ignored);
-    let mut open = config.connect(controller.command_addr()).expect("the controller listens");
+    let mut open = config.connect_client(controller.command_addr()).expect("the controller listens");
     open.set_digital_output(&relay).expect("it is left to the controller");
     assert!(open.rapid_rate(1.5).is_err_and(|error| error.is_invalid_argument()));
 }
@@ -243,7 +243,7 @@ fn addresses_with_and_without_a_port() {
     client = Client::connect(by_name).expect("the name is known everywhere");
     client.get_version().expect("it answers");
     // Without a port, it is the protocol's.
-    let error = Config::new().connect_timeout(Duration::from_millis(100)).connect("127.0.0.1");
+    let error = Config::new().connect_timeout(Duration::from_millis(100)).connect_client("127.0.0.1");
     if let Err(error) = error {
         assert_eq!(error.to_string(), "cannot connect to 127.0.0.1");
     }
@@ -266,7 +266,7 @@ fn read_ahead(behind: &str) -> (TcpStream, Client, StopHandle) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
     let hasty = Config::new().reply_timeout(Duration::from_millis(20));
-    let mut client = hasty.connect(address).expect("it listens");
+    let mut client = hasty.connect_client(address).expect("it listens");
     let (mut server, _) = listener.accept().expect("the client waits");
     let stop = client.stop_handle();
     let query = format!("{{\"cmdName\":\"{}\"}}", GetJointPos::INFO.name);
@@ -302,7 +302,7 @@ fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_it
 fn whoever_reads_tells_the_others_that_their_replies_are_lost() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let patient = Config::new().reply_timeout(Duration::from_secs(60));
-    let mut client = patient.connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    let mut client = patient.connect_client(listener.local_addr().expect("it is bound")).expect("it listens");
     let (mut server, _) = listener.accept().expect("the client waits");
     let request = |info: &CommandInfo| format!("{{\"cmdName\":\"{}\"}}", info.name);
     let stops = [client.stop_handle(), client.stop_handle()].map(|stop| thread::spawn(move || stop.stop()));
@@ -416,14 +416,14 @@ fn a_robots_address_with_a_port_is_refused() {
             error.to_string(),
             format!(
                 "cannot connect to {address}: a robot has two ports, so give its address without a port, or both \
-                 addresses to `Config::connect_robot`"
+                 addresses to `Config::connect_robot_at`"
             )
         );
     }
     let controller = jaka_tests::controller();
     let config = Config::new();
     let mut robot =
-        config.connect_robot(controller.command_addr(), controller.status_addr()).expect("the controller listens");
+        config.connect_robot_at(controller.command_addr(), controller.status_addr()).expect("the controller listens");
     robot.client().get_version().expect("it answers");
     robot.monitor().wait_until(|_| true, Duration::from_secs(60)).expect("packets come");
 }
@@ -433,7 +433,7 @@ fn no_timeout_is_too_long() {
     let controller = jaka_tests::controller();
     let config =
         Config::new().connect_timeout(Duration::MAX).reply_timeout(Duration::MAX).keepalive(Some(Duration::MAX));
-    let mut client = config.connect(controller.command_addr()).expect("the controller listens");
+    let mut client = config.connect_client(controller.command_addr()).expect("the controller listens");
     client.get_version().expect("it answers");
     client.call_within(&GetJointPos, Duration::MAX).expect("it answers");
     let mut pipeline = client.pipeline(usize::MAX);

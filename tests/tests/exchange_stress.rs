@@ -115,7 +115,7 @@ fn every_call_ends_and_no_query_gets_the_reply_to_another() {
     for connection in 0..CONNECTIONS * jaka_tests::reliability_times() {
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let address = listener.local_addr().expect("it is bound");
-        let client = Config::new().reply_timeout(TIMEOUT).connect(address).expect("it listens");
+        let client = Config::new().reply_timeout(TIMEOUT).connect_client(address).expect("it listens");
         let (stream, _) = listener.accept().expect("the client has connected");
         let (ended, ends) = mpsc::channel();
         for _ in 0..HANDLES {

@@ -15,7 +15,8 @@ const SHORT: Duration = Duration::from_millis(300);
 /// A controller whose next reply has this fault, and a client with a short reply timeout.
 fn faulty(fault: Fault) -> (Controller, Client) {
     let controller = jaka_tests::controller();
-    let client = Config::new().reply_timeout(SHORT).connect(controller.command_addr()).expect("the controller listens");
+    let client =
+        Config::new().reply_timeout(SHORT).connect_client(controller.command_addr()).expect("the controller listens");
     controller.inject(fault);
     (controller, client)
 }
@@ -92,7 +93,7 @@ fn connect_timeout() {
     let mut waiting = Vec::new();
     let since = Instant::now();
     let error = (0..16)
-        .find_map(|_| match config.connect(address) {
+        .find_map(|_| match config.connect_client(address) {
             Ok(client) => {
                 waiting.push(client);
                 None
@@ -256,7 +257,8 @@ fn invalid_utf8() {
 #[test]
 fn oversized_reply() {
     let controller = jaka_tests::controller();
-    let mut client = Config::new().max_frame(4096).connect(controller.command_addr()).expect("the controller listens");
+    let mut client =
+        Config::new().max_frame(4096).connect_client(controller.command_addr()).expect("the controller listens");
     let huge = format!("{{\"errorMsg\": \"{}\"}}", "x".repeat(5000));
     controller.inject(Fault::Instead(huge.into_bytes()));
     assert!(cause_of(client.get_joint_pos().expect_err("the limit is exceeded")).contains("TooLong"));
@@ -354,7 +356,7 @@ fn a_controller_that_never_reads() {
     // Nobody accepts: the kernel takes some bytes, and then no more.
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
-    let mut client = Config::new().reply_timeout(SHORT).connect(address).expect("it listens");
+    let mut client = Config::new().reply_timeout(SHORT).connect_client(address).expect("it listens");
     let program = "x".repeat(1 << 20);
     let errors = (0..64).map(|_| client.load_program(&*program).expect_err("nobody answers"));
     let broken = errors.into_iter().find(Error::is_disconnected).expect("the kernel's buffers are finite");

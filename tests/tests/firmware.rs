@@ -130,7 +130,7 @@ fn a_firmware_that_is_set_is_not_asked_for() {
 #[test]
 fn a_motion_that_the_controller_does_not_have_is_not_waited_for() {
     let (controller, client) = connected();
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     let mut robot = Robot::new(client, monitor);
     robot.client().check_firmware().expect("the simulator says its version");
     missing(robot.start(&PLAIN));

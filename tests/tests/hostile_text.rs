@@ -75,7 +75,7 @@ fn the_text_itself_is_kept_as_it_came() {
     controller.inject(Fault::Instead(reply.into_bytes()));
     let recorder = Recorder::new(std::io::sink()).expect("a thread can be had");
     let config = Config::new().recorder(recorder);
-    let mut client: Client = config.connect(controller.command_addr()).expect("the controller listens");
+    let mut client: Client = config.connect_client(controller.command_addr()).expect("the controller listens");
     let error = client.get_version().expect_err("it is refused");
     assert_eq!(error.refusal().map(|refusal| &*refusal.message), Some(HOSTILE));
     for line in format!("{error:#}").lines() {

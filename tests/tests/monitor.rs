@@ -20,7 +20,8 @@ fn quiet() -> (Controller, Monitor) {
         .status_period(Duration::MAX)
         .start()
         .expect("loopback has free ports");
-    let monitor = Config::new().stale_after(LONG).monitor(controller.status_addr()).expect("the controller listens");
+    let monitor =
+        Config::new().stale_after(LONG).connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|_: &RobotStatus| true, LONG).expect("the first packet comes at once");
     (controller, monitor)
 }
@@ -127,7 +128,7 @@ fn a_silent_controller_is_stale_and_a_timeout() {
     assert!(!monitor.is_stale());
     let controller = Controller::builder().stepped_clock().start().expect("loopback has free ports");
     let config = Config::new().stale_after(Duration::ZERO);
-    let impatient: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let impatient: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     // What is stale does not count, whatever it says.
     assert!(impatient.wait_until(|_| true, Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
     assert!(impatient.is_stale());
@@ -179,7 +180,7 @@ fn it_connects_anew_where_asked_to() {
     let controller =
         Controller::builder().status_period(Duration::from_millis(5)).start().expect("loopback has free ports");
     let config = Config::new().reconnect(Reconnect::attempts(100)).stale_after(LONG);
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     for n in 1..=3 {
         controller.disconnect();
         let since = Instant::now();
@@ -190,7 +191,7 @@ fn it_connects_anew_where_asked_to() {
     }
     let address = controller.status_addr();
     drop(controller);
-    let few: Result<Monitor, _> = Config::new().connect_timeout(Duration::from_millis(50)).monitor(address);
+    let few: Result<Monitor, _> = Config::new().connect_timeout(Duration::from_millis(50)).connect_monitor(address);
     assert!(few.is_err_and(|error| error.is_connect()));
 }
 
@@ -199,7 +200,7 @@ fn attempts_to_connect_anew_come_to_an_end() {
     let controller = Controller::start().expect("loopback has free ports");
     let policy = Reconnect::attempts(2);
     let config = Config::new().reconnect(policy).connect_timeout(Duration::from_millis(100));
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     drop(controller);
     let error = monitor.wait_until(|_| false, LONG).expect_err("nobody is there any more");
     assert!(error.is_disconnected());
@@ -226,7 +227,8 @@ impl Decode for Joints {
 #[test]
 fn a_type_of_ones_own_is_decoded_in_place_of_the_whole_packet() {
     let controller = Controller::start().expect("loopback has free ports");
-    let monitor: Monitor<Joints> = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor<Joints> =
+        Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     let found = monitor.next().expect("a packet comes");
     assert_eq!(found.status, Joints(Some(controller.state().joint_position)));
 }
@@ -254,7 +256,8 @@ impl Decode for Buggy {
 #[test]
 fn a_panic_of_a_users_decoder_is_a_packet_that_cannot_be_read_and_the_monitor_goes_on() {
     let (controller, _) = quiet();
-    let monitor: Monitor<Buggy> = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor<Buggy> =
+        Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|_| true, LONG).expect("the first packet comes at once");
     controller.set_state(|state| state.powered = true);
     controller.publish();

@@ -26,7 +26,7 @@ fn stream() -> (TcpStream, StatusStream) {
 
 fn monitor() -> (TcpStream, Monitor) {
     let (listener, address) = listen();
-    let monitor = Config::new().reply_timeout(LONG).stale_after(LONG).monitor(address).expect("it listens");
+    let monitor = Config::new().reply_timeout(LONG).stale_after(LONG).connect_monitor(address).expect("it listens");
     (listener.accept().expect("it is connected").0, monitor)
 }
 

@@ -29,9 +29,9 @@ fn arm_with(habits: impl Into<jaka_sim::Habits>, period: Duration) -> Controller
 }
 
 fn robot_of(controller: &Controller, config: &Config) -> Robot {
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-    Robot::new(config.connect(controller.command_addr()).expect("the controller listens"), monitor)
+    Robot::new(config.connect_client(controller.command_addr()).expect("the controller listens"), monitor)
 }
 
 fn lenient() -> Config {
@@ -168,7 +168,7 @@ fn no_motion_is_sent_while_the_newest_packet_shows_a_stop() {
 fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
     let controller = arm_with([], PERIOD);
     let config = lenient();
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     let (seen, saw) = mpsc::channel();
     monitor.observe(move |snapshot| {
@@ -178,7 +178,7 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
         }
         std::ops::ControlFlow::Continue(())
     });
-    let mut robot = Robot::new(config.connect(controller.command_addr()).expect("listens"), monitor);
+    let mut robot = Robot::new(config.connect_client(controller.command_addr()).expect("listens"), monitor);
     controller.collide();
     saw.recv_timeout(LONG).expect("packets come");
     let newest = robot.monitor().last().expect("packets came");

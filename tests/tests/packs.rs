@@ -47,7 +47,7 @@ fn commands_of_a_pack_are_called_and_answered() {
 #[test]
 fn commands_of_a_pack_work_on_a_robot_and_through_references() {
     let controller = controller();
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the port is open");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the port is open");
     let mut robot = Robot::new(client(&controller), monitor);
     assert_eq!(robot.get_motion_state().expect("it is answered").queue, 3);
     assert!(!is_stopped(&mut &mut robot).expect("it is answered"));
@@ -94,7 +94,7 @@ fn a_changed_command_sends_what_the_pack_adds() {
 #[test]
 fn a_motion_of_a_pack_is_waited_for() {
     let controller = controller();
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the port is open");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the port is open");
     let mut robot = Robot::new(client(&controller), monitor);
     robot.power_up(Duration::from_secs(5)).expect("it has power at once");
     let request = changed::JointMove {
@@ -132,8 +132,9 @@ fn a_settled_field_is_typed() {
 fn a_status_packet_with_the_pack_s_keys() {
     let controller = controller();
     let config = Config::new();
-    let monitor: Monitor<changed::RobotStatus> = config.monitor(controller.status_addr()).expect("the port is open");
-    let plain: Monitor<RobotStatus> = config.monitor(controller.status_addr()).expect("the port is open");
+    let monitor: Monitor<changed::RobotStatus> =
+        config.connect_monitor(controller.status_addr()).expect("the port is open");
+    let plain: Monitor<RobotStatus> = config.connect_monitor(controller.status_addr()).expect("the port is open");
     let status = monitor.wait_until(|_| true, Duration::from_secs(5)).expect("a packet comes");
     assert_eq!(status.status.brake_state, None);
     let plain = plain.wait_until(|_| true, Duration::from_secs(5)).expect("a packet comes");

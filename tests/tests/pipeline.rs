@@ -17,7 +17,7 @@ const LONG: Duration = Duration::from_secs(60);
 fn connected(timeout: Duration) -> (Controller, Client) {
     let controller = jaka_tests::controller();
     let client =
-        Config::new().reply_timeout(timeout).connect(controller.command_addr()).expect("the controller listens");
+        Config::new().reply_timeout(timeout).connect_client(controller.command_addr()).expect("the controller listens");
     (controller, client)
 }
 
@@ -74,7 +74,7 @@ fn commands_that_are_sent_together_go_out_in_order_and_are_recorded_one_by_one()
     let recorder = Recorder::create(&file).expect("the folder for temporary files can be written");
     let controller = jaka_tests::controller();
     let config = Config::new().recorder(recorder.clone());
-    let mut client = config.connect(controller.command_addr()).expect("the controller listens");
+    let mut client = config.connect_client(controller.command_addr()).expect("the controller listens");
     let mut pipeline = client.pipeline(16);
     let outputs: Vec<_> = (0..100).map(|number| output(number % 8)).collect();
     pipeline.send_all(&outputs).expect("the controller has such outputs");
@@ -234,7 +234,7 @@ fn a_reply_that_is_lost_behind_dropped_pipelines_is_still_noticed() {
 fn unanswered(timeout: Duration) -> (Client, TcpStream) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
-    let client = Config::new().reply_timeout(timeout).connect(address).expect("it listens");
+    let client = Config::new().reply_timeout(timeout).connect_client(address).expect("it listens");
     (client, listener.accept().expect("the client waits").0)
 }
 

@@ -93,9 +93,9 @@ fn config() -> Config {
 }
 
 fn connect(controller: &Controller) -> Robot {
-    let monitor: Monitor = config().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config().connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-    let client = config().connect(controller.command_addr()).expect("the controller listens");
+    let client = config().connect_client(controller.command_addr()).expect("the controller listens");
     Robot::new(client, monitor).start_grace(Duration::from_millis(300), 3)
 }
 

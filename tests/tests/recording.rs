@@ -23,7 +23,7 @@ const LIMIT: Duration = Duration::from_secs(30);
 fn a_recording_tells_the_whole_session() {
     let robot = jaka_tests::controller();
     let ((), recording) = recorded(|config| {
-        let mut client = config.connect(robot.command_addr()).expect("the controller listens");
+        let mut client = config.connect_client(robot.command_addr()).expect("the controller listens");
         client.rapid_rate(0.5).expect("it answers");
         robot.inject(Fault::Drop);
         assert!(client.call_within(&GetJointPos, SHORT).is_err_and(|error| error.is_timeout()));
@@ -51,7 +51,7 @@ fn connections_that_cannot_be_made_are_recorded() {
     let address = listener.local_addr().expect("it is bound");
     drop(listener);
     let ((), recording) = recorded(|config| {
-        let error = config.connect(address).expect_err("nobody listens");
+        let error = config.connect_client(address).expect_err("nobody listens");
         assert!(error.exchanges().is_empty());
     });
     let [Entry { event: Event::Error { text }, .. }] = &recording.entries[..] else { panic!("{recording:?}") };
@@ -62,7 +62,7 @@ fn connections_that_cannot_be_made_are_recorded() {
 fn garbage_between_status_packets_is_recorded_by_monitors() {
     let robot = Controller::builder().status_period(Duration::MAX).start().expect("loopback has free ports");
     let (skipped, recording) = recorded(|config| {
-        let monitor: Monitor = config.monitor(robot.status_addr()).expect("the controller listens");
+        let monitor: Monitor = config.connect_monitor(robot.status_addr()).expect("the controller listens");
         monitor.wait_until(|_| true, LIMIT).expect("the first packet comes at once");
         let seen = monitor.subscribe(10);
         for piece in [b"\x01\x02".as_slice(), b"\x03", b"\x04{\"len\": 7}"] {
@@ -128,7 +128,7 @@ fn a_writer_that_hangs_delays_no_call_and_what_is_dropped_is_counted() {
     let recorder = Recorder::new(gate.clone()).expect("a thread can be had");
     let robot = jaka_tests::controller();
     let mut client =
-        Config::new().recorder(recorder.clone()).connect(robot.command_addr()).expect("the controller listens");
+        Config::new().recorder(recorder.clone()).connect_client(robot.command_addr()).expect("the controller listens");
     // From here on all waits, however late the writer begins.
     client.get_version().expect("it answers");
     gate.wait_until_it_hangs();
@@ -161,7 +161,7 @@ fn a_writer_that_hangs_delays_no_call_and_what_is_dropped_is_counted() {
 fn errors_have_the_last_messages_only_where_they_are_recorded() {
     let robot = jaka_tests::controller();
     let fails = |config: &Config| {
-        let mut client = config.connect(robot.command_addr()).expect("the controller listens");
+        let mut client = config.connect_client(robot.command_addr()).expect("the controller listens");
         for _ in 0..6 {
             client.get_version().expect("it answers");
         }
@@ -189,7 +189,7 @@ fn errors_of_each_kind_have_the_last_messages() {
     let robot = Controller::builder().delays(Delays::NONE).status_period(Duration::MAX);
     let robot = robot.start().expect("loopback has free ports");
     let ((), _) = recorded(|config| {
-        let mut client = config.connect(robot.command_addr()).expect("it listens");
+        let mut client = config.connect_client(robot.command_addr()).expect("it listens");
         let with = |error: &Error, count| assert_eq!(error.exchanges().len(), count, "{error:?}");
         robot.inject(Fault::Drop);
         with(&client.call_within(&GetVersion, SHORT).expect_err("no reply comes"), 1);
@@ -211,7 +211,7 @@ fn errors_of_each_kind_have_the_last_messages() {
         robot.send_status(br#"{"enabled" true}"#);
         let mut errors = std::iter::repeat_with(|| status.next_packet().expect_err("it does not fit"));
         with(&errors.find(|error| !error.is_timeout()).expect("the iterator has no end"), 2);
-        let monitor: Monitor = config.monitor(robot.status_addr()).expect("it listens");
+        let monitor: Monitor = config.connect_monitor(robot.status_addr()).expect("it listens");
         monitor.wait_until(|_| true, LIMIT).expect("the first packet comes at once");
         with(&monitor.wait_until(|_| false, SHORT).expect_err("it never does"), 1);
     });
@@ -234,7 +234,7 @@ fn fewer_status_packets_can_be_recorded() {
 fn stops_of_another_thread_are_recorded() {
     let robot = jaka_tests::controller();
     let ((), recording) = recorded(|config| {
-        let client = config.connect(robot.command_addr()).expect("the controller listens");
+        let client = config.connect_client(robot.command_addr()).expect("the controller listens");
         let stop = client.stop_handle();
         std::thread::spawn(move || stop.stop()).join().expect("it does not panic").expect("it answers");
     });
@@ -248,7 +248,8 @@ fn a_file_is_complete_when_the_last_connection_is_dropped() {
     let path = std::env::temp_dir().join(format!("jaka-recording-{}.jsonl", std::process::id()));
     let robot = jaka_tests::controller();
     let recorder = Recorder::create(&path).expect("the folder can be written");
-    let mut client = Config::new().recorder(recorder).connect(robot.command_addr()).expect("the controller listens");
+    let mut client =
+        Config::new().recorder(recorder).connect_client(robot.command_addr()).expect("the controller listens");
     client.get_version().expect("it answers");
     drop(client);
     let file = std::fs::read(&path).expect("it is there");

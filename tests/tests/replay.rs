@@ -28,7 +28,7 @@ fn replay(recording: &Recording, mode: Replay) -> Controller {
 fn eventful(config: &Config, commands: SocketAddr, status: SocketAddr) -> Vec<String> {
     let mut seen = Vec::new();
     let mut see = |result: &dyn Debug| seen.push(format!("{result:?}"));
-    let mut client = config.connect(commands).expect("the controller listens");
+    let mut client = config.connect_client(commands).expect("the controller listens");
     let mut packets = config.connect_status(status).expect("the controller listens");
     see(&client.get_version());
     see(&client.enable_robot()); // refused: no power
@@ -41,7 +41,7 @@ fn eventful(config: &Config, commands: SocketAddr, status: SocketAddr) -> Vec<St
     see(&client.get_joint_pos()); // broken off in the middle
     see(&client.get_joint_pos()); // not sent
     drop(client);
-    let mut client = config.connect(commands).expect("the controller listens");
+    let mut client = config.connect_client(commands).expect("the controller listens");
     see(&client.get_version());
     see(&client.quit());
     see(&client.get_version()); // the session has ended
@@ -70,8 +70,8 @@ fn a_strict_replay_of_a_session_is_the_same_session() {
 #[test]
 fn motions_and_servo_sessions_of_a_robot_are_replayed() {
     let program = |config: &Config, controller: &Controller| {
-        let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
-        let client = config.connect(controller.command_addr()).expect("the controller listens");
+        let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
+        let client = config.connect_client(controller.command_addr()).expect("the controller listens");
         let mut robot = Robot::new(client, monitor);
         robot.power_up(LIMIT).expect("it powers up at once");
         let request = JointMove {
@@ -101,7 +101,7 @@ fn garbage_is_recorded_byte_for_byte_and_replayed() {
     let garbage = b"\x00\xff not a message {\xfe} \n\"";
     let robot = jaka_tests::controller();
     let program = |config: &Config, address| {
-        let mut client = config.connect(address).expect("the controller listens");
+        let mut client = config.connect_client(address).expect("the controller listens");
         client.get_version().expect("it answers");
         format!("{:?}", client.get_joint_pos())
     };
@@ -122,7 +122,7 @@ fn resets_are_replayed_as_resets() {
     let robot = jaka_tests::controller();
     robot.inject(Fault::Reset);
     let program = |config: &Config, address| {
-        let mut client = config.connect(address).expect("the controller listens");
+        let mut client = config.connect_client(address).expect("the controller listens");
         format!(
             "{:?}",
             client.get_version().map_err(|error| std::error::Error::source(&error).map(ToString::to_string))
@@ -142,7 +142,7 @@ fn replies_that_nobody_asked_for_are_replayed() {
     let robot = jaka_tests::controller();
     robot.inject(Fault::Instead(reply.repeat(2)));
     let program = |config: &Config, address| {
-        let mut client = config.connect(address).expect("the controller listens");
+        let mut client = config.connect_client(address).expect("the controller listens");
         format!("{:?} {:?}", client.get_version(), client.get_robot_state())
     };
     let (seen, recording) = recorded(|config| program(config, robot.command_addr()));
@@ -156,7 +156,7 @@ fn replies_that_nobody_asked_for_are_replayed() {
 fn short_session() -> Recording {
     let robot = jaka_tests::controller();
     let ((), recording) = recorded(|config| {
-        let mut client = config.connect(robot.command_addr()).expect("the controller listens");
+        let mut client = config.connect_client(robot.command_addr()).expect("the controller listens");
         client.rapid_rate(0.5).expect("it answers");
         robot.set_state(|state| state.joint_position = [1.0; 6].into());
         client.get_joint_pos().expect("it answers");
@@ -233,7 +233,7 @@ fn matching_answers_equal_requests_in_any_order_and_no_others() {
 fn matching_keeps_silent_and_closes_where_the_controller_did() {
     let robot = jaka_tests::controller();
     let program = |config: &Config, address| {
-        let mut client = config.connect(address).expect("the controller listens");
+        let mut client = config.connect_client(address).expect("the controller listens");
         let silent = client.call_within(&GetJointPos, SHORT).expect_err("no reply comes");
         client.rapid_rate(0.5).expect("it answers");
         (silent.to_string(), client.get_version().expect_err("the controller closes").to_string())

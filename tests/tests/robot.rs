@@ -34,7 +34,7 @@ fn ready() -> (Controller, Robot) {
         state.enabled = true;
     });
     let monitor: Monitor =
-        Config::new().stale_after(LONG).monitor(controller.status_addr()).expect("the controller listens");
+        Config::new().stale_after(LONG).connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|_| true, LONG).expect("the first packet comes at once");
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     let robot = Robot::new(client, monitor).start_grace(Duration::ZERO, 4).status_silence(LONG);
@@ -343,7 +343,7 @@ fn a_lost_status_is_told_and_latches() {
 #[test]
 fn power_up_follows_the_state() {
     let controller = Controller::builder().stepped_clock().status_period(CYCLE).start().expect("there are ports");
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     let mut robot = Robot::new(client, monitor);
     let monitor = Arc::clone(robot.monitor());

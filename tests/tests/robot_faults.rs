@@ -23,9 +23,9 @@ fn ready() -> (Controller, Robot) {
         state.enabled = true;
     });
     let config = Config::new().reply_timeout(Duration::from_millis(300)).max_frame(64 << 10);
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), Duration::from_secs(30)).expect("packets come");
-    let client: Client = config.connect(controller.command_addr()).expect("the controller listens");
+    let client: Client = config.connect_client(controller.command_addr()).expect("the controller listens");
     let silence = Duration::from_millis(500);
     (controller, Robot::new(client, monitor).start_grace(Duration::from_millis(100), 3).status_silence(silence))
 }

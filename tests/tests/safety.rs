@@ -103,7 +103,7 @@ fn since(controller: &Controller, before: usize) -> Vec<String> {
 fn nothing_is_sent_on_its_own() {
     let controller = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(5));
     let controller = controller.start().expect("loopback has free ports");
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     let mut robot = Robot::new(client, monitor);
     robot.power_up(LIMIT).expect("it powers up at once");
@@ -142,7 +142,7 @@ fn a_lost_connection_leaves_an_accepted_motion_running() {
     controller.disconnect();
     let error = client.get_version().expect_err("the connection is lost");
     assert!(error.is_disconnected(), "{error:?}");
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     let is_there = |at: JointPosition| (at.0[0] - 5.0).abs() < 1e-6;
     monitor.wait_until(|status| status.joint_actual_position.is_some_and(is_there), LIMIT).expect("the arm goes on");
     assert_eq!(since(&controller, before), Vec::<String>::new(), "nothing is sent again");

@@ -18,7 +18,7 @@ fn ready() -> (Controller, Robot) {
         state.powered = true;
         state.enabled = true;
     });
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor
         .wait_until(|status| status.enabled == Some(true), Duration::from_secs(30))
         .expect("packets come by themselves");
@@ -28,7 +28,7 @@ fn ready() -> (Controller, Robot) {
 
 /// The last set-points are under way when they have been answered, and are given up when servo mode is left.
 fn arrives(controller: &Controller, is_there: impl Fn(&RobotStatus) -> bool) {
-    let monitor: Monitor = Config::new().monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(is_there, Duration::from_secs(30)).expect("the arm follows the set-points");
 }
 

@@ -24,9 +24,9 @@ fn arm() -> Controller {
 }
 
 fn robot_of(controller: &Controller, config: &Config) -> Robot {
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-    Robot::new(config.connect(controller.command_addr()).expect("the controller listens"), monitor)
+    Robot::new(config.connect_client(controller.command_addr()).expect("the controller listens"), monitor)
 }
 
 /// A robot for which packets of a minute ago are fresh, so that the test alone decides what is stale.
@@ -438,8 +438,9 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
 fn power_up_keeps_its_time_and_says_what_is_in_its_way() {
     let controller = Controller::builder().status_period(PERIOD).start().expect("loopback has free ports");
     let config = Config::new().stale_after(LONG);
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
-    let mut robot = Robot::new(config.connect(controller.command_addr()).expect("the controller listens"), monitor);
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
+    let mut robot =
+        Robot::new(config.connect_client(controller.command_addr()).expect("the controller listens"), monitor);
     let error = robot.power_up(Duration::from_millis(500)).expect_err("it takes seconds");
     assert!(error.is_timeout(), "{error:?}");
     let text = error.to_string();

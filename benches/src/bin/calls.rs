@@ -42,7 +42,7 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
 }
 
 fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
-    let monitor: Monitor = Config::new().monitor(status)?;
+    let monitor: Monitor = Config::new().connect_monitor(status)?;
     let mut robot = Robot::new(Client::connect(commands)?, monitor).move_without_status();
     // It spins, so that it need not be asleep at the beat.
     let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));

@@ -136,7 +136,7 @@ mod tests {
     fn started() -> (Controller, Feed, View) {
         let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
         let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
-        let monitor = Config::new().reconnect(policy).monitor(controller.status_addr()).unwrap();
+        let monitor = Config::new().reconnect(policy).connect_monitor(controller.status_addr()).unwrap();
         let (mut feed, mut view) = (Feed::new(monitor), View::default());
         // The first may have come before there was a queue for it.
         controller.publish();

@@ -40,8 +40,8 @@ impl Target {
     /// Connects for commands and for status.
     pub(crate) fn robot(&self) -> Result<Robot, jaka_sync::Error> {
         let config = Config::new();
-        let monitor: Monitor = config.monitor(&self.status)?;
-        Ok(Robot::new(config.connect(&self.commands)?, monitor))
+        let monitor: Monitor = config.connect_monitor(&self.status)?;
+        Ok(Robot::new(config.connect_client(&self.commands)?, monitor))
     }
 
     /// Asks before a robot does something; a simulated one just does it.

@@ -32,7 +32,7 @@ pub enum ErrorKind {
         source: io::Error,
     },
     /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give the address without a
-    /// port, or both addresses to [`Config::connect_robot`](crate::Config::connect_robot). Nothing was connected to.
+    /// port, or both addresses to [`Config::connect_robot_at`](crate::Config::connect_robot_at). Nothing was connected to.
     PortInAddress {
         /// The address given.
         address: String,
@@ -240,7 +240,7 @@ impl fmt::Display for ErrorKind {
             Self::PortInAddress { address } => write!(
                 f,
                 "cannot connect to {address}: a robot has two ports, so give its address without a port, or both addresses to \
-                 `Config::connect_robot`"
+                 `Config::connect_robot_at`"
             ),
             Self::Refused { refusal, explanation: None } => write!(f, "{refusal}"),
             Self::Refused { refusal, explanation: Some(explanation) } => write!(f, "{refusal}; {explanation}"),

@@ -49,9 +49,9 @@ impl Session {
         let sampling = StatusSampling::EveryNth(SAMPLING);
         let config = config().status_sampling(sampling);
         let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
-        let monitor: Monitor = config.monitor(place.ports.status)?;
+        let monitor: Monitor = config.connect_monitor(place.ports.status)?;
         observe(&monitor, &place.rate, &place.findings);
-        let client = config.connect(place.ports.commands)?;
+        let client = config.connect_client(place.ports.commands)?;
         // So short that a motion that is stopped is soon known to be.
         let robot = Robot::new(client, monitor).start_grace(Duration::from_millis(60), 3);
         let mut robot = robot.status_silence(Duration::from_millis(400));

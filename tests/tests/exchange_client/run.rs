@@ -38,7 +38,7 @@ impl Run {
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let address = listener.local_addr().expect("it is bound");
         let timeout = if handles == Handles::Hasty { HASTE } else { PATIENCE };
-        let client = Config::new().reply_timeout(timeout).connect(address).expect("it listens");
+        let client = Config::new().reply_timeout(timeout).connect_client(address).expect("it listens");
         let (stream, _) = listener.accept().expect("the client has connected");
         stream.set_read_timeout(Some(PATIENCE)).expect("the time is not zero");
         let stops = STOPS.map(|_| Worker::of_stop_handle(client.stop_handle()));

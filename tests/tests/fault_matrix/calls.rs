@@ -27,7 +27,7 @@ pub(crate) fn run(cell: &Cell<'_>) -> Seen {
     let tape = Tape::default();
     let recorder = (cell.kind == Kind::Recorded).then(|| tape.recorder());
     let config = recorder.iter().fold(cell.config(), |config, recorder| config.recorder(recorder.clone()));
-    let mut client = config.connect(cell.controller.command_addr()).expect("the controller listens");
+    let mut client = config.connect_client(cell.controller.command_addr()).expect("the controller listens");
     cell.strike(command(cell.kind));
     let timeout = cell.patience(cell.expected.first);
     let first = cell.ends(timeout, cell.expected.first, || call(cell, &mut client, timeout));

@@ -188,7 +188,7 @@ impl<'t> Cell<'t> {
     }
 
     pub(crate) fn client(&self) -> Client {
-        self.config().connect(self.controller.command_addr()).expect("the controller listens")
+        self.config().connect_client(self.controller.command_addr()).expect("the controller listens")
     }
 
     /// From now on the next reply to this command, and status packets, go wrong.

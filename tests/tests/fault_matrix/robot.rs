@@ -23,7 +23,8 @@ const SHOWN: u32 = 25;
 const UNSEEN: Duration = Duration::from_secs(2);
 
 pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
-    let monitor: Monitor = cell.config().monitor(cell.controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor =
+        cell.config().connect_monitor(cell.controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|_| true, PATIENCE).expect("the first packet comes at once");
     // Counted in packets alone, so that nothing depends on how fast this machine is.
     let grace = match cell.trouble {

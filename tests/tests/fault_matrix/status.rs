@@ -18,7 +18,7 @@ const WHILE: u32 = 25;
 fn trouble_elsewhere(cell: &Cell<'_>) {
     if cell.trouble.is_of_replies() {
         let config = cell.config().reply_timeout(Duration::from_millis(20));
-        let mut client = config.connect(cell.controller.command_addr()).expect("the controller listens");
+        let mut client = config.connect_client(cell.controller.command_addr()).expect("the controller listens");
         // What it ends with is for other cells.
         drop(client.get_joint_pos());
     }
@@ -69,7 +69,8 @@ fn find(stream: &mut StatusStream, mark: f64) -> Result<(), Error> {
 }
 
 pub(crate) fn run_monitor(cell: &Cell<'_>) -> Seen {
-    let monitor: Monitor = cell.config().monitor(cell.controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor =
+        cell.config().connect_monitor(cell.controller.status_addr()).expect("the controller listens");
     let found = observe(&monitor);
     monitor.wait_until(|_| true, cell.patience(Outcome::Ok)).expect("the first packet comes at once");
     cell.strike(GetJointPos::INFO.name);
