@@ -191,7 +191,7 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
 fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_over_shows() {
     let controller = arm_with([], PERIOD);
     let config = lenient();
-    let monitor: Monitor = config.monitor(controller.status_addr()).expect("the controller listens");
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     let (seen, saw) = mpsc::channel();
     // It was there before the robot.
@@ -202,7 +202,7 @@ fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_ov
         }
         std::ops::ControlFlow::Continue(())
     });
-    let mut robot = Robot::new(config.connect(controller.command_addr()).expect("listens"), monitor);
+    let mut robot = Robot::new(config.connect_client(controller.command_addr()).expect("listens"), monitor);
     controller.link(Port::Status).to_client().hold();
     thread::sleep(ms(200));
     controller.set_state(|state| state.protective_stop = true);
@@ -212,7 +212,7 @@ fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_ov
     controller.link(Port::Status).to_client().release();
     saw.recv_timeout(LONG).expect("packets come");
     let error = robot.start(&to(5.0, 40.0)).expect_err("a packet showed a protective stop");
-    assert!(matches!(error, Error::NotAcknowledged { .. }), "{error:?}");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
     assert_eq!(sent(&controller, "joint_move"), 0);
 }
 
