@@ -2,8 +2,10 @@
 
 mod call;
 mod common;
+mod held_packets;
 mod hostile_text;
 mod others;
+mod plain_socket;
 mod probe;
 mod program;
 mod record;

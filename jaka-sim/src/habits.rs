@@ -8,7 +8,7 @@ pub use self::text::HabitError;
 
 /// Something that some real controllers do, and that a client must survive.
 ///
-/// [`Builder::habits`](crate::Builder::habits) has a controller do it. A habit has a text form, as the program's command line takes it:
+/// [`Builder::habits`](crate::Builder::habits) has a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
 /// `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time that is left out is that of
 /// [`one_of_each`](Self::one_of_each).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -31,9 +31,9 @@ pub(crate) struct Sim {
     /// Milliseconds between two status packets [default: that of the firmware]
     #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(1..))]
     period: Option<u64>,
-    /// Folder of programs to load: files of requests, one a line
+    /// Folder of programs to load: files with one request per line; repeat it for more
     #[arg(long, value_name = "FOLDER")]
-    programs: Option<PathBuf>,
+    programs: Vec<PathBuf>,
     #[command(flatten)]
     spec: SpecArgs,
     /// What goes wrong with replies, packets and links, such as `drop, delay 200ms` or `link both to-client hold after 10s for 5s`;
@@ -78,9 +78,7 @@ impl Sim {
         if let Some(ms) = self.period {
             builder = builder.status_period(Duration::from_millis(ms));
         }
-        if let Some(folder) = &self.programs {
-            builder = builder.programs_from(folder);
-        }
+        builder = self.programs.iter().fold(builder, Builder::programs_from);
         if let Some(plan) = &self.faults {
             builder = builder.faults(plan.clone());
         }

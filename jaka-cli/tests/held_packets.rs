@@ -2,17 +2,61 @@
 
 #![cfg(target_os = "linux")]
 
-#[path = "common/netns.rs"]
 mod netns;
 
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read, Write};
+use std::net::{SocketAddr, TcpStream};
 use std::time::{Duration, Instant};
 
-use crate::common::{LIMIT, Peer, assert_accepted, json, request};
-use netns::{Namespace, skipped};
+use jaka_sync::proto::framing::Framer;
+use serde_json::Value;
+
+use self::netns::{Namespace, skipped};
+
+/// How long anything may take.
+const LIMIT: Duration = Duration::from_secs(10);
 
 /// For how long the link is down at least: longer than a packet takes to be sent again on one that is up.
 const DOWN: Duration = Duration::from_millis(600);
+
+/// A client that speaks JSON and no more.
+struct Peer {
+    stream: TcpStream,
+    framer: Framer,
+}
+
+impl Peer {
+    fn connect(address: SocketAddr) -> Self {
+        let stream = TcpStream::connect(address).expect("the controller listens");
+        stream.set_read_timeout(Some(LIMIT)).expect("a timeout can be set");
+        stream.set_nodelay(true).expect("an option can be set");
+        Self { stream, framer: Framer::default() }
+    }
+
+    fn send(&mut self, command: &str) {
+        write!(self.stream, "{{\"cmdName\":\"{command}\"}}").expect("the connection is open");
+    }
+
+    fn receive(&mut self) -> Value {
+        loop {
+            if let Some(frame) = self.framer.next_frame().expect("the controller sends frames") {
+                return serde_json::from_slice(frame).expect("the controller sends JSON");
+            }
+            let count = self.stream.read(self.framer.spare()).expect("a message comes");
+            assert!(count > 0, "the connection has ended");
+            self.framer.filled(count);
+        }
+    }
+
+    fn assert_accepted(&mut self, command: &str) {
+        let reply = self.receive();
+        assert_eq!((&reply["errorCode"], &reply["cmdName"]), (&"0".into(), &command.into()), "{reply}");
+    }
+
+    fn has_power(&mut self) -> bool {
+        self.receive()["powered_on"] != 0
+    }
+}
 
 /// True if nothing comes for so long.
 fn is_quiet_for(peer: &Peer, time: Duration) -> bool {
@@ -37,27 +81,30 @@ fn what_is_sent_while_the_link_is_down_arrives_when_it_is_up() {
     };
     let [commands, status] = namespace.start(&["--fast", "--period", "200"]).expect("the program starts");
     let (mut commands, mut status) = (Peer::connect(commands), Peer::connect(status));
-    assert_accepted(&commands.call("get_version"), "get_version");
-    assert_eq!(json(&status.receive())["powered_on"], json("0"));
+    commands.send("get_version");
+    commands.assert_accepted("get_version");
+    assert!(!status.has_power());
 
     namespace.down().expect("a link that is up can be taken down");
     let began = Instant::now();
-    commands.send(request("power_on") + &request("enable_robot"));
+    commands.send("power_on");
+    commands.send("enable_robot");
     drain(&mut status);
     // No proxy, and no fault of the simulator: nothing acknowledges what was sent.
     assert!(is_quiet_for(&commands, DOWN) && is_quiet_for(&status, DOWN));
     namespace.up().expect("the link can be taken up");
     let was_down = began.elapsed();
 
-    assert_accepted(&json(&commands.receive()), "power_on");
-    assert_accepted(&json(&commands.receive()), "enable_robot");
+    commands.assert_accepted("power_on");
+    commands.assert_accepted("enable_robot");
     // First comes what is old: packets that were made before the requests arrived.
-    assert_eq!(json(&status.receive())["powered_on"], json("0"));
+    assert!(!status.has_power());
     let mut old = 1;
-    while json(&status.receive())["powered_on"] == json("0") {
+    while !status.has_power() {
         old += 1;
         assert!(began.elapsed() < was_down + LIMIT);
     }
     assert!(old >= 3, "{old} packets of {was_down:?}");
-    assert_accepted(&commands.call("get_version"), "get_version");
+    commands.send("get_version");
+    commands.assert_accepted("get_version");
 }

@@ -1,9 +1,10 @@
-//! A client in another language that knows nothing of this code talks to the simulator's program on both ports.
+//! A client in another language that knows nothing of this code talks to `jaka sim` on both ports.
 
-use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command};
 
-use crate::common::skipped;
+use jaka_tests::skipped;
+
+use crate::common::{jaka, started};
 
 /// Python's standard library alone: sockets and JSON.
 const CLIENT: &str = r#"
@@ -47,7 +48,7 @@ assert next(replies) == {"errorCode": "1", "errorMsg": "Exception:function call 
 print("done")
 "#;
 
-/// The simulator's program, ended with the test.
+/// The program, ended with the test.
 struct Program(Child);
 
 impl Drop for Program {
@@ -68,15 +69,9 @@ fn a_python_client_drives_the_simulator() {
         skipped("a client in Python", "there is no python3 here");
         return;
     }
-    let program = Command::new(env!("CARGO_BIN_EXE_jaka-sim"))
-        .args(["--fast", "--commands", "0", "--status", "0"])
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let mut program = Program(program);
-    let output = program.0.stdout.take().expect("it is piped");
-    let line = BufReader::new(output).lines().next().expect("the program prints a line").expect("it is text");
-    let ports: Vec<_> = line.split(", ").filter_map(|part| part.rsplit(':').next()).collect();
+    let (program, _out, line) = started(&mut jaka(&["sim", "--fast", "--commands", "0", "--status", "0"]));
+    let _program = Program(program);
+    let ports: Vec<_> = line.trim_end().split(", ").filter_map(|part| part.rsplit(':').next()).collect();
     assert_eq!(ports.len(), 2, "{line}");
     let client = Command::new("python3").arg("-c").arg(CLIENT).args(&ports).output().expect("python3 runs");
     assert!(client.status.success(), "{}", String::from_utf8_lossy(&client.stderr));

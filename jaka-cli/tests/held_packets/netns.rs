@@ -64,7 +64,7 @@ impl Namespace {
     pub(crate) fn start(&mut self, options: &[&str]) -> io::Result<[SocketAddr; 2]> {
         let address = address(2).to_string();
         let mut controller = Command::new("ip")
-            .args(["netns", "exec", &self.name, env!("CARGO_BIN_EXE_jaka-sim")])
+            .args(["netns", "exec", &self.name, env!("CARGO_BIN_EXE_jaka"), "sim"])
             .args(["--address", &address, "--commands", "0", "--status", "0"])
             .args(options)
             .stdout(Stdio::piped())
