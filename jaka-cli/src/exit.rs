@@ -1,7 +1,12 @@
 //! Exit codes: what a script can do about a failure.
 
+use std::process::ExitCode;
+
 use jaka_spec::tools::Impact;
 use jaka_sync::Error;
+
+use crate::failure::{Failure, chain};
+use crate::output;
 
 /// The controller refused the command, which did not run.
 pub(crate) const REFUSED: u8 = 1;
@@ -19,8 +24,23 @@ pub(crate) const LOCAL: u8 = 6;
 /// `jaka probe` found what is not as the spec has it, or clients of `jaka replay` did otherwise than the recorded ones.
 pub(crate) const DEPARTS: u8 = 7;
 
+/// Prints a failure with its causes on standard error, and gives the exit code.
+pub(crate) fn report(failure: &Failure) -> ExitCode {
+    let code = match failure {
+        Failure::Usage(_) => USAGE,
+        Failure::Robot(error) => exit_code(error),
+        Failure::Refused { .. } => REFUSED,
+        Failure::Departs(_) => DEPARTS,
+        Failure::Local { .. } => LOCAL,
+        Failure::Differs(impact) => return ExitCode::from(difference(*impact)),
+        Failure::OutputClosed => return ExitCode::SUCCESS,
+    };
+    output::tell(&chain(failure));
+    ExitCode::from(code)
+}
+
 /// The exit code of `jaka spec diff --exit-code` where the gravest change is this.
-pub(crate) fn difference(impact: Impact) -> u8 {
+fn difference(impact: Impact) -> u8 {
     match impact {
         Impact::Patch => 10,
         Impact::Minor => 11,
@@ -29,7 +49,7 @@ pub(crate) fn difference(impact: Impact) -> u8 {
 }
 
 /// The exit code that tells what a script can do about an error of the robot's.
-pub(crate) fn exit_code(error: &Error) -> u8 {
+fn exit_code(error: &Error) -> u8 {
     if error.may_have_run() {
         MAY_HAVE_RUN
     } else if error.is_refused() {

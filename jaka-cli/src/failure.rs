@@ -1,14 +1,11 @@
-//! Why a command failed, and how that is told.
+//! Why a command failed.
 
 use std::error::Error as StdError;
 use std::fmt;
 use std::io::{self, ErrorKind};
-use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
 use jaka_sync::{Explanation, Refusal};
-
-use crate::{exit, output};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -53,21 +50,6 @@ impl Failure {
     /// Something on this machine does not work: what cannot be done, and why.
     pub(crate) fn local(what: impl Into<String>, source: io::Error) -> Self {
         Self::Local { what: what.into(), source }
-    }
-
-    /// Tells the failure on standard error, with its causes, and gives the exit code.
-    pub(crate) fn report(&self) -> ExitCode {
-        let code = match self {
-            Self::Usage(_) => exit::USAGE,
-            Self::Robot(error) => exit::exit_code(error),
-            Self::Refused { .. } => exit::REFUSED,
-            Self::Departs(_) => exit::DEPARTS,
-            Self::Local { .. } => exit::LOCAL,
-            Self::Differs(impact) => return ExitCode::from(exit::difference(*impact)),
-            Self::OutputClosed => return ExitCode::SUCCESS,
-        };
-        output::tell(&chain(self));
-        ExitCode::from(code)
     }
 }
 

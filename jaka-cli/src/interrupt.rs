@@ -35,7 +35,7 @@ pub(crate) fn end_on_interrupt() -> Result<(), Failure> {
 /// Ends the program with success, unless what it recorded cannot be written.
 fn end() -> ! {
     if let Err(failure) = record::finish() {
-        failure.report();
+        exit::report(&failure);
         process::exit(exit::LOCAL.into());
     }
     process::exit(0)

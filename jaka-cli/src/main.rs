@@ -67,7 +67,7 @@ fn main() -> ExitCode {
         }
         Err(error) => return told(&error),
     };
-    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+    result.map_or_else(|failure| exit::report(&failure), |()| ExitCode::SUCCESS)
 }
 
 /// Prints what clap has to say: the help, the version, or what is wrong with the command line.

@@ -19,8 +19,6 @@ mod torque_sensor;
 mod trajectory;
 mod variables;
 
-pub(crate) use motion::start as start_motion;
-
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
@@ -31,7 +29,7 @@ use std::time::Duration;
 
 use serde_json::{Map, Value};
 
-use crate::book::{Book, Entry, usual_refusal};
+use crate::spec_index::{CommandEntry, SpecIndex, usual_refusal};
 use crate::world::World;
 
 /// What a topic made of a request.
@@ -77,21 +75,23 @@ const TOPICS: [Topic; 14] = [
 ];
 
 /// Carries out a request, and writes the reply.
-pub(crate) fn answer(text: &str, book: &Book, world: &mut World, out: &mut Writer) -> Sequel {
+pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) -> Sequel {
     match Request::read(text) {
         Ok(request) => {
-            carry_out(text, &request, book, world, out);
-            return sequel(&request, book, world);
+            carry_out(text, &request, spec_index, world, out);
+            return sequel(&request, spec_index, world);
         }
-        Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => match book.entry(&command) {
-            Some(entry) if entry.packed => {
-                carry_out_packed(text, entry, book, world, out);
-                return usual_sequel(entry, world);
+        Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => {
+            match spec_index.entry(&command) {
+                Some(entry) if entry.packed => {
+                    carry_out_packed(text, entry, spec_index, world, out);
+                    return usual_sequel(entry, world);
+                }
+                Some(_) => refuse(&command, &usual_refusal(&command), out),
+                None => refuse_unknown(spec_index, out),
             }
-            Some(_) => refuse(&command, &usual_refusal(&command), out),
-            None => refuse_unknown(book, out),
-        },
-        Err(_) => refuse_unknown(book, out),
+        }
+        Err(_) => refuse_unknown(spec_index, out),
     }
     Sequel::Nothing
 }
@@ -102,17 +102,17 @@ pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
 }
 
 /// None of the commands that have one is ever refused.
-fn sequel(request: &Request, book: &Book, world: &World) -> Sequel {
+fn sequel(request: &Request, spec_index: &SpecIndex, world: &World) -> Sequel {
     match request {
         Request::WaitComplete(_) => Sequel::Rest(None),
         Request::Quit(_) => Sequel::SessionEnd,
         Request::Shutdown(_) => Sequel::Shutdown,
-        _ => book.entry(request.info().name).map_or(Sequel::Nothing, |entry| usual_sequel(entry, world)),
+        _ => spec_index.entry(request.info().name).map_or(Sequel::Nothing, |entry| usual_sequel(entry, world)),
     }
 }
 
 /// Queries may be answered late while the arm moves.
-fn usual_sequel(entry: &Entry, world: &World) -> Sequel {
+fn usual_sequel(entry: &CommandEntry, world: &World) -> Sequel {
     match world.habits.late_queries {
         Some(time) if entry.command.effect == Effect::Query && !world.is_at_rest() => {
             Sequel::Rest(world.now().checked_add(time))
@@ -122,44 +122,44 @@ fn usual_sequel(entry: &Entry, world: &World) -> Sequel {
 }
 
 /// Writes the reply to what is no request.
-pub(crate) fn refuse_unknown(book: &Book, out: &mut Writer) {
-    write_refusal(None, ErrorCode::EXCEPTION, &book.unknown, out);
+pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
+    write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }
 
-fn carry_out(text: &str, request: &Request, book: &Book, world: &mut World, out: &mut Writer) {
+fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) {
     let name = request.info().name;
-    let Some(entry) = book.entry(name) else { return refuse_unknown(book, out) };
+    let Some(entry) = spec_index.entry(name) else { return refuse_unknown(spec_index, out) };
     if let Some(refusal) = refusal(entry, world) {
         return refuse(name, &refusal, out);
     }
     let is_allowed = if entry.packed {
-        pack::allows(&book.spec, &entry.command, text)
+        pack::allows(&spec_index.spec, &entry.command, text)
     } else {
         request.check(AdvisoryRanges::Ignored).is_ok()
     };
     let outcome = if is_allowed { ask_topics(request, world, out) } else { Outcome::Refused };
     match outcome {
-        Outcome::Replied if entry.packed => pack::complete(&book.spec, &entry.command, out),
+        Outcome::Replied if entry.packed => pack::complete(&spec_index.spec, &entry.command, out),
         Outcome::Replied => {}
         Outcome::Refused => refuse(name, &usual_refusal(name), out),
-        Outcome::Unhandled if entry.packed => pack::sample(&book.spec, &entry.command, out),
+        Outcome::Unhandled if entry.packed => pack::sample(&spec_index.spec, &entry.command, out),
         Outcome::Unhandled => show_example(request, entry, out),
     }
     world.settle();
 }
 
 /// Answers a command that only a pack has, or a request that only a pack allows.
-fn carry_out_packed(text: &str, entry: &Entry, book: &Book, world: &World, out: &mut Writer) {
-    let Entry { command, .. } = entry;
+fn carry_out_packed(text: &str, entry: &CommandEntry, spec_index: &SpecIndex, world: &World, out: &mut Writer) {
+    let CommandEntry { command, .. } = entry;
     match refusal(entry, world) {
         Some(refusal) => refuse(&command.wire, &refusal, out),
-        None if pack::allows(&book.spec, command, text) => pack::sample(&book.spec, command, out),
+        None if pack::allows(&spec_index.spec, command, text) => pack::sample(&spec_index.spec, command, out),
         None => refuse(&command.wire, &usual_refusal(&command.wire), out),
     }
 }
 
 /// The refusal of a command in a state in which it cannot be carried out.
-fn refusal(entry: &Entry, world: &World) -> Option<(ErrorCode, String)> {
+fn refusal(entry: &CommandEntry, world: &World) -> Option<(ErrorCode, String)> {
     if !entry.command.requires.iter().all(|requirement| world.state.meets(*requirement)) {
         return Some(entry.refusal.clone());
     }
@@ -171,7 +171,7 @@ fn ask_topics(request: &Request, world: &mut World, out: &mut Writer) -> Outcome
     outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
 }
 
-fn show_example(request: &Request, entry: &Entry, out: &mut Writer) {
+fn show_example(request: &Request, entry: &CommandEntry, out: &mut Writer) {
     match entry.example.as_deref() {
         Some(example) => out.raw(example),
         None => write_reply(request.info(), &(), out),

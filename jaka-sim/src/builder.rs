@@ -11,11 +11,11 @@ use jaka_proto::Request;
 use jaka_proto::recording::Recording;
 
 use crate::kinematics::Model;
-use crate::program::{self, Program};
-use crate::replay::Plan;
-use crate::{Controller, Delays, FaultPlan, Firmware, Habits, Replay, ReplayTiming, ReplyStyle};
+use crate::programs::{self, Program};
+use crate::replay::ReplaySource;
+use crate::{Delays, FaultPlan, Firmware, Habits, Replay, ReplayTiming, ReplyStyle};
 
-/// Options for a [`Controller`], which are set before it starts.
+/// Options for a [`Controller`](crate::Controller), which are set before it starts.
 #[derive(Debug, Clone)]
 pub struct Builder {
     pub(crate) address: IpAddr,
@@ -33,7 +33,7 @@ pub struct Builder {
     pub(crate) firmware: Firmware,
     reply_style: Option<ReplyStyle>,
     status_period: Option<Duration>,
-    pub(crate) replay: Option<Plan>,
+    pub(crate) replay: Option<ReplaySource>,
     pub(crate) replay_timing: ReplayTiming,
 }
 
@@ -49,7 +49,7 @@ impl Builder {
             stepped: false,
             folders: Vec::new(),
             packs: Vec::new(),
-            programs: program::built_in(),
+            programs: programs::built_in(),
             takeover: Takeover::Replace,
             faults: FaultPlan::new(),
             firmware: Firmware::Document,
@@ -96,7 +96,7 @@ impl Builder {
         self
     }
 
-    /// Lets time go on by [`Controller::advance`] alone, so that a test decides when the arm moves.
+    /// Lets time go on by [`Controller::advance`](crate::Controller::advance) alone, so that a test decides when the arm moves.
     ///
     /// Status packets are sent as time goes on, and each reader gets one on connecting.
     #[must_use]
@@ -125,7 +125,7 @@ impl Builder {
     /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the start.
     ///
     /// What a pack adds is checked and answered by what it says: with its example, or else with zeros. To answer something else, see
-    /// [`Controller::set_reply`].
+    /// [`Controller::set_reply`](crate::Controller::set_reply).
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());
@@ -135,7 +135,7 @@ impl Builder {
     pub(crate) fn programs(&self) -> io::Result<HashMap<String, Program>> {
         let mut programs = self.programs.clone();
         for folder in &self.folders {
-            program::load_folder(folder, &mut programs)?;
+            programs::load_folder(folder, &mut programs)?;
         }
         Ok(programs)
     }
@@ -170,7 +170,7 @@ impl Builder {
 
     /// Sets the time between two status packets: that of the firmware if not set, which is 50 ms as a rule.
     ///
-    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of [`Controller::publish`].
+    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of [`Controller::publish`](crate::Controller::publish).
     #[must_use]
     pub fn status_period(mut self, period: Duration) -> Self {
         self.status_period = Some(period);
@@ -181,7 +181,7 @@ impl Builder {
     ///
     /// Status packets of the recording are sent at their times; behind the last one of a connection, it comes again each
     /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. What the client does otherwise than the
-    /// recorded one is told by [`Controller::deviations`].
+    /// recorded one is told by [`Controller::deviations`](crate::Controller::deviations).
     ///
     /// ```
     /// use std::io::{Read, Write};
@@ -205,7 +205,7 @@ impl Builder {
     /// ```
     #[must_use]
     pub fn replay(mut self, recording: Recording, mode: Replay) -> Self {
-        self.replay = Some(Plan { recording: Arc::new(recording), mode });
+        self.replay = Some(ReplaySource { recording: Arc::new(recording), mode });
         self
     }
 
@@ -225,14 +225,6 @@ impl Builder {
     pub(crate) fn style(&self) -> ReplyStyle {
         self.reply_style.unwrap_or_else(|| self.firmware.reply_style())
     }
-
-    /// Starts the controller.
-    ///
-    /// # Errors
-    /// A port or a thread cannot be had, or a program or a pack cannot be read.
-    pub fn start(self) -> io::Result<Controller> {
-        Controller::with(self)
-    }
 }
 
 impl Default for Builder {
@@ -245,7 +237,7 @@ impl Default for Builder {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Takeover {
-    /// The newcomer takes the seat, and the old connection is closed.
+    /// The newcomer becomes the active client, and the old connection is closed.
     #[default]
     Replace,
     /// The newcomer is closed.

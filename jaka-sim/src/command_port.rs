@@ -1,11 +1,7 @@
-//! Port 10001: one client, whose requests are answered in order.
+//! Port 10001: one active client, whose requests are answered in order.
 
-mod feed;
-mod line;
 mod replayed;
-mod rival;
-mod seat;
-mod way_out;
+mod request_reader;
 
 use std::io;
 use std::net::TcpStream;
@@ -14,161 +10,164 @@ use std::thread::{self, JoinHandle};
 
 use jaka_proto::wire::Writer;
 
-use self::feed::{Feed, Incoming, Next};
-use self::line::{Flow, Line};
-pub(crate) use self::rival::Rival;
-pub(crate) use self::seat::Seat;
+use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
+use crate::connection::{CommandConnection, NextStep};
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
 use crate::{Port, Takeover, firmware};
 
-/// Lets clients in until the door is closed.
+/// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
     let mut serving = None;
-    while let Some(guest) = shared.command_door.next_guest() {
-        if let Err(error) = admit(guest, &mut serving, shared) {
+    while let Some(stream) = shared.command_listener.accept() {
+        if let Err(error) = admit(stream, &mut serving, shared) {
             log::trace!(target: "jaka_sim", "command client lost: {error}");
         }
     }
-    vacate(&mut serving, shared);
-    shared.command_door.desert();
+    close_active(&mut serving, shared);
+    shared.command_listener.stop();
 }
 
-/// Gives the seat to a client, or closes its connection.
-fn admit(guest: TcpStream, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
-    if shared.options.takeover == Takeover::Refuse && shared.seat.is_taken() {
+/// Makes a client the active one, or closes its connection.
+fn admit(stream: TcpStream, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
+    if shared.options.takeover == Takeover::Refuse && shared.active_client.is_connected() {
         log::trace!(target: "jaka_sim", "command client refused");
-        Wire::new(guest, Port::Command, &shared.links)?.close();
+        Wire::new(stream, Port::Command, &shared.links)?.close();
         return Ok(());
     }
-    vacate(serving, shared);
+    close_active(serving, shared);
     log::trace!(target: "jaka_sim", "command client connected");
-    let line = Arc::new(Line::new(guest, &shared.links)?);
-    shared.seat.take(Arc::clone(&line));
+    let connection = Arc::new(CommandConnection::new(stream, &shared.links)?);
+    shared.active_client.set(Arc::clone(&connection));
     let thread = thread::Builder::new().name("jaka-sim commands".to_owned());
-    let (theirs, host) = (Arc::clone(&line), Arc::clone(shared));
-    match thread.spawn(move || attend(&theirs, &host)) {
+    let (theirs, host) = (Arc::clone(&connection), Arc::clone(shared));
+    match thread.spawn(move || serve_to_end(&theirs, &host)) {
         Ok(thread) => *serving = Some(thread),
         Err(error) => {
-            shared.seat.leave(&line);
+            shared.active_client.clear(&connection);
             return Err(error);
         }
     }
     Ok(())
 }
 
-/// Closes the connection of the client that has the seat, and waits for its thread.
-fn vacate(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
-    shared.seat.vacate();
+/// Closes the connection of the active client, and waits for its thread.
+fn close_active(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
+    shared.active_client.close();
     if let Some(thread) = serving.take() {
         // A panic there has been reported, and concerns one connection.
         drop(thread.join());
     }
 }
 
-/// Serves a client to the end of its connection.
-fn attend(line: &Arc<Line>, shared: &Shared) {
-    let end = match &shared.stage {
-        Some(stage) if stage.mode == Replay::Strict => replayed::serve(line, stage, shared),
-        _ => serve(line, shared),
+/// Serves a client, and ends its connection.
+fn serve_to_end(connection: &Arc<CommandConnection>, shared: &Shared) {
+    let end = match &shared.replay {
+        Some(session) if session.mode == Replay::Strict => replayed::serve(connection, session, shared),
+        _ => serve(connection, shared),
     };
     log::trace!(target: "jaka_sim", "command client leaves");
     match end {
-        Flow::Takeover => take_over(shared),
-        Flow::Shutdown => shut_down(shared),
+        NextStep::Takeover => take_over(shared),
+        NextStep::Shutdown => shut_down(shared),
         _ => {}
     }
-    // The seat is free before the client sees the end.
-    shared.seat.leave(line);
-    if end == Flow::Reset {
-        line.reset_on_drop();
+    // The port is free before the client sees the end.
+    shared.active_client.clear(connection);
+    if end == NextStep::Reset {
+        connection.reset_on_drop();
     } else {
-        line.close();
+        connection.close();
     }
 }
 
 fn take_over(shared: &Shared) {
-    if let Err(error) = shared.rival.take_seat(shared) {
-        log::trace!(target: "jaka_sim", "no other client can be had: {error}");
+    if let Err(error) = shared.take_over() {
+        log::trace!(target: "jaka_sim", "no other client can connect: {error}");
     }
 }
 
-/// Closes the connections of the status port, as the end of the session closes this one. New ones are let in: those of a
+/// Closes the connections of the status port, as the end of the session closes this one. New ones are accepted: those of a
 /// controller that has been started again.
 fn shut_down(shared: &Shared) {
-    // Where the system has no socket left to wait with, what has been let in so far has to do.
-    shared.status_door.settle().ok();
+    // If the system has no socket left to wait with, only what has been accepted so far is closed.
+    shared.status_listener.wait_until_accepted().ok();
     shared.readers.close();
 }
 
-fn serve(line: &Line, shared: &Shared) -> Flow {
-    let mut feed = Feed::new(line.wire());
+fn serve(connection: &CommandConnection, shared: &Shared) -> NextStep {
+    let mut requests = RequestReader::new(connection.wire());
     let mut reply = Writer::new();
     loop {
-        let mut flow = line.way_out().send_due(|by| shared.world().is_at_rest_by(by));
-        if flow == Flow::Stay {
-            flow = receive(&mut feed, line, shared, &mut reply);
+        let mut next = connection.writer().send_due(|by| shared.world().is_at_rest_by(by));
+        if next == NextStep::Continue {
+            next = receive(&mut requests, connection, shared, &mut reply);
         }
-        match flow {
-            Flow::Stay => {}
-            Flow::HalfOpen => return ignore(&mut feed, line),
-            Flow::Close | Flow::Reset | Flow::Takeover | Flow::Shutdown => return flow,
+        match next {
+            NextStep::Continue => {}
+            NextStep::HalfOpen => return ignore(&mut requests, connection),
+            NextStep::Close | NextStep::Reset | NextStep::Takeover | NextStep::Shutdown => return next,
         }
     }
 }
 
 /// Waits for the next request, or until a late reply is due.
-fn receive(feed: &mut Feed, line: &Line, shared: &Shared, reply: &mut Writer) -> Flow {
-    let patience = line.way_out().wait_for_due();
-    match feed.next(patience) {
-        Ok(Next::Incoming(incoming)) => match &shared.stage {
-            Some(stage) => replayed::answer(&incoming, line, stage, &shared.tape),
-            None => exchange(&incoming, line, shared, reply),
+fn receive(
+    requests: &mut RequestReader,
+    connection: &CommandConnection,
+    shared: &Shared,
+    reply: &mut Writer,
+) -> NextStep {
+    let timeout = connection.writer().wait_for_due();
+    match requests.next(timeout) {
+        Ok(Next::Incoming(incoming)) => match &shared.replay {
+            Some(session) => replayed::answer(&incoming, connection, session, &shared.request_log),
+            None => exchange(&incoming, connection, shared, reply),
         },
-        Ok(Next::Silence) => Flow::Stay,
-        Ok(Next::End) => Flow::Close,
+        Ok(Next::Silence) => NextStep::Continue,
+        Ok(Next::End) => NextStep::Close,
         Err(error) => {
             log::trace!(target: "jaka_sim", "command client lost: {error}");
-            Flow::Close
+            NextStep::Close
         }
     }
 }
 
 /// Answers nothing to the end of the connection.
-fn ignore(feed: &mut Feed, line: &Line) -> Flow {
+fn ignore(requests: &mut RequestReader, connection: &CommandConnection) -> NextStep {
     log::trace!(target: "jaka_sim", "command client ignored");
-    if matches!(feed.ignore(), Ok(false)) {
-        line.wait_until_closed();
+    if matches!(requests.ignore(), Ok(false)) {
+        connection.wait_until_closed();
     }
-    Flow::Close
+    NextStep::Close
 }
 
 /// Answers one request.
 ///
-/// The state has changed before the request is seen on the tape, and the way out is locked until the reply is on it:
-/// who waits for a request can rely on its effects, and can release its reply.
-fn exchange(incoming: &Incoming, line: &Line, shared: &Shared, reply: &mut Writer) -> Flow {
-    let mut way_out = line.way_out();
+/// The state has changed before the request is in the log, and the writer is locked until the reply is written or waits: a thread
+/// that has waited for the request sees its effects, and can release its reply.
+fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared, reply: &mut Writer) -> NextStep {
+    let mut writer = connection.writer();
     reply.clear();
     log::trace!(target: "jaka_sim", "received {incoming}");
     let mut world = shared.world();
     let sequel = match incoming {
-        Incoming::Request(text) => answer::answer(text, &shared.book, &mut world, reply),
+        Incoming::Request(text) => answer::answer(text, &shared.spec_index, &mut world, reply),
         Incoming::NoText(_) | Incoming::Garbage => {
-            answer::refuse_unknown(&shared.book, reply);
+            answer::refuse_unknown(&shared.spec_index, reply);
             Sequel::Nothing
         }
     };
     put_set_fields(incoming, shared, reply);
-    firmware::restyle(shared.options.style(), &shared.book.spec, &world.state, reply);
+    firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
     drop(world);
     let fault = shared.faults().next(incoming.command().as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
-        shared.tape.record(text.clone());
+        shared.request_log.record(text.clone());
     }
-    way_out.send_reply(reply.as_str(), fault, sequel)
+    writer.send_reply(reply.as_str(), fault, sequel)
 }
 
 /// Writes the fields that a user has set into the reply.

@@ -13,8 +13,8 @@ use std::time::Duration;
 use serde_json::Value;
 
 pub use self::links::Link;
-use crate::door::Door;
-use crate::replay::Stage;
+use crate::listener::Listener;
+use crate::replay::ReplaySession;
 use crate::shared::Shared;
 use crate::{Builder, Deviation, State, command_port, status_port};
 
@@ -45,15 +45,6 @@ impl Controller {
         Builder::new()
     }
 
-    pub(crate) fn with(options: Builder) -> io::Result<Self> {
-        let shared = Arc::new(Shared::new(options)?);
-        // If the second thread cannot be had, dropping this ends the first.
-        let mut this = Self { shared, commands: None, status: None };
-        this.commands = Some(this.spawn(command_port::run)?);
-        this.status = Some(this.spawn(status_port::run)?);
-        Ok(this)
-    }
-
     fn spawn(&self, run: fn(&Arc<Shared>)) -> io::Result<JoinHandle<()>> {
         let shared = Arc::clone(&self.shared);
         thread::Builder::new().name("jaka-sim".to_owned()).spawn(move || run(&shared))
@@ -61,12 +52,12 @@ impl Controller {
 
     /// Where commands are taken: what is port 10001 of a real controller.
     pub fn command_addr(&self) -> SocketAddr {
-        self.shared.command_door.address()
+        self.shared.command_listener.address()
     }
 
     /// Where status packets are sent: what is port 10000 of a real controller.
     pub fn status_addr(&self) -> SocketAddr {
-        self.shared.status_door.address()
+        self.shared.status_listener.address()
     }
 
     /// A copy of the present state.
@@ -90,7 +81,7 @@ impl Controller {
     ///
     /// On a controller with a real clock this does nothing.
     pub fn advance(&self, time: Duration) {
-        settle(&self.shared.status_door);
+        wait_until_accepted(&self.shared.status_listener);
         self.shared.step(time);
     }
 
@@ -141,27 +132,27 @@ impl Controller {
     ///
     /// Also those that were refused; without bytes that have not even the outline of a request.
     pub fn requests(&self) -> Vec<String> {
-        self.shared.tape.texts()
+        self.shared.request_log.texts()
     }
 
     /// Waits until `count` requests have been received since the start; false if there are fewer after `timeout`.
     ///
     /// The requests that it counts have been carried out.
     pub fn wait_for_requests(&self, count: usize, timeout: Duration) -> bool {
-        self.shared.tape.wait_for(count, timeout)
+        self.shared.request_log.wait_for(count, timeout)
     }
 
     /// Where clients did something else than the recorded one, in a [replay](Builder::replay); empty if there was nothing.
     ///
     /// A client that has left may still be on its way out: [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
     pub fn deviations(&self) -> Vec<Deviation> {
-        self.shared.stage.as_ref().map(Stage::deviations).unwrap_or_default()
+        self.shared.replay.as_ref().map(ReplaySession::deviations).unwrap_or_default()
     }
 
     /// Waits until there are `count` [`deviations`](Self::deviations) in all; false if there are not after `timeout`, or nothing
     /// is replayed.
     pub fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
-        self.shared.stage.as_ref().is_some_and(|stage| stage.wait_for_deviations(count, timeout))
+        self.shared.replay.as_ref().is_some_and(|session| session.wait_for_deviations(count, timeout))
     }
 
     /// Sends bytes to the command client, unasked.
@@ -169,9 +160,9 @@ impl Controller {
     /// # Errors
     /// [`ErrorKind::NotConnected`] if there is no client, or what the socket reports.
     pub fn send(&self, bytes: &[u8]) -> io::Result<()> {
-        settle(&self.shared.command_door);
-        let line = self.shared.seat.line().ok_or(ErrorKind::NotConnected)?;
-        line.way_out().write(bytes)
+        wait_until_accepted(&self.shared.command_listener);
+        let connection = self.shared.active_client.connection().ok_or(ErrorKind::NotConnected)?;
+        connection.writer().write(bytes)
     }
 
     /// Sends a status packet to all readers now.
@@ -179,50 +170,65 @@ impl Controller {
     /// Returns when each has been sent its packet. A reader that has not read for a second is dropped. In a replay, which has its
     /// own packets, this does nothing.
     pub fn publish(&self) {
-        settle(&self.shared.status_door);
-        self.shared.readers.publish(&self.shared);
+        wait_until_accepted(&self.shared.status_listener);
+        self.shared.publish();
     }
 
     /// Sends bytes to all status readers, between two packets.
     pub fn send_status(&self, bytes: &[u8]) {
-        settle(&self.shared.status_door);
+        wait_until_accepted(&self.shared.status_listener);
         self.shared.readers.send(bytes);
     }
 
     /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New ones are
     /// let in.
     pub fn disconnect(&self) {
-        settle(&self.shared.command_door);
-        settle(&self.shared.status_door);
-        self.shared.seat.vacate();
+        wait_until_accepted(&self.shared.command_listener);
+        wait_until_accepted(&self.shared.status_listener);
+        self.shared.active_client.close();
         self.shared.readers.close();
         self.shared.links.abort();
     }
 
     /// Waits until no command client is connected; false if one still is after `timeout`.
     pub fn wait_for_disconnect(&self, timeout: Duration) -> bool {
-        self.shared.seat.wait_until_free(timeout)
+        self.shared.active_client.wait_until_none(timeout)
+    }
+}
+
+impl Builder {
+    /// Starts the controller.
+    ///
+    /// # Errors
+    /// A port or a thread cannot be had, or a program or a pack cannot be read.
+    pub fn start(self) -> io::Result<Controller> {
+        let shared = Arc::new(Shared::new(self)?);
+        // If the second thread cannot be had, dropping this ends the first.
+        let mut controller = Controller { shared, commands: None, status: None };
+        controller.commands = Some(controller.spawn(command_port::run)?);
+        controller.status = Some(controller.spawn(status_port::run)?);
+        Ok(controller)
     }
 }
 
 impl Drop for Controller {
     fn drop(&mut self) {
-        close(&self.shared.command_door, self.commands.take());
-        close(&self.shared.status_door, self.status.take());
+        close(&self.shared.command_listener, self.commands.take());
+        close(&self.shared.status_listener, self.status.take());
         self.shared.links.abort();
     }
 }
 
-/// Waits for clients who have connected, but whom the thread has not let in yet.
-fn settle(door: &Door) {
-    // Where the system has no socket left to wait with, what has been let in so far has to do.
-    door.settle().ok();
+/// Waits for connections that have been made, and that the thread has not accepted yet.
+fn wait_until_accepted(listener: &Listener) {
+    // If the system has no socket left to wait with, only what has been accepted so far counts.
+    listener.wait_until_accepted().ok();
 }
 
-/// Closes a door and waits for its thread.
-fn close(door: &Door, thread: Option<JoinHandle<()>>) {
+/// Closes a listener and waits for its thread.
+fn close(listener: &Listener, thread: Option<JoinHandle<()>>) {
     // A thread that cannot be woken is left to itself, rather than waited for without end.
-    if let (Ok(()), Some(thread)) = (door.close(), thread) {
+    if let (Ok(()), Some(thread)) = (listener.close(), thread) {
         // A panic there has been reported.
         drop(thread.join());
     }

@@ -1,24 +1,24 @@
 //! What can be wrong with a reply.
 
-mod dice;
 mod display;
 mod each;
 mod link;
-mod parse;
 mod plan;
 mod rename;
 mod script;
+mod split_mix;
 mod status;
-mod words;
+mod token_reader;
+mod tokens;
 
 use std::time::Duration;
 
-pub(crate) use self::dice::Dice;
 pub use self::link::{LinkEvent, LinkFault};
-pub(crate) use self::parse::read_time;
 pub use self::plan::FaultPlan;
 pub use self::script::ScriptError;
+pub(crate) use self::split_mix::SplitMix64;
 pub use self::status::StatusFault;
+pub(crate) use self::token_reader::read_time;
 
 /// The most bytes that a fault makes up: 256 MiB.
 const MOST_BYTES: usize = 256 << 20;
@@ -121,7 +121,7 @@ impl Fault {
 
 /// Random bytes, the same for the same seed.
 pub(crate) fn garbage(bytes: usize, seed: u64) -> Vec<u8> {
-    Dice::new(seed).bytes(bytes.min(MOST_BYTES))
+    SplitMix64::new(seed).bytes(bytes.min(MOST_BYTES))
 }
 
 /// The text with blanks behind its first byte, which is a bracket, up to this size.

@@ -1,26 +1,30 @@
 #![doc = include_str!("../README.md")]
 
 mod answer;
-mod book;
 mod builder;
 mod clock;
 mod command_port;
+mod connection;
 mod controller;
 mod delays;
-mod door;
 mod fault;
 mod firmware;
 mod habits;
 mod kinematics;
 mod link;
+mod link_selector;
+mod listener;
 mod lock;
 mod motion;
-mod program;
+mod programs;
+mod readers;
 mod replay;
+mod request_log;
 mod shared;
+mod spec_index;
 mod state;
+mod status_packet;
 mod status_port;
-mod tape;
 mod world;
 
 pub use builder::{Builder, Takeover};
@@ -31,10 +35,12 @@ pub use firmware::{CodeStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, Separ
 pub use habits::{Habit, HabitError, Habits};
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
+/// A port of the controller: the one that takes commands, or the one that sends status packets.
+pub use jaka_proto::recording::Port;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
 pub use kinematics::Model;
-pub use link::{Direction, Port};
+pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,

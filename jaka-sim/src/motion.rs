@@ -16,7 +16,7 @@ use std::time::Duration;
 use self::blend::Leaving;
 pub(crate) use self::blend::Zone;
 pub(crate) use self::jog::{Jogging, Reference, small};
-pub(crate) use self::path::{Arc, Frame, Joints, Path};
+pub(crate) use self::path::{Arc, Joints, Path, Transform};
 pub(crate) use self::profile::Profile;
 pub(crate) use self::running::Planned;
 use self::running::Running;

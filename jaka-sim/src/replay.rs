@@ -1,7 +1,7 @@
 //! Replay of a recording in place of the simulated arm.
 
 mod canonical;
-mod cues;
+mod dependencies;
 mod deviation;
 mod script;
 
@@ -14,7 +14,7 @@ use jaka_proto::recording::{Answer, Port, Recording};
 
 use self::canonical::canonical;
 pub(crate) use self::canonical::is_same;
-use self::cues::{Cue, Cues};
+use self::dependencies::{Dependencies, Dependency};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, Step};
 use crate::lock::{lock, wait};
@@ -49,19 +49,19 @@ pub enum ReplayTiming {
 
 /// A recording to be replayed, and how.
 #[derive(Debug, Clone)]
-pub(crate) struct Plan {
+pub(crate) struct ReplaySource {
     pub(crate) recording: Arc<Recording>,
     pub(crate) mode: Replay,
 }
 
 /// A replay that runs.
-pub(crate) struct Stage {
+pub(crate) struct ReplaySession {
     pub(crate) mode: Replay,
     timing: ReplayTiming,
     commands: Vec<Arc<Script>>,
     readers: Vec<Arc<Script>>,
     /// What status packets of a strict replay wait for.
-    cues: Option<Cues>,
+    dependencies: Option<Dependencies>,
     progress: Mutex<Progress>,
     /// Signalled at each deviation.
     deviated: Condvar,
@@ -76,9 +76,9 @@ struct Progress {
     deviations: Vec<Deviation>,
 }
 
-impl Stage {
-    pub(crate) fn new(plan: &Plan, timing: ReplayTiming) -> Self {
-        let Plan { recording, mode } = plan;
+impl ReplaySession {
+    pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming) -> Self {
+        let ReplaySource { recording, mode } = plan;
         let mut progress = Progress::default();
         if *mode == Replay::Matching {
             for answered in recording.answers() {
@@ -91,7 +91,7 @@ impl Stage {
             timing,
             commands: script::scripts(recording, Port::Command),
             readers: script::scripts(recording, Port::Status),
-            cues: (*mode == Replay::Strict).then(|| Cues::new(recording)),
+            dependencies: (*mode == Replay::Strict).then(|| Dependencies::new(recording)),
             progress: Mutex::new(progress),
             deviated: Condvar::new(),
         }
@@ -143,8 +143,8 @@ impl Stage {
 
     /// A request of the script has come, or never will: status packets that were recorded after it can go out.
     pub(crate) fn request_came(&self, script: &Script, at: Duration) {
-        if let Some(cues) = &self.cues {
-            cues.came(script.start.saturating_add(at));
+        if let Some(dependencies) = &self.dependencies {
+            dependencies.came(script.start.saturating_add(at));
         }
     }
 
@@ -152,11 +152,12 @@ impl Stage {
     /// at `next`; `None` while a request is awaited.
     pub(crate) fn packet_due(&self, script: &Script, at: Duration, began: Instant, next: Instant) -> Option<Instant> {
         let recorded = script.start.saturating_add(at);
-        let (since, delay) = match self.cues.as_ref().map_or(Cue::None, |cues| cues.before(recorded)) {
-            Cue::Awaited => return None,
-            Cue::Came(since, then) if then >= script.start => (since, recorded.saturating_sub(then)),
-            Cue::Came(..) | Cue::None => (began, at),
-        };
+        let (since, delay) =
+            match self.dependencies.as_ref().map_or(Dependency::None, |dependencies| dependencies.before(recorded)) {
+                Dependency::Awaited => return None,
+                Dependency::Came(since, then) if then >= script.start => (since, recorded.saturating_sub(then)),
+                Dependency::Came(..) | Dependency::None => (began, at),
+            };
         match self.timing {
             ReplayTiming::Recorded => since.checked_add(delay),
             ReplayTiming::Immediate => Some(since.max(next)),
@@ -184,8 +185,8 @@ impl Stage {
     }
 }
 
-impl fmt::Debug for Stage {
+impl fmt::Debug for ReplaySession {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Stage").field("mode", &self.mode).field("timing", &self.timing).finish_non_exhaustive()
+        f.debug_struct("ReplaySession").field("mode", &self.mode).field("timing", &self.timing).finish_non_exhaustive()
     }
 }

@@ -7,33 +7,33 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Map, Value};
 
-use crate::book::Book;
 use crate::clock::{CYCLE, Clock};
-use crate::command_port::{Rival, Seat};
-use crate::door::Door;
+use crate::connection::{ActiveClient, TakeoverClient};
 use crate::link::Links;
+use crate::listener::Listener;
 use crate::lock::lock;
-use crate::replay::Stage;
-use crate::status_port::Readers;
-use crate::tape::Tape;
+use crate::readers::Readers;
+use crate::replay::ReplaySession;
+use crate::request_log::RequestLog;
+use crate::spec_index::SpecIndex;
 use crate::world::World;
-use crate::{Builder, FaultPlan};
+use crate::{Builder, FaultPlan, status_packet};
 
 /// What the threads of one controller share. No lock is held while another of these is waited for, but for `world`,
 /// which is the last.
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) options: Builder,
-    pub(crate) book: Arc<Book>,
-    pub(crate) command_door: Door,
-    pub(crate) status_door: Door,
-    pub(crate) seat: Seat,
-    pub(crate) rival: Rival,
+    pub(crate) spec_index: Arc<SpecIndex>,
+    pub(crate) command_listener: Listener,
+    pub(crate) status_listener: Listener,
+    pub(crate) active_client: ActiveClient,
+    pub(crate) takeover_client: TakeoverClient,
     pub(crate) readers: Readers,
-    pub(crate) tape: Tape,
+    pub(crate) request_log: RequestLog,
     pub(crate) links: Arc<Links>,
     /// The replay, in place of the simulated arm.
-    pub(crate) stage: Option<Stage>,
+    pub(crate) replay: Option<ReplaySession>,
     world: Mutex<World>,
     clock: Clock,
     steps: Mutex<Steps>,
@@ -50,18 +50,18 @@ struct Steps {
 
 impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
-        let book = Book::open(&options.packs)?;
+        let spec_index = SpecIndex::open(&options.packs)?;
         Ok(Self {
-            command_door: Door::open(options.address, options.command_port)?,
-            status_door: Door::open(options.address, options.status_port)?,
-            seat: Seat::default(),
-            rival: Rival::default(),
+            command_listener: Listener::bind(options.address, options.command_port)?,
+            status_listener: Listener::bind(options.address, options.status_port)?,
+            active_client: ActiveClient::default(),
+            takeover_client: TakeoverClient::default(),
             readers: Readers::new(options.faults.status_fault().clone()),
-            tape: Tape::default(),
+            request_log: RequestLog::default(),
             links: Arc::new(Links::new(options.faults.links())),
-            stage: options.replay.as_ref().map(|plan| Stage::new(plan, options.replay_timing)),
-            world: Mutex::new(World::new(&options, &book)?),
-            book,
+            replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing)),
+            world: Mutex::new(World::new(&options, &spec_index)?),
+            spec_index,
             replies: Mutex::default(),
             clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
             faults: Mutex::new(options.faults.clone()),
@@ -79,6 +79,23 @@ impl Shared {
         world
     }
 
+    /// The status packet of the present state.
+    pub(crate) fn packet(&self) -> Vec<u8> {
+        status_packet::packet(&self.world().state, self.options.firmware)
+    }
+
+    /// Sends the present state to all status readers; nothing in a replay, which has its own packets.
+    pub(crate) fn publish(&self) {
+        if self.replay.is_none() {
+            self.readers.send_packet(self.packet());
+        }
+    }
+
+    /// Has another client take the command port: the connection of the active one is closed.
+    pub(crate) fn take_over(&self) -> io::Result<()> {
+        self.takeover_client.take_over(&self.active_client, self.command_listener.address())
+    }
+
     /// Lets a stepped clock go on, and sends the status packets that fall due on the way.
     pub(crate) fn step(&self, time: Duration) {
         if self.clock != Clock::Stepped {
@@ -91,7 +108,7 @@ impl Shared {
             // A packet that was not due at the period before goes out now.
             let due = due.max(steps.now);
             lock(&self.world).advance_to(due);
-            self.readers.publish(self);
+            self.publish();
             steps.packet = due;
         }
         lock(&self.world).advance_to(end);

@@ -1,6 +1,8 @@
 //! The controller and its arm over time.
 
 mod events;
+mod planning;
+mod program;
 
 use std::collections::HashMap;
 use std::io;
@@ -10,12 +12,12 @@ use jaka_proto::messages::force::IdentifyStatus;
 use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use self::events::Seen;
-use crate::book::Book;
+use self::events::Reported;
 use crate::clock::CYCLE;
 use crate::kinematics::{Model, from_pose, to_pose};
-use crate::motion::{Engine, Frame, Joints};
-use crate::program::{Program, Runner};
+use crate::motion::{Engine, Joints, Transform};
+use crate::programs::{Program, Runner};
+use crate::spec_index::SpecIndex;
 use crate::{Builder, Delays, Habits, State};
 
 /// The state, and what changes it as time goes on.
@@ -26,7 +28,7 @@ pub(crate) struct World {
     pub(crate) engine: Engine,
     pub(crate) programs: HashMap<String, Program>,
     pub(crate) runner: Option<Runner>,
-    pub(crate) recorder: Recorder,
+    pub(crate) recorder: TrajectoryRecorder,
     /// The trajectory files, by name; the document's own, which stand in the list from the start, are empty.
     pub(crate) recordings: HashMap<String, Vec<Joints>>,
     /// True while the arm moves to identify the payload.
@@ -34,7 +36,7 @@ pub(crate) struct World {
     pub(crate) delays: Delays,
     pub(crate) habits: Habits,
     /// What events have been told of.
-    seen: Seen,
+    seen: Reported,
     changes: Vec<(Duration, Change)>,
     now: Duration,
 }
@@ -49,26 +51,26 @@ pub(crate) enum Change {
 
 /// Where the arm has been while trajectory recording was on.
 #[derive(Debug, Default)]
-pub(crate) struct Recorder {
+pub(crate) struct TrajectoryRecorder {
     pub(crate) file_name: Option<String>,
     pub(crate) points: Vec<Joints>,
 }
 
 impl World {
-    pub(crate) fn new(options: &Builder, book: &Book) -> io::Result<Self> {
+    pub(crate) fn new(options: &Builder, spec_index: &SpecIndex) -> io::Result<Self> {
         let model = options.model.clone();
         let mut world = Self {
-            state: State::initial(book, &model)?,
+            state: State::initial(spec_index, &model)?,
             model,
             engine: Engine::new(options.habits.pause.unwrap_or_default()),
             programs: options.programs()?,
             runner: None,
-            recorder: Recorder::default(),
+            recorder: TrajectoryRecorder::default(),
             recordings: HashMap::new(),
             identifying: false,
             delays: options.delays,
             habits: options.habits,
-            seen: Seen::default(),
+            seen: Reported::default(),
             changes: Vec::new(),
             now: Duration::ZERO,
         };
@@ -178,7 +180,7 @@ impl World {
 
     /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.
     fn show(&mut self) {
-        self.tell_events();
+        self.report_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
         let is_busy = self.engine.is_busy();
         self.state.at_rest = self.is_at_rest();
@@ -213,12 +215,12 @@ impl World {
     }
 
     /// The tool frame in use, on the flange.
-    pub(crate) fn tool(&self) -> Frame {
+    pub(crate) fn tool(&self) -> Transform {
         offset(&self.state.tool_frames, self.state.tool_frame_id)
     }
 
     /// The user frame in use, on the base.
-    pub(crate) fn user(&self) -> Frame {
+    pub(crate) fn user(&self) -> Transform {
         offset(&self.state.user_frames, self.state.user_frame_id)
     }
 
@@ -228,7 +230,7 @@ impl World {
     }
 
     /// The flange for a pose as [`pose`](Self::pose) gives it.
-    pub(crate) fn flange(&self, pose: Pose) -> Frame {
+    pub(crate) fn flange(&self, pose: Pose) -> Transform {
         self.user() * from_pose(pose.into()) * self.tool().inverse()
     }
 
@@ -250,7 +252,7 @@ impl World {
     }
 }
 
-fn offset(frames: &[crate::Frame], id: i64) -> Frame {
+fn offset(frames: &[crate::Frame], id: i64) -> Transform {
     let frame = usize::try_from(id).ok().and_then(|id| frames.get(id));
-    frame.map_or_else(Frame::identity, |frame| from_pose(frame.offset.into()))
+    frame.map_or_else(Transform::identity, |frame| from_pose(frame.offset.into()))
 }

@@ -1,5 +1,6 @@
 //! How a recording is written, line by line.
 
+use std::fmt;
 use std::time::Duration;
 
 use super::{Ending, Entry, Event, FORMAT, Header, Message, Port, Recording};
@@ -43,7 +44,8 @@ impl Entry {
 }
 
 impl Port {
-    pub(super) const ALL: [Self; 2] = [Self::Command, Self::Status];
+    /// Both ports.
+    pub const ALL: [Self; 2] = [Self::Command, Self::Status];
 
     /// Its name in a recording: `command` or `status`.
     pub fn word(self) -> &'static str {
@@ -51,6 +53,13 @@ impl Port {
             Self::Command => "command",
             Self::Status => "status",
         }
+    }
+}
+
+/// Its [`word`](Port::word).
+impl fmt::Display for Port {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
     }
 }
 

@@ -5,7 +5,7 @@ use jaka_proto::messages::program::{GetLoadedProgramReply, GetProgramStateReply,
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
-use crate::program::Runner;
+use crate::programs::Runner;
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {

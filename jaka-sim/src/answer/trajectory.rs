@@ -7,9 +7,9 @@ use jaka_proto::messages::trajectory::{
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
-use crate::program::replay;
+use crate::programs::replay;
 use crate::state::{Trajectory, TrajectoryConfig};
-use crate::world::{Recorder, World};
+use crate::world::{TrajectoryRecorder, World};
 
 /// How many trajectory files a controller keeps.
 const MOST_FILES: usize = 1000;
@@ -55,8 +55,8 @@ fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
             }
             trajectory.file_names.push(command.file_name.clone());
         }
-        world.recorder = Recorder { file_name: Some(command.file_name.clone()), points: vec![now] };
-    } else if let Recorder { file_name: Some(name), mut points } = std::mem::take(&mut world.recorder) {
+        world.recorder = TrajectoryRecorder { file_name: Some(command.file_name.clone()), points: vec![now] };
+    } else if let TrajectoryRecorder { file_name: Some(name), mut points } = std::mem::take(&mut world.recorder) {
         points.push(now);
         world.recordings.insert(name, points);
     }

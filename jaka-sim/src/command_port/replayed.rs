@@ -6,34 +6,34 @@ use jaka_proto::recording::{Answer, Ending};
 use jaka_proto::wire::Writer;
 use jaka_proto::{ErrorCode, write_refusal};
 
-use super::feed::{Feed, Incoming, Next};
-use super::line::{Flow, Line};
+use super::request_reader::{Incoming, Next, RequestReader};
 use crate::Fault;
 use crate::answer::Sequel;
-use crate::replay::{Deviation, Script, Stage, Step, is_same};
+use crate::connection::{CommandConnection, NextStep};
+use crate::replay::{Deviation, ReplaySession, Script, Step, is_same};
+use crate::request_log::RequestLog;
 use crate::shared::Shared;
-use crate::tape::Tape;
 
 /// Plays the next connection of the recording, message by message.
-pub(super) fn serve(line: &Line, stage: &Stage, shared: &Shared) -> Flow {
-    let Some(script) = stage.next_commands() else { return Flow::Close };
-    let feed = Feed::new(line.wire());
-    let mut player = Player { line, stage, shared, feed, since: (Instant::now(), Duration::ZERO), came: 0 };
+pub(super) fn serve(connection: &CommandConnection, session: &ReplaySession, shared: &Shared) -> NextStep {
+    let Some(script) = session.next_commands() else { return NextStep::Close };
+    let requests = RequestReader::new(connection.wire());
+    let mut player = Player { connection, session, shared, requests, since: (Instant::now(), Duration::ZERO), came: 0 };
     let end = player.play(&script);
     // Status packets wait no longer for requests that will not come.
-    script.requests().skip(player.came).for_each(|at| stage.request_came(&script, at));
-    shared.readers.wake();
+    script.requests().skip(player.came).for_each(|at| session.request_came(&script, at));
+    shared.readers.reschedule();
     end.unwrap_or_else(|deviation| {
-        stage.deviates(deviation);
-        Flow::Close
+        session.deviates(deviation);
+        NextStep::Close
     })
 }
 
 struct Player<'p> {
-    line: &'p Line,
-    stage: &'p Stage,
+    connection: &'p CommandConnection,
+    session: &'p ReplaySession,
     shared: &'p Shared,
-    feed: Feed<'p>,
+    requests: RequestReader<'p>,
     /// When the last request came, or the connection began, and when it did in the recording.
     since: (Instant, Duration),
     /// How many requests have come.
@@ -41,32 +41,32 @@ struct Player<'p> {
 }
 
 impl Player<'_> {
-    fn play(&mut self, script: &Script) -> Result<Flow, Deviation> {
+    fn play(&mut self, script: &Script) -> Result<NextStep, Deviation> {
         for step in &script.steps {
             match step {
                 Step::Expect { request, at } => {
                     self.expect(request, *at)?;
                     self.came += 1;
-                    self.stage.request_came(script, *at);
-                    self.shared.readers.wake();
+                    self.session.request_came(script, *at);
+                    self.shared.readers.reschedule();
                 }
                 Step::Send { bytes, at } => {
                     if self.wait_until(*at) {
-                        return Ok(Flow::Close);
+                        return Ok(NextStep::Close);
                     }
                     // A client that has gone is noticed where its next request is missing.
-                    self.line.way_out().write(bytes).ok();
+                    self.connection.writer().write(bytes).ok();
                 }
                 Step::End { by, at } => {
                     self.wait_until(*at);
-                    return Ok(flow(*by));
+                    return Ok(next(*by));
                 }
                 Step::Gap { count } => return Err(Deviation::Gap { count: *count }),
             }
         }
         match self.next_request() {
             Some(received) => Err(Deviation::FurtherRequest { received }),
-            None => Ok(Flow::Close),
+            None => Ok(NextStep::Close),
         }
     }
 
@@ -82,9 +82,9 @@ impl Player<'_> {
 
     /// The next request; `None` if the client has gone.
     fn next_request(&mut self) -> Option<String> {
-        let Ok(Next::Incoming(incoming)) = self.feed.next(None) else { return None };
+        let Ok(Next::Incoming(incoming)) = self.requests.next(None) else { return None };
         if let Incoming::Request(text) | Incoming::NoText(text) = &incoming {
-            self.shared.tape.record(text.clone());
+            self.shared.request_log.record(text.clone());
         }
         Some(incoming.to_string())
     }
@@ -92,24 +92,29 @@ impl Player<'_> {
     /// Waits until it is time for what is so late in the recording, and says whether the connection was closed meanwhile.
     fn wait_until(&self, recorded: Duration) -> bool {
         let (since, then) = self.since;
-        let delay = self.stage.delay(recorded.saturating_sub(then));
-        self.line.closes_within(delay.saturating_sub(since.elapsed()))
+        let delay = self.session.delay(recorded.saturating_sub(then));
+        self.connection.closes_within(delay.saturating_sub(since.elapsed()))
     }
 }
 
 /// Answers a request from wherever in the recording an equal one is.
-pub(super) fn answer(incoming: &Incoming, line: &Line, stage: &Stage, tape: &Tape) -> Flow {
-    let mut way_out = line.way_out();
+pub(super) fn answer(
+    incoming: &Incoming,
+    connection: &CommandConnection,
+    session: &ReplaySession,
+    request_log: &RequestLog,
+) -> NextStep {
+    let mut writer = connection.writer();
     let request = incoming.to_string();
-    let (reply, fault) = match stage.answer(&request) {
-        Some(Answer::Reply { reply, after }) => (reply.to_string(), Fault::Delay(stage.delay(after))),
+    let (reply, fault) = match session.answer(&request) {
+        Some(Answer::Reply { reply, after }) => (reply.to_string(), Fault::Delay(session.delay(after))),
         Some(Answer::Closed { by: Ending::Failure }) => (String::new(), Fault::Reset),
         Some(Answer::Closed { .. }) => (String::new(), Fault::Close),
         Some(_) => (String::new(), Fault::Drop),
         None => (refusal(incoming.command().as_deref()), Fault::None),
     };
-    tape.record(request);
-    way_out.send_reply(&reply, fault, Sequel::Nothing)
+    request_log.record(request);
+    writer.send_reply(&reply, fault, Sequel::Nothing)
 }
 
 fn refusal(command: Option<&str>) -> String {
@@ -118,6 +123,6 @@ fn refusal(command: Option<&str>) -> String {
     out.into_string()
 }
 
-fn flow(by: Ending) -> Flow {
-    if by == Ending::Failure { Flow::Reset } else { Flow::Close }
+fn next(by: Ending) -> NextStep {
+    if by == Ending::Failure { NextStep::Reset } else { NextStep::Close }
 }

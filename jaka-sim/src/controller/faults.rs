@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::{Controller, settle};
+use super::{Controller, wait_until_accepted};
 use crate::{Fault, StatusFault};
 
 impl Controller {
@@ -42,18 +42,18 @@ impl Controller {
     /// # Ok::<(), std::io::Error>(())
     /// ```
     pub fn status_fault(&self, fault: StatusFault) {
-        settle(&self.shared.status_door);
+        wait_until_accepted(&self.shared.status_listener);
         self.shared.readers.set_fault(fault);
     }
 
     /// Sends the replies that are held back by [`Fault::Hold`], if the client is still connected, and has the other
     /// client of [`take_over`](Self::take_over) or [`Fault::Takeover`] leave.
     pub fn release(&self) {
-        if let Some(line) = self.shared.seat.line() {
+        if let Some(connection) = self.shared.active_client.connection() {
             // A connection that is lost takes its replies with it.
-            line.way_out().release().ok();
+            connection.writer().release().ok();
         }
-        self.shared.rival.leave();
+        self.shared.takeover_client.disconnect();
     }
 
     /// Has another client take the command port: the connection of the present one is closed.
@@ -64,9 +64,9 @@ impl Controller {
     /// # Errors
     /// The other client cannot connect.
     pub fn take_over(&self) -> io::Result<()> {
-        settle(&self.shared.command_door);
-        self.shared.rival.take_seat(&self.shared)?;
-        settle(&self.shared.command_door);
+        wait_until_accepted(&self.shared.command_listener);
+        self.shared.take_over()?;
+        wait_until_accepted(&self.shared.command_listener);
         Ok(())
     }
 }

@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use super::{Controller, settle};
+use super::{Controller, wait_until_accepted};
+use crate::link_selector::LinkSelector;
 use crate::{Direction, LinkFault, Port};
 
 /// The links between a controller's ports and its clients, of one port or both, in one direction or both.
@@ -26,26 +27,25 @@ use crate::{Direction, LinkFault, Port};
 #[must_use = "links stay as they are until something is set"]
 pub struct Link<'c> {
     controller: &'c Controller,
-    port: Option<Port>,
-    direction: Option<Direction>,
+    selector: LinkSelector,
 }
 
 impl Controller {
     /// The links of a port, in both directions.
     pub fn link(&self, port: Port) -> Link<'_> {
-        Link { controller: self, port: Some(port), direction: None }
+        Link { controller: self, selector: LinkSelector { port: Some(port), direction: None } }
     }
 
     /// The links of both ports, in both directions.
     pub fn links(&self) -> Link<'_> {
-        Link { controller: self, port: None, direction: None }
+        Link { controller: self, selector: LinkSelector::default() }
     }
 }
 
 impl Link<'_> {
     /// In one direction alone.
     pub fn direction(self, direction: Direction) -> Self {
-        Self { direction: Some(direction), ..self }
+        Self { selector: LinkSelector { direction: Some(direction), ..self.selector }, ..self }
     }
 
     /// In the direction of what clients receive alone: replies and status packets.
@@ -60,9 +60,9 @@ impl Link<'_> {
 
     /// Sets what is wrong from now on.
     pub fn set(self, fault: LinkFault) {
-        settle(&self.controller.shared.command_door);
-        settle(&self.controller.shared.status_door);
-        self.controller.shared.links.set(self.port, self.direction, fault);
+        wait_until_accepted(&self.controller.shared.command_listener);
+        wait_until_accepted(&self.controller.shared.status_listener);
+        self.controller.shared.links.set(self.selector, fault);
     }
 
     /// Lets nothing pass: [`LinkFault::Hold`].

@@ -1,8 +1,8 @@
-//! Faults as the words of a script.
+//! Faults as the tokens of a script.
 
 use std::fmt;
 
-use super::words::{BOTH, Name, Quoted};
+use super::tokens::{Name, Quoted};
 use super::{Fault, FaultPlan, LinkEvent, LinkFault, StatusFault};
 
 impl fmt::Display for Fault {
@@ -64,9 +64,7 @@ impl fmt::Display for LinkFault {
 /// A line of a script.
 impl fmt::Display for LinkEvent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let port = self.port.map_or_else(|| BOTH.to_owned(), |port| port.to_string());
-        let direction = self.direction.map_or_else(|| BOTH.to_owned(), |direction| direction.to_string());
-        write!(f, "link {port} {direction} {}", self.fault)?;
+        write!(f, "link {} {}", self.selector, self.fault)?;
         if !self.after.is_zero() {
             write!(f, " after {:?}", self.after)?;
         }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::link_selector::LinkSelector;
 use crate::{Direction, Port};
 
 /// Something wrong with a link: what passes between a port and its clients in one direction, and when.
@@ -58,8 +59,7 @@ pub enum LinkFault {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[must_use = "an event does nothing without a plan"]
 pub struct LinkEvent {
-    pub(crate) port: Option<Port>,
-    pub(crate) direction: Option<Direction>,
+    pub(crate) selector: LinkSelector,
     pub(crate) fault: LinkFault,
     pub(crate) after: Duration,
     pub(crate) lasting: Option<Duration>,
@@ -68,17 +68,17 @@ pub struct LinkEvent {
 impl LinkEvent {
     /// A fault of both ports in both directions, from the start of the controller on.
     pub fn new(fault: LinkFault) -> Self {
-        Self { port: None, direction: None, fault, after: Duration::ZERO, lasting: None }
+        Self { selector: LinkSelector::default(), fault, after: Duration::ZERO, lasting: None }
     }
 
     /// Is for one port alone.
     pub fn port(self, port: Port) -> Self {
-        Self { port: Some(port), ..self }
+        Self { selector: LinkSelector { port: Some(port), ..self.selector }, ..self }
     }
 
     /// Is for one direction alone.
     pub fn direction(self, direction: Direction) -> Self {
-        Self { direction: Some(direction), ..self }
+        Self { selector: LinkSelector { direction: Some(direction), ..self.selector }, ..self }
     }
 
     /// Is for what clients receive alone.

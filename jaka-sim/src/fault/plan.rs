@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::{Dice, Fault, LinkEvent, StatusFault};
+use super::{Fault, LinkEvent, SplitMix64, StatusFault};
 
 /// Which replies have which faults, as a script or by chance.
 ///
@@ -52,7 +52,7 @@ pub struct FaultPlan {
     pub(super) status: StatusFault,
     pub(super) links: Vec<LinkEvent>,
     /// What has been drawn from the seed so far.
-    dice: Option<Dice>,
+    generator: Option<SplitMix64>,
 }
 
 /// Faults that strike one in so many replies.
@@ -101,7 +101,7 @@ impl FaultPlan {
     /// One in 1 is each, one in 0 is none. The seed is that of [`random`](Self::random), or 0.
     #[must_use]
     pub fn one_in(mut self, replies: u64, faults: impl IntoIterator<Item = Fault>) -> Self {
-        if self.dice.is_none() {
+        if self.generator.is_none() {
             self.set_seed(0);
         }
         self.chances.push(Chance { one_in: replies, faults: faults.into_iter().collect() });
@@ -145,7 +145,7 @@ impl FaultPlan {
 
     pub(super) fn set_seed(&mut self, seed: u64) {
         self.seed = Some(seed);
-        self.dice = Some(Dice::new(seed));
+        self.generator = Some(SplitMix64::new(seed));
     }
 
     pub(crate) fn inject(&mut self, fault: Fault) {
@@ -177,9 +177,9 @@ impl FaultPlan {
     }
 
     fn draw(&mut self) -> Option<Fault> {
-        let dice = self.dice.as_mut()?;
-        let chance = self.chances.iter().find(|chance| dice.one_in(chance.one_in))?;
-        dice.pick(&chance.faults).cloned()
+        let generator = self.generator.as_mut()?;
+        let chance = self.chances.iter().find(|chance| generator.one_in(chance.one_in))?;
+        generator.pick(&chance.faults).cloned()
     }
 }
 

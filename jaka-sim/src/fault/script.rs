@@ -4,8 +4,8 @@ use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
-use super::parse::Args;
-use super::words::{self, Word};
+use super::token_reader::TokenReader;
+use super::tokens::{self, Token};
 use super::{Fault, FaultPlan, LinkFault, StatusFault};
 
 /// What is wrong with the text of a [`FaultPlan`], a [`Fault`], a [`StatusFault`] or a [`LinkFault`], and where.
@@ -55,17 +55,17 @@ impl FromStr for FaultPlan {
     /// A word does not fit, or one is missing.
     fn from_str(script: &str) -> Result<Self, ScriptError> {
         let mut plan = Self::new();
-        for words in words::lines(script)? {
-            plan.read_line(&words)?;
+        for tokens in tokens::lines(script)? {
+            plan.read_line(&tokens)?;
         }
         Ok(plan)
     }
 }
 
 impl FaultPlan {
-    fn read_line(&mut self, words: &[Word<'_>]) -> Result<(), ScriptError> {
-        let mut args = Args::new(words);
-        match words.first().map(|word| word.text) {
+    fn read_line(&mut self, tokens: &[Token<'_>]) -> Result<(), ScriptError> {
+        let mut args = TokenReader::new(tokens);
+        match tokens.first().map(|word| word.text) {
             Some("for") => {
                 let command = args.skip().name()?;
                 args.mark(":")?;
@@ -76,15 +76,15 @@ impl FaultPlan {
                 let one_in = args.odds()?;
                 *self = std::mem::take(self).one_in(one_in, faults(args)?);
             }
-            Some("always") => self.inject_always(one(args.skip(), Args::fault)?),
-            Some("link") => self.links.push(one(args.skip(), Args::link_event)?),
-            Some("status") => self.status = one(args.skip(), Args::status_fault)?,
+            Some("always") => self.inject_always(one(args.skip(), TokenReader::fault)?),
+            Some("link") => self.links.push(one(args.skip(), TokenReader::link_event)?),
+            Some("status") => self.status = one(args.skip(), TokenReader::status_fault)?,
             _ => self.script.extend(faults(args)?),
         }
         Ok(())
     }
 
-    fn read_seed(&mut self, args: &mut Args<'_, '_>) -> Result<(), ScriptError> {
+    fn read_seed(&mut self, args: &mut TokenReader<'_, '_>) -> Result<(), ScriptError> {
         let seed = args.number("a seed")?;
         match self.seed {
             Some(other) if other != seed => {
@@ -100,7 +100,7 @@ impl FaultPlan {
 }
 
 /// The faults that are left in a line.
-fn faults(mut args: Args<'_, '_>) -> Result<Vec<Fault>, ScriptError> {
+fn faults(mut args: TokenReader<'_, '_>) -> Result<Vec<Fault>, ScriptError> {
     let mut faults = vec![args.fault()?];
     while !args.is_empty() {
         args.mark(",")?;
@@ -111,17 +111,17 @@ fn faults(mut args: Args<'_, '_>) -> Result<Vec<Fault>, ScriptError> {
 
 /// What has to be the last thing in a line.
 fn one<'w, 's, T>(
-    args: &mut Args<'w, 's>,
-    read: impl FnOnce(&mut Args<'w, 's>) -> Result<T, ScriptError>,
+    args: &mut TokenReader<'w, 's>,
+    read: impl FnOnce(&mut TokenReader<'w, 's>) -> Result<T, ScriptError>,
 ) -> Result<T, ScriptError> {
     let item = read(args)?;
     args.end()?;
     Ok(item)
 }
 
-/// The words of a text that has one thing in it.
-fn all_words(text: &str) -> Result<Vec<Word<'_>>, ScriptError> {
-    Ok(words::lines(text)?.into_iter().flatten().collect())
+/// The tokens of a text that has one thing in it.
+fn all_words(text: &str) -> Result<Vec<Token<'_>>, ScriptError> {
+    Ok(tokens::lines(text)?.into_iter().flatten().collect())
 }
 
 impl FromStr for Fault {
@@ -132,7 +132,7 @@ impl FromStr for Fault {
     /// # Errors
     /// A word does not fit, or one is missing.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
-        one(&mut Args::new(&all_words(text)?), Args::fault)
+        one(&mut TokenReader::new(&all_words(text)?), TokenReader::fault)
     }
 }
 
@@ -144,7 +144,7 @@ impl FromStr for StatusFault {
     /// # Errors
     /// A word does not fit, or one is missing.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
-        one(&mut Args::new(&all_words(text)?), Args::status_fault)
+        one(&mut TokenReader::new(&all_words(text)?), TokenReader::status_fault)
     }
 }
 
@@ -156,6 +156,6 @@ impl FromStr for LinkFault {
     /// # Errors
     /// A word does not fit, or one is missing.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
-        one(&mut Args::new(&all_words(text)?), Args::link_fault)
+        one(&mut TokenReader::new(&all_words(text)?), TokenReader::link_fault)
     }
 }

@@ -49,12 +49,12 @@ impl FromStr for Habit {
     /// There is no such habit, or its time is not one.
     fn from_str(text: &str) -> Result<Self, HabitError> {
         let unfit = || HabitError { text: text.to_owned() };
-        let mut words = text.split_whitespace();
-        let name = words.next().ok_or_else(unfit)?;
-        let time = words.next().map(|word| read_time(word).ok_or_else(unfit)).transpose()?;
+        let mut tokens = text.split_whitespace();
+        let name = tokens.next().ok_or_else(unfit)?;
+        let time = tokens.next().map(|word| read_time(word).ok_or_else(unfit)).transpose()?;
         let usual = Self::one_of_each().into_iter().find(|habit| habit.name() == name);
         let habit = usual.and_then(|habit| habit.with_time(time)).ok_or_else(unfit)?;
-        words.next().map_or(Ok(habit), |_| Err(unfit()))
+        tokens.next().map_or(Ok(habit), |_| Err(unfit()))
     }
 }
 

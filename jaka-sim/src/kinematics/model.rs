@@ -109,6 +109,6 @@ impl Default for Model {
 
 /// The letters and digits of a name in lower case, without the maker's.
 fn plain(name: &str) -> String {
-    let kept: String = name.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
-    kept.strip_prefix("jaka").map(str::to_owned).unwrap_or(kept)
+    let pending: String = name.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
+    pending.strip_prefix("jaka").map(str::to_owned).unwrap_or(pending)
 }

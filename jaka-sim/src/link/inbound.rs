@@ -4,9 +4,10 @@ use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read};
 use std::time::{Duration, Instant};
 
+use super::Wire;
 use super::queue::Pace;
 use super::state::shorter;
-use super::{Direction, Wire};
+use crate::Direction;
 use crate::fault::LinkFault;
 
 /// The least time that a socket can be waited for.
@@ -43,7 +44,7 @@ pub(crate) enum Received {
 
 /// What to do next where something is, or has been, wrong.
 #[derive(Debug, PartialEq, Eq)]
-enum Turn {
+enum ReceiveStep {
     /// Something arrives; at most so many bytes of it.
     Take(usize),
     /// Waits for the socket; at most so long, if a time is given.
@@ -82,7 +83,7 @@ impl<'w> Inbound<'w> {
             let mut state = links.state();
             let (fault, stays) = self.wire.fault(&mut state, Direction::ToController);
             match self.next(fault) {
-                Turn::Take(most) => {
+                ReceiveStep::Take(most) => {
                     let received = self.take(space, most);
                     if let (LinkFault::Slow(per_second), Received::Bytes(count)) = (fault, received) {
                         self.pace.passed(count, per_second);
@@ -90,8 +91,8 @@ impl<'w> Inbound<'w> {
                     return Ok(received);
                 }
                 _ if left() == Some(Duration::ZERO) => return Ok(Received::Silence),
-                Turn::Wait(time) => drop(links.wait(state, shorter(shorter(time, stays), left()))),
-                Turn::Read(time) => {
+                ReceiveStep::Wait(time) => drop(links.wait(state, shorter(shorter(time, stays), left()))),
+                ReceiveStep::Read(time) => {
                     drop(state);
                     let received = self.read(space, shorter(time, left())).unwrap_or_else(|error| {
                         log::trace!(target: "jaka_sim", "client lost behind its link: {error}");
@@ -103,20 +104,21 @@ impl<'w> Inbound<'w> {
         }
     }
 
-    fn next(&self, fault: LinkFault) -> Turn {
+    fn next(&self, fault: LinkFault) -> ReceiveStep {
         let first = self.waiting.front().map(|(came, _)| came.elapsed());
         match (fault, first) {
-            (LinkFault::Hold | LinkFault::Cut, _) => Turn::Wait(None),
-            (_, None) => Turn::Read(None),
-            (LinkFault::None, Some(_)) => Turn::Take(usize::MAX),
+            (LinkFault::Hold | LinkFault::Cut, _) => ReceiveStep::Wait(None),
+            (_, None) => ReceiveStep::Read(None),
+            (LinkFault::None, Some(_)) => ReceiveStep::Take(usize::MAX),
             (LinkFault::Delay(time), Some(age)) => match time.saturating_sub(age) {
-                Duration::ZERO => Turn::Take(usize::MAX),
-                left if self.ended || self.bytes >= MOST => Turn::Wait(Some(left)),
-                left => Turn::Read(Some(left.min(MOST_WAIT))),
+                Duration::ZERO => ReceiveStep::Take(usize::MAX),
+                left if self.ended || self.bytes >= MOST => ReceiveStep::Wait(Some(left)),
+                left => ReceiveStep::Read(Some(left.min(MOST_WAIT))),
             },
-            (LinkFault::Slow(per_second), Some(_)) => {
-                self.pace.left().map_or(Turn::Take(Pace::portion(per_second)), |left| Turn::Wait(Some(left)))
-            }
+            (LinkFault::Slow(per_second), Some(_)) => self
+                .pace
+                .left()
+                .map_or(ReceiveStep::Take(Pace::portion(per_second)), |left| ReceiveStep::Wait(Some(left))),
         }
     }
 

@@ -45,7 +45,7 @@ pub(super) enum End {
 
 /// What the thread that sends does next.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Turn {
+pub(super) enum SendStep {
     Send(Vec<u8>),
     /// Waits for a change; at most so long, if a time is given.
     Wait(Option<Duration>),
@@ -100,58 +100,58 @@ impl Queue {
     }
 
     /// What to do next on a link with this fault.
-    pub(super) fn next(&mut self, fault: LinkFault) -> Turn {
+    pub(super) fn next(&mut self, fault: LinkFault) -> SendStep {
         self.is_sending = false;
         match self.end {
-            _ if self.is_aborted() => return Turn::End(End::Close),
-            Some((_, end)) if self.fate == Fate::Lost => return Turn::End(end),
+            _ if self.is_aborted() => return SendStep::End(End::Close),
+            Some((_, end)) if self.fate == Fate::Lost => return SendStep::End(end),
             _ => {}
         }
-        let turn = match fault {
+        let step = match fault {
             LinkFault::None => self.take(usize::MAX),
-            LinkFault::Hold => Turn::Wait(None),
+            LinkFault::Hold => SendStep::Wait(None),
             LinkFault::Delay(time) => self.take_delayed(time),
             LinkFault::Slow(per_second) => self.take_slowly(per_second),
             LinkFault::Cut => {
                 self.clear();
-                Turn::Wait(None)
+                SendStep::Wait(None)
             }
         };
-        self.is_sending = matches!(turn, Turn::Send(_));
-        turn
+        self.is_sending = matches!(step, SendStep::Send(_));
+        step
     }
 
     /// The next write, or as much of it.
-    fn take(&mut self, most: usize) -> Turn {
+    fn take(&mut self, most: usize) -> SendStep {
         let Some((sent, mut bytes)) = self.writes.pop_front() else {
-            return self.end.map_or(Turn::Wait(None), |(_, end)| Turn::End(end));
+            return self.end.map_or(SendStep::Wait(None), |(_, end)| SendStep::End(end));
         };
         if bytes.len() > most {
             let rest = bytes.split_off(most);
             self.writes.push_front((sent, rest));
         }
         self.bytes -= bytes.len();
-        Turn::Send(bytes)
+        SendStep::Send(bytes)
     }
 
-    fn take_delayed(&mut self, time: Duration) -> Turn {
+    fn take_delayed(&mut self, time: Duration) -> SendStep {
         let sent = self.writes.front().map(|(sent, _)| *sent).or(self.end.map(|(sent, _)| sent));
-        let Some(sent) = sent else { return Turn::Wait(None) };
+        let Some(sent) = sent else { return SendStep::Wait(None) };
         match time.saturating_sub(sent.elapsed()) {
             Duration::ZERO => self.take(usize::MAX),
-            left => Turn::Wait(Some(left)),
+            left => SendStep::Wait(Some(left)),
         }
     }
 
-    fn take_slowly(&mut self, per_second: u64) -> Turn {
+    fn take_slowly(&mut self, per_second: u64) -> SendStep {
         if let Some(left) = self.pace.left() {
-            return Turn::Wait(Some(left));
+            return SendStep::Wait(Some(left));
         }
-        let turn = self.take(Pace::portion(per_second));
-        if let Turn::Send(bytes) = &turn {
+        let step = self.take(Pace::portion(per_second));
+        if let SendStep::Send(bytes) = &step {
             self.pace.passed(bytes.len(), per_second);
         }
-        turn
+        step
     }
 }
 
@@ -201,41 +201,41 @@ mod tests {
         let mut queue = queue();
         queue.end(End::Drop);
         queue.end(End::Close);
-        assert_eq!(queue.next(LinkFault::Hold), Turn::Wait(None));
-        assert_eq!(queue.next(LinkFault::None), Turn::Send(b"one".to_vec()));
+        assert_eq!(queue.next(LinkFault::Hold), SendStep::Wait(None));
+        assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"one".to_vec()));
         assert!(!queue.is_idle());
-        assert_eq!(queue.next(LinkFault::None), Turn::Send(b"two".to_vec()));
+        assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"two".to_vec()));
         // Written only when the thread comes for more.
         assert!(!queue.is_idle());
-        assert_eq!(queue.next(LinkFault::Hold), Turn::Wait(None));
+        assert_eq!(queue.next(LinkFault::Hold), SendStep::Wait(None));
         assert!(queue.is_idle());
-        assert_eq!(queue.next(LinkFault::None), Turn::End(End::Drop));
+        assert_eq!(queue.next(LinkFault::None), SendStep::End(End::Drop));
     }
 
     #[test]
     fn a_delay_counts_from_when_each_was_sent() {
         let mut queue = queue();
-        assert!(matches!(queue.next(LinkFault::Delay(Duration::from_secs(60))), Turn::Wait(Some(_))));
-        assert_eq!(queue.next(LinkFault::Delay(Duration::ZERO)), Turn::Send(b"one".to_vec()));
+        assert!(matches!(queue.next(LinkFault::Delay(Duration::from_secs(60))), SendStep::Wait(Some(_))));
+        assert_eq!(queue.next(LinkFault::Delay(Duration::ZERO)), SendStep::Send(b"one".to_vec()));
     }
 
     #[test]
     fn a_slow_link_lets_a_portion_pass() {
         let mut queue = queue();
-        assert_eq!(queue.next(LinkFault::Slow(200)), Turn::Send(b"on".to_vec()));
-        let Turn::Wait(Some(left)) = queue.next(LinkFault::Slow(200)) else { panic!("nothing passes for 10 ms") };
+        assert_eq!(queue.next(LinkFault::Slow(200)), SendStep::Send(b"on".to_vec()));
+        let SendStep::Wait(Some(left)) = queue.next(LinkFault::Slow(200)) else { panic!("nothing passes for 10 ms") };
         assert!(left <= Duration::from_millis(10));
-        assert_eq!(queue.next(LinkFault::None), Turn::Send(b"e".to_vec()));
+        assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"e".to_vec()));
     }
 
     #[test]
     fn what_is_cut_is_gone() {
         let mut queue = queue();
         queue.end(End::Close);
-        assert_eq!(queue.next(LinkFault::Cut), Turn::Wait(None));
+        assert_eq!(queue.next(LinkFault::Cut), SendStep::Wait(None));
         assert!(queue.is_idle());
         queue.abort();
-        assert_eq!(queue.next(LinkFault::Cut), Turn::End(End::Close));
+        assert_eq!(queue.next(LinkFault::Cut), SendStep::End(End::Close));
     }
 
     #[test]

@@ -7,9 +7,10 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::wire::Wire;
-use super::{Direction, Port};
 use crate::fault::{LinkEvent, LinkFault};
+use crate::link_selector::LinkSelector;
 use crate::lock::{lock, wait};
+use crate::{Direction, Port};
 
 /// How many connections may wait behind a fault to end. The oldest ends at once where there are more.
 const MOST_SENDERS: usize = 512;
@@ -21,7 +22,7 @@ const MOST_SENDERS: usize = 512;
 pub(crate) struct Links {
     /// Whether any link has ever had a fault.
     used: AtomicBool,
-    state: Mutex<State>,
+    state: Mutex<LinkStates>,
     changed: Condvar,
     senders: Mutex<VecDeque<Sender>>,
 }
@@ -31,13 +32,13 @@ type Sender = (Weak<Wire>, JoinHandle<()>);
 
 /// The faults of each port in each direction.
 #[derive(Debug, Default)]
-pub(super) struct State {
-    ways: [[Way; 2]; 2],
+pub(super) struct LinkStates {
+    links: [[LinkState; 2]; 2],
 }
 
 /// One port in one direction.
 #[derive(Debug, Default)]
-pub(super) struct Way {
+pub(super) struct LinkState {
     fault: LinkFault,
     /// How many times it has been cut. A connection that is older than the last of these is cut.
     cuts: u64,
@@ -48,25 +49,26 @@ pub(super) struct Way {
 impl Links {
     /// The links of a controller that starts now.
     pub(crate) fn new(events: &[LinkEvent]) -> Self {
-        let mut state = State::default();
+        let mut state = LinkStates::default();
         let start = Instant::now();
         for event in events {
             state.schedule(event, start);
         }
-        state.ways.iter_mut().flatten().for_each(|way| way.catch_up(start));
+        state.links.iter_mut().flatten().for_each(|link| link.catch_up(start));
         Self { used: AtomicBool::new(!events.is_empty()), state: Mutex::new(state), ..Self::default() }
     }
 
     /// Sets what is wrong with these links from now on, and forgets what was to follow.
-    pub(crate) fn set(&self, port: Option<Port>, direction: Option<Direction>, fault: LinkFault) {
+    pub(crate) fn set(&self, selector: LinkSelector, fault: LinkFault) {
         let mut state = lock(&self.state);
         if fault != LinkFault::None {
             self.used.store(true, Ordering::SeqCst);
         }
-        state.each(port, direction, |way| {
-            way.schedule.clear();
-            way.set(fault);
-        });
+        for (port, direction) in selector.each() {
+            let link = state.link(port, direction);
+            link.schedule.clear();
+            link.set(fault);
+        }
         drop(state);
         self.changed.notify_all();
     }
@@ -76,12 +78,16 @@ impl Links {
         self.used.load(Ordering::SeqCst)
     }
 
-    pub(super) fn state(&self) -> MutexGuard<'_, State> {
+    pub(super) fn state(&self) -> MutexGuard<'_, LinkStates> {
         lock(&self.state)
     }
 
     /// Waits for a change, or so long.
-    pub(super) fn wait<'l>(&'l self, state: MutexGuard<'l, State>, time: Option<Duration>) -> MutexGuard<'l, State> {
+    pub(super) fn wait<'l>(
+        &'l self,
+        state: MutexGuard<'l, LinkStates>,
+        time: Option<Duration>,
+    ) -> MutexGuard<'l, LinkStates> {
         let mut waited = false;
         wait(&self.changed, state, time.unwrap_or(Duration::MAX), |_| std::mem::replace(&mut waited, true))
     }
@@ -116,39 +122,32 @@ impl Links {
     }
 }
 
-impl State {
+impl LinkStates {
     fn schedule(&mut self, event: &LinkEvent, start: Instant) {
         let Some(begin) = start.checked_add(event.after) else { return };
         let end = event.lasting.and_then(|time| begin.checked_add(time));
-        self.each(event.port, event.direction, |way| {
-            way.schedule.push_back((begin, event.fault));
-            way.schedule.extend(end.map(|end| (end, LinkFault::None)));
-            // What is said later holds where both are for one moment.
-            way.schedule.make_contiguous().sort_by_key(|(at, _)| *at);
-        });
-    }
-
-    fn each(&mut self, port: Option<Port>, direction: Option<Direction>, mut change: impl FnMut(&mut Way)) {
-        for each_port in Port::ALL.into_iter().filter(|each| port.is_none_or(|port| port == *each)) {
-            for each_way in Direction::ALL.into_iter().filter(|each| direction.is_none_or(|way| way == *each)) {
-                change(self.way(each_port, each_way));
-            }
+        for (port, direction) in event.selector.each() {
+            let schedule = &mut self.link(port, direction).schedule;
+            schedule.push_back((begin, event.fault));
+            schedule.extend(end.map(|end| (end, LinkFault::None)));
+            // Of two for the same moment, the one that was given later holds.
+            schedule.make_contiguous().sort_by_key(|(at, _)| *at);
         }
     }
 
     /// The link of a port in a direction, as it is now.
-    pub(super) fn now(&mut self, port: Port, direction: Direction) -> &mut Way {
-        let way = self.way(port, direction);
-        way.catch_up(Instant::now());
-        way
+    pub(super) fn now(&mut self, port: Port, direction: Direction) -> &mut LinkState {
+        let link = self.link(port, direction);
+        link.catch_up(Instant::now());
+        link
     }
 
-    fn way(&mut self, port: Port, direction: Direction) -> &mut Way {
-        &mut self.ways[port as usize][direction as usize]
+    fn link(&mut self, port: Port, direction: Direction) -> &mut LinkState {
+        &mut self.links[port as usize][direction as usize]
     }
 }
 
-impl Way {
+impl LinkState {
     fn set(&mut self, fault: LinkFault) {
         self.fault = fault;
         if fault == LinkFault::Cut {
@@ -165,13 +164,13 @@ impl Way {
     }
 
     /// What a connection that is made now remembers, to know whether it has been cut.
-    pub(super) fn birth(&self) -> u64 {
+    pub(super) fn generation(&self) -> u64 {
         if self.fault == LinkFault::Cut { self.cuts.saturating_sub(1) } else { self.cuts }
     }
 
-    /// What is wrong for a connection of this birth.
-    pub(super) fn fault(&self, birth: u64) -> LinkFault {
-        if self.cuts > birth { LinkFault::Cut } else { self.fault }
+    /// What is wrong for a connection of this generation.
+    pub(super) fn fault(&self, generation: u64) -> LinkFault {
+        if self.cuts > generation { LinkFault::Cut } else { self.fault }
     }
 
     /// How long it stays as it is, if that is known.

@@ -9,11 +9,11 @@ use std::time::Duration;
 
 use socket2::SockRef;
 
-use super::queue::{End, Queue, Turn};
-use super::state::{Links, State, shorter};
-use super::{Direction, Port};
+use super::queue::{End, Queue, SendStep};
+use super::state::{LinkStates, Links, shorter};
 use crate::fault::LinkFault;
 use crate::lock::lock;
+use crate::{Direction, Port};
 
 /// A connection, behind whatever is wrong with its link.
 ///
@@ -24,7 +24,7 @@ pub(crate) struct Wire {
     port: Port,
     links: Arc<Links>,
     /// What the links had gone through when this was connected, by direction.
-    births: [u64; 2],
+    generations: [u64; 2],
     closed: AtomicBool,
     queue: Mutex<Queue>,
 }
@@ -32,14 +32,14 @@ pub(crate) struct Wire {
 impl Wire {
     pub(crate) fn new(stream: TcpStream, port: Port, links: &Arc<Links>) -> io::Result<Arc<Self>> {
         stream.set_nodelay(true)?;
-        let births = if links.are_used() {
+        let generations = if links.are_used() {
             let mut state = links.state();
-            Direction::ALL.map(|direction| state.now(port, direction).birth())
+            Direction::ALL.map(|direction| state.now(port, direction).generation())
         } else {
             [0; 2]
         };
         let (links, closed) = (Arc::clone(links), AtomicBool::new(false));
-        Ok(Arc::new(Self { stream, port, links, births, closed, queue: Mutex::default() }))
+        Ok(Arc::new(Self { stream, port, links, generations, closed, queue: Mutex::default() }))
     }
 
     pub(crate) fn stream(&self) -> &TcpStream {
@@ -56,9 +56,9 @@ impl Wire {
     }
 
     /// What is wrong in a direction, and how long it stays so if that is known.
-    pub(super) fn fault(&self, state: &mut State, direction: Direction) -> (LinkFault, Option<Duration>) {
-        let way = state.now(self.port, direction);
-        (way.fault(self.births[direction as usize]), way.stays_for())
+    pub(super) fn fault(&self, state: &mut LinkStates, direction: Direction) -> (LinkFault, Option<Duration>) {
+        let link = state.now(self.port, direction);
+        (link.fault(self.generations[direction as usize]), link.stays_for())
     }
 
     /// Writes bytes, or lets them wait where something is wrong.
@@ -108,9 +108,9 @@ impl Wire {
         let mut state = self.links.state();
         loop {
             let (fault, stays) = self.fault(&mut state, Direction::ToClient);
-            let turn = lock(&self.queue).next(fault);
-            match turn {
-                Turn::Send(bytes) => {
+            let step = lock(&self.queue).next(fault);
+            match step {
+                SendStep::Send(bytes) => {
                     drop(state);
                     if let Err(error) = (&self.stream).write_all(&bytes) {
                         log::trace!(target: "jaka_sim", "client lost behind its link: {error}");
@@ -118,9 +118,9 @@ impl Wire {
                     }
                     state = self.links.state();
                 }
-                Turn::Wait(time) => state = self.links.wait(state, shorter(time, stays)),
-                Turn::End(End::Close) => return self.shut_down(Shutdown::Both),
-                Turn::End(End::Drop) => return,
+                SendStep::Wait(time) => state = self.links.wait(state, shorter(time, stays)),
+                SendStep::End(End::Close) => return self.shut_down(Shutdown::Both),
+                SendStep::End(End::Drop) => return,
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::path::{Frame, Joints};
+use super::path::{Joints, Transform};
 use super::running::Running;
 use crate::kinematics::Model;
 
@@ -10,7 +10,7 @@ use crate::kinematics::Model;
 #[derive(Debug, Clone)]
 pub(crate) struct Zone {
     /// The tool on the flange.
-    tool: Frame,
+    tool: Transform,
     /// Where the tool is at the end of the motion, and how near to it the next may begin, in millimetres.
     end: Vector3<f64>,
     radius: f64,
@@ -28,7 +28,7 @@ pub(super) struct Leaving {
 }
 
 impl Zone {
-    pub(crate) fn new(tool: Frame, end: &Frame, radius: f64) -> Option<Self> {
+    pub(crate) fn new(tool: Transform, end: &Transform, radius: f64) -> Option<Self> {
         (radius > 0.0).then_some(Self { tool, end: end.translation.vector, radius })
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Translation3, UnitQuaternion, Vector3};
 
-use super::path::{Frame, Joints};
+use super::path::{Joints, Transform};
 use crate::clock::CYCLE;
 use crate::kinematics::Model;
 
@@ -19,9 +19,9 @@ pub(crate) enum Jogging {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Reference {
     /// A fixed frame, and the tool on the flange.
-    Fixed { base: Frame, tool: Frame },
+    Fixed { base: Transform, tool: Transform },
     /// The tool's own.
-    Tool { tool: Frame },
+    Tool { tool: Transform },
 }
 
 impl Jogging {
@@ -55,7 +55,7 @@ impl Jogging {
 
 impl Reference {
     /// The flange after a displacement along this frame's axes.
-    pub(crate) fn moved(&self, flange: &Frame, by: &Frame) -> Frame {
+    pub(crate) fn moved(&self, flange: &Transform, by: &Transform) -> Transform {
         match self {
             Self::Tool { tool } => flange * tool * by * tool.inverse(),
             Self::Fixed { base, tool } => {
@@ -69,11 +69,11 @@ impl Reference {
 }
 
 /// A displacement along, or a turn about, one of the axes x, y, z, rx, ry, rz.
-pub(crate) fn small(index: usize, amount: f64) -> Frame {
+pub(crate) fn small(index: usize, amount: f64) -> Transform {
     let axis = Vector3::ith(index % 3, 1.0);
     if index < 3 {
-        Frame::from_parts(Translation3::from(axis * amount), UnitQuaternion::identity())
+        Transform::from_parts(Translation3::from(axis * amount), UnitQuaternion::identity())
     } else {
-        Frame::from_parts(Translation3::identity(), UnitQuaternion::from_scaled_axis(axis * amount.to_radians()))
+        Transform::from_parts(Translation3::identity(), UnitQuaternion::from_scaled_axis(axis * amount.to_radians()))
     }
 }

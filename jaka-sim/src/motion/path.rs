@@ -8,7 +8,7 @@ use crate::kinematics::Model;
 pub(crate) type Joints = [f64; 6];
 
 /// A transform, in millimetres.
-pub(crate) type Frame = Isometry3<f64>;
+pub(crate) type Transform = Isometry3<f64>;
 
 /// The way from one position to another, by the distance from its beginning.
 #[derive(Debug, Clone)]
@@ -16,7 +16,7 @@ pub(crate) enum Path {
     /// All joints at once, each at an even share of the way.
     Joints { from: Joints, to: Joints },
     /// The flange along a straight line.
-    Line { from: Frame, to: Frame, tool: Frame },
+    CommandConnection { from: Transform, to: Transform, tool: Transform },
     /// The flange along an arc.
     Arc(Box<Arc>),
 }
@@ -26,18 +26,18 @@ pub(crate) enum Path {
 pub(crate) struct Arc {
     centre: Point3<f64>,
     axis: Unit<Vector3<f64>>,
-    from: Frame,
-    middle: Frame,
-    to: Frame,
-    tool: Frame,
+    from: Transform,
+    middle: Transform,
+    to: Transform,
+    tool: Transform,
     /// The angles from the first pose to the middle one and to the last, in radians.
     angles: (f64, f64),
 }
 
 impl Path {
     /// The straight line of the tool centre point from one pose to another, both those of the tool.
-    pub(crate) fn line(from: Frame, to: Frame, tool: Frame) -> Self {
-        Self::Line { from, to, tool }
+    pub(crate) fn line(from: Transform, to: Transform, tool: Transform) -> Self {
+        Self::CommandConnection { from, to, tool }
     }
 
     /// How long the way is: in degrees of the joint that turns furthest, or in millimetres of the tool centre point.
@@ -47,7 +47,9 @@ impl Path {
     pub(crate) fn length(&self) -> f64 {
         match self {
             Self::Joints { from, to } => from.iter().zip(to).map(|(from, to)| (to - from).abs()).fold(0.0, f64::max),
-            Self::Line { from, to, .. } => (to.translation.vector - from.translation.vector).norm().max(turn(from, to)),
+            Self::CommandConnection { from, to, .. } => {
+                (to.translation.vector - from.translation.vector).norm().max(turn(from, to))
+            }
             Self::Arc(arc) => {
                 let radius = (arc.from.translation.vector - arc.centre.coords).norm();
                 (radius * arc.angles.1).max(turn(&arc.from, &arc.middle) + turn(&arc.middle, &arc.to))
@@ -59,7 +61,9 @@ impl Path {
     pub(crate) fn at(&self, share: f64, model: &Model, near: Joints) -> Option<Joints> {
         match self {
             Self::Joints { from, to } => Some(std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)),
-            Self::Line { from, to, tool } => model.inverse(&(between(from, to, share) * tool.inverse()), near),
+            Self::CommandConnection { from, to, tool } => {
+                model.inverse(&(between(from, to, share) * tool.inverse()), near)
+            }
             Self::Arc(arc) => model.inverse(&(arc.at(share) * arc.tool.inverse()), near),
         }
     }
@@ -75,7 +79,7 @@ impl Path {
 
 impl Arc {
     /// The arc through three poses of the tool; `None` where they lie on a line.
-    pub(crate) fn through(from: Frame, middle: Frame, to: Frame, tool: Frame) -> Option<Self> {
+    pub(crate) fn through(from: Transform, middle: Transform, to: Transform, tool: Transform) -> Option<Self> {
         let [a, b, c] = [from, middle, to].map(|frame| Point3::from(frame.translation.vector));
         let (ab, ac) = (b - a, c - a);
         let normal = ab.cross(&ac);
@@ -91,7 +95,7 @@ impl Arc {
         Some(Self { centre, axis, from, middle, to, tool, angles: (angle(b), angle(c)) })
     }
 
-    fn at(&self, share: f64) -> Frame {
+    fn at(&self, share: f64) -> Transform {
         let (to_middle, to_end) = self.angles;
         let angle = to_end * share;
         let spoke = Rotation3::from_axis_angle(&self.axis, angle) * (self.from.translation.vector - self.centre.coords);
@@ -100,19 +104,19 @@ impl Arc {
         } else {
             between(&self.middle, &self.to, (angle - to_middle) / (to_end - to_middle))
         };
-        Frame::from_parts(Translation3::from(self.centre.coords + spoke), turned.rotation)
+        Transform::from_parts(Translation3::from(self.centre.coords + spoke), turned.rotation)
     }
 }
 
 /// The angle between the orientations of two frames, in degrees.
-fn turn(from: &Frame, to: &Frame) -> f64 {
+fn turn(from: &Transform, to: &Transform) -> f64 {
     from.rotation.angle_to(&to.rotation).to_degrees()
 }
 
 /// The frame at a share of the straight way, turned evenly about one axis.
-fn between(from: &Frame, to: &Frame, share: f64) -> Frame {
+fn between(from: &Transform, to: &Transform, share: f64) -> Transform {
     let place = from.translation.vector.lerp(&to.translation.vector, share);
     // By axis and angle, which unlike slerp knows a way also for half a turn.
     let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * share;
-    Frame::from_parts(Translation3::from(place), from.rotation * UnitQuaternion::from_scaled_axis(turn))
+    Transform::from_parts(Translation3::from(place), from.rotation * UnitQuaternion::from_scaled_axis(turn))
 }

@@ -13,8 +13,8 @@ use super::{
     AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, Payload, State, ToolVoltage, TorqueSensor,
     Trajectory, TrajectoryConfig,
 };
-use crate::book::Book;
 use crate::kinematics::Model;
+use crate::spec_index::SpecIndex;
 
 /// Joint positions at the start: the arm bent, its flange down, and no joint near its end.
 const HOME: [f64; 6] = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0];
@@ -27,20 +27,20 @@ const TOOL_DIGITAL_INPUTS: usize = 8;
 
 impl State {
     /// The state in which a controller starts.
-    pub(crate) fn initial(book: &Book, model: &Model) -> io::Result<Self> {
-        let power = book.example::<power::GetRobotState>()?;
-        let program = book.example::<program::GetLoadedProgram>()?;
-        let tools = book.example::<frames::GetToolOffsets>()?;
-        let users = book.example::<frames::GetUserOffsets>()?;
+    pub(crate) fn initial(spec_index: &SpecIndex, model: &Model) -> io::Result<Self> {
+        let power = spec_index.example::<power::GetRobotState>()?;
+        let program = spec_index.example::<program::GetLoadedProgram>()?;
+        let tools = spec_index.example::<frames::GetToolOffsets>()?;
+        let users = spec_index.example::<frames::GetUserOffsets>()?;
         let mut state = Self {
             powered: power.powered_on,
             enabled: power.enabled,
-            protective_stop: book.example::<collision::ProtectiveStopStatus>()?.protective_stop,
+            protective_stop: spec_index.example::<collision::ProtectiveStopStatus>()?.protective_stop,
             emergency_stop: false,
             on_soft_limit: 1,
             error_code: NO_ERROR.to_owned(),
             error_message: String::new(),
-            version: book.example::<power::GetVersion>()?.version,
+            version: spec_index.example::<power::GetVersion>()?.version,
             joint_position: HOME.into(),
             // The pose follows from the joints.
             tcp_pose: [0.0; 6].into(),
@@ -49,33 +49,33 @@ impl State {
             at_rest: true,
             joint_commanded_position: HOME.into(),
             tcp_commanded_pose: [0.0; 6].into(),
-            servo_mode: book.example::<servo::IsInServomove>()?.in_servo_mode,
+            servo_mode: spec_index.example::<servo::IsInServomove>()?.in_servo_mode,
             servo_filter: servo::SetServoMoveFilter::Disabled,
-            drag_mode: book.example::<force::DragStatus>()?.drag_status,
+            drag_mode: spec_index.example::<force::DragStatus>()?.drag_status,
             dh_parameters: dh_parameters(model),
             rapid_rate: 1.0,
             loaded_program: program.program_name,
-            program_state: book.example::<program::GetProgramState>()?.program_state,
+            program_state: spec_index.example::<program::GetProgramState>()?.program_state,
             digital_inputs: vec![false; DIGITAL_INPUTS],
             digital_outputs: HashMap::new(),
             analog_inputs: vec![0.0; ANALOG_INPUTS],
             analog_outputs: HashMap::new(),
             tool_digital_inputs: vec![false; TOOL_DIGITAL_INPUTS],
             tool_analog_inputs: vec![0.0],
-            tool_voltage: tool_voltage(book)?,
-            function_inputs: book.example::<pins::GetFuncdiStatus>()?.function_inputs,
-            extio: book.example::<pins::GetExtioStatus>()?.extio_status,
+            tool_voltage: tool_voltage(spec_index)?,
+            function_inputs: spec_index.example::<pins::GetFuncdiStatus>()?.function_inputs,
+            extio: spec_index.example::<pins::GetExtioStatus>()?.extio_status,
             tool_frames: frames(&tools.offsets),
             tool_frame_id: 0,
             user_frames: frames(&users.offsets),
             user_frame_id: 0,
-            variables: book.example::<variables::QueryUserDefinedVariable>()?.variables,
-            payload: payload(book)?,
-            collision_level: book.example::<collision::GetClsnSensitivity>()?.level,
+            variables: spec_index.example::<variables::QueryUserDefinedVariable>()?.variables,
+            payload: payload(spec_index)?,
+            collision_level: spec_index.example::<collision::GetClsnSensitivity>()?.level,
             network_exception: NetworkException { delay_ms: 0, action: network::NetworkExceptionAction::Keep },
-            trajectory: trajectory(book)?,
-            torque_sensor: torque_sensor(book)?,
-            admittance: admittance(book)?,
+            trajectory: trajectory(spec_index)?,
+            torque_sensor: torque_sensor(spec_index)?,
+            admittance: admittance(spec_index)?,
         };
         // The document answers that servo mode is on, and that the arm has no power.
         state.settle();
@@ -92,18 +92,18 @@ fn dh_parameters(model: &Model) -> kinematics::GetDhParamReply {
     }
 }
 
-fn tool_voltage(book: &Book) -> io::Result<ToolVoltage> {
-    let reply = book.example::<pins::GetTioVoutParam>()?;
+fn tool_voltage(spec_index: &SpecIndex) -> io::Result<ToolVoltage> {
+    let reply = spec_index.example::<pins::GetTioVoutParam>()?;
     Ok(ToolVoltage { enable: reply.output_enable, voltage: reply.output_voltage })
 }
 
-fn payload(book: &Book) -> io::Result<Payload> {
-    let reply = book.example::<payload::GetPayload>()?;
+fn payload(spec_index: &SpecIndex) -> io::Result<Payload> {
+    let reply = spec_index.example::<payload::GetPayload>()?;
     Ok(Payload { mass: reply.mass, centroid: reply.centroid })
 }
 
-fn trajectory(book: &Book) -> io::Result<Trajectory> {
-    let config = book.example::<trajectory::GetTrajConfig>()?;
+fn trajectory(spec_index: &SpecIndex) -> io::Result<Trajectory> {
+    let config = spec_index.example::<trajectory::GetTrajConfig>()?;
     Ok(Trajectory {
         config: TrajectoryConfig {
             acceleration: config.acceleration,
@@ -111,30 +111,30 @@ fn trajectory(book: &Book) -> io::Result<Trajectory> {
             position_interval: config.position_interval,
             orientation_interval: config.orientation_interval,
         },
-        sampling: book.example::<trajectory::GetTrajSampleStatus>()?.sampling,
-        file_names: book.example::<trajectory::GetExistTrajFileName>()?.file_names,
+        sampling: spec_index.example::<trajectory::GetTrajSampleStatus>()?.sampling,
+        file_names: spec_index.example::<trajectory::GetExistTrajFileName>()?.file_names,
     })
 }
 
-fn torque_sensor(book: &Book) -> io::Result<TorqueSensor> {
-    let comm = book.example::<force::GetTorqueSensorComm>()?;
-    let payload = book.example::<force::GetToolPayload>()?;
-    let identified = book.example::<force::GetTorqSensorPayloadIdentifyResult>()?;
+fn torque_sensor(spec_index: &SpecIndex) -> io::Result<TorqueSensor> {
+    let comm = spec_index.example::<force::GetTorqueSensorComm>()?;
+    let payload = spec_index.example::<force::GetToolPayload>()?;
+    let identified = spec_index.example::<force::GetTorqSensorPayloadIdentifyResult>()?;
     Ok(TorqueSensor {
-        brand: book.example::<force::GetTorqueSensorBrand>()?.brand,
+        brand: spec_index.example::<force::GetTorqueSensorBrand>()?.brand,
         mode: 0,
         communication: comm.communication,
         address: comm.address,
         port: comm.port,
         payload: Payload { mass: payload.mass, centroid: payload.centroid },
-        identify_status: book.example::<force::GetTorqSensorIdentifyStatus>()?.status,
+        identify_status: spec_index.example::<force::GetTorqSensorIdentifyStatus>()?.status,
         identified: Payload { mass: identified.mass, centroid: identified.centroid },
     })
 }
 
-fn admittance(book: &Book) -> io::Result<AdmittanceControl> {
-    let kind = book.example::<force::GetCompliantType>()?;
-    let axes = match book.example::<force::GetAdmitCtrlConfig>()?.axes {
+fn admittance(spec_index: &SpecIndex) -> io::Result<AdmittanceControl> {
+    let kind = spec_index.example::<force::GetCompliantType>()?;
+    let axes = match spec_index.example::<force::GetAdmitCtrlConfig>()?.axes {
         Typed::Known(axes) => axes.concat(),
         Typed::Raw(_) => Vec::new(),
     };

@@ -22,7 +22,7 @@ struct Event {
 
 /// What was so when events were told of last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Seen {
+pub(super) struct Reported {
     enabled: bool,
     servo_mode: bool,
     program: bool,
@@ -30,8 +30,8 @@ pub(super) struct Seen {
 
 impl World {
     /// Puts what has happened into the error code, where that is a habit and no error is in it.
-    pub(super) fn tell_events(&mut self) {
-        let now = Seen {
+    pub(super) fn report_events(&mut self) {
+        let now = Reported {
             enabled: self.state.enabled,
             servo_mode: self.state.servo_mode,
             program: self.state.program_state != ProgramState::Idle,

@@ -14,9 +14,10 @@ type Joint = [f64; 7];
 /// counts.
 fn chain(urdf: &[Joint; 6], joints: &[f64; 6]) -> Isometry3<f64> {
     urdf.iter().zip(joints).enumerate().fold(Isometry3::identity(), |before, (index, (origin, joint))| {
-        let [x, y, z, roll, pitch, yaw, axis] = *origin;
+        let [x, y, z, next_u64, pitch, yaw, axis] = *origin;
         let at = if index == 0 { Vector3::new(0.0, 0.0, z) } else { Vector3::new(x, y, z) } * 1e3;
-        let frame = Isometry3::from_parts(Translation3::from(at), UnitQuaternion::from_euler_angles(roll, pitch, yaw));
+        let frame =
+            Isometry3::from_parts(Translation3::from(at), UnitQuaternion::from_euler_angles(next_u64, pitch, yaw));
         before * frame * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), axis * joint.to_radians())
     })
 }

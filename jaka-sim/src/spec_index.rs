@@ -1,4 +1,4 @@
-//! What the spec says about each command, ready to look up.
+//! What the spec says about each command, by the command's name.
 
 use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
@@ -8,10 +8,10 @@ use std::{fs, io};
 use jaka_proto::{Command, Envelope, ErrorCode, read_payload};
 use jaka_spec::{Effect, Requirement, Source, Spec};
 
-/// A spec, by `cmdName`.
+/// A spec, indexed by `cmdName`.
 #[derive(Debug)]
-pub(crate) struct Book {
-    entries: HashMap<String, Entry>,
+pub(crate) struct SpecIndex {
+    entries: HashMap<String, CommandEntry>,
     /// All of it.
     pub(crate) spec: Spec,
     /// What the controller says to something that is no command.
@@ -20,7 +20,7 @@ pub(crate) struct Book {
 
 /// What the spec says about one command.
 #[derive(Debug)]
-pub(crate) struct Entry {
+pub(crate) struct CommandEntry {
     /// All of it.
     pub(crate) command: jaka_spec::Command,
     /// True for a command that moves the arm: one that needs it enabled to do so.
@@ -33,18 +33,18 @@ pub(crate) struct Entry {
     pub(crate) example: Option<String>,
 }
 
-impl Book {
-    /// The book of the built-in spec, which is read once in a process.
+impl SpecIndex {
+    /// The index of the built-in spec, which is read once in a process.
     fn built_in() -> io::Result<Arc<Self>> {
-        static BOOK: OnceLock<Arc<Book>> = OnceLock::new();
-        if let Some(book) = BOOK.get() {
-            return Ok(Arc::clone(book));
+        static BUILT_IN: OnceLock<Arc<SpecIndex>> = OnceLock::new();
+        if let Some(index) = BUILT_IN.get() {
+            return Ok(Arc::clone(index));
         }
         let spec = jaka_spec::builtin().map_err(io::Error::other)?;
-        Ok(Arc::clone(BOOK.get_or_init(|| Arc::new(Self::new(spec, &BTreeSet::new())))))
+        Ok(Arc::clone(BUILT_IN.get_or_init(|| Arc::new(Self::new(spec, &BTreeSet::new())))))
     }
 
-    /// The book of the built-in spec with packs, each of which adds to those before it.
+    /// The index of the built-in spec with packs, each of which adds to those before it.
     pub(crate) fn open(packs: &[PathBuf]) -> io::Result<Arc<Self>> {
         let built_in = Self::built_in()?;
         if packs.is_empty() {
@@ -65,14 +65,14 @@ impl Book {
     }
 
     fn new(spec: Spec, packed: &BTreeSet<String>) -> Self {
-        let entry = |command: &jaka_spec::Command| Entry::new(command, packed.contains(&command.wire));
+        let entry = |command: &jaka_spec::Command| CommandEntry::new(command, packed.contains(&command.wire));
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
         Self { entries, spec, unknown }
     }
 
-    pub(crate) fn entry(&self, command: &str) -> Option<&Entry> {
+    pub(crate) fn entry(&self, command: &str) -> Option<&CommandEntry> {
         self.entries.get(command)
     }
 
@@ -84,7 +84,7 @@ impl Book {
     }
 }
 
-impl Entry {
+impl CommandEntry {
     fn new(command: &jaka_spec::Command, packed: bool) -> Self {
         let own = command.refusal.as_ref().map(|refusal| (ErrorCode(refusal.code), refusal.message.clone()));
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());

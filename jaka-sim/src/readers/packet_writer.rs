@@ -1,4 +1,4 @@
-//! What comes of packets on their way to a reader.
+//! Writes status packets to a reader, with their fault.
 
 use std::io::{self, ErrorKind};
 use std::sync::Arc;
@@ -11,9 +11,9 @@ use crate::link::Wire;
 /// The least time between two packets.
 pub(super) const LEAST_PERIOD: Duration = Duration::from_millis(1);
 
-/// The way of packets to a reader, with what is wrong with it.
+/// Writes packets to a reader, with their fault.
 #[derive(Debug)]
-pub(super) struct Outlet<'s> {
+pub(super) struct PacketWriter<'s> {
     wire: &'s Arc<Wire>,
     fault: StatusFault,
     /// Packets and bytes of them since the fault was set.
@@ -21,13 +21,13 @@ pub(super) struct Outlet<'s> {
     bytes: usize,
 }
 
-/// The time between two packets, which is this one if nothing is wrong.
+/// The time between two packets, which is `usual` if nothing is wrong.
 pub(super) fn period(fault: &StatusFault, usual: Duration) -> Duration {
     let period = if let StatusFault::Slow(period) = fault { *period } else { usual };
     period.max(LEAST_PERIOD)
 }
 
-impl<'s> Outlet<'s> {
+impl<'s> PacketWriter<'s> {
     pub(super) fn new(wire: &'s Arc<Wire>, fault: StatusFault) -> Self {
         Self { wire, fault, packets: 0, bytes: 0 }
     }
@@ -41,7 +41,7 @@ impl<'s> Outlet<'s> {
         self.wire.send(bytes)
     }
 
-    /// Writes a packet, or what becomes of it. An error says that the connection ends.
+    /// Writes a packet as its fault says. An error says that the connection ends.
     pub(super) fn send_packet(&mut self, packet: &[u8]) -> io::Result<()> {
         self.packets = self.packets.wrapping_add(1);
         match self.fault {

@@ -2,16 +2,16 @@
 
 /// A random number generator, `SplitMix64`, whose numbers follow from its seed.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Dice {
+pub(crate) struct SplitMix64 {
     state: u64,
 }
 
-impl Dice {
+impl SplitMix64 {
     pub(crate) fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    fn roll(&mut self) -> u64 {
+    fn next_u64(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut mixed = self.state;
         mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -21,20 +21,20 @@ impl Dice {
 
     /// True once in so many times on average; never where that is 0.
     pub(crate) fn one_in(&mut self, times: u64) -> bool {
-        self.roll().checked_rem(times) == Some(0)
+        self.next_u64().checked_rem(times) == Some(0)
     }
 
     /// One of these, if there are any.
     pub(crate) fn pick<'a, T>(&mut self, items: &'a [T]) -> Option<&'a T> {
         let count = u64::try_from(items.len()).unwrap_or(u64::MAX);
-        let index = self.roll().checked_rem(count)?;
+        let index = self.next_u64().checked_rem(count)?;
         items.get(usize::try_from(index).ok()?)
     }
 
     pub(crate) fn bytes(&mut self, count: usize) -> Vec<u8> {
         let mut bytes = vec![0; count];
         for chunk in bytes.chunks_mut(8) {
-            chunk.copy_from_slice(&self.roll().to_le_bytes()[..chunk.len()]);
+            chunk.copy_from_slice(&self.next_u64().to_le_bytes()[..chunk.len()]);
         }
         bytes
     }
@@ -47,19 +47,19 @@ mod tests {
     #[test]
     fn numbers_are_those_of_the_algorithm() {
         // The first outputs that its author's program prints for this seed.
-        let mut dice = Dice::new(1_234_567);
-        let rolls = [dice.roll(), dice.roll(), dice.roll()];
+        let mut generator = SplitMix64::new(1_234_567);
+        let rolls = [generator.next_u64(), generator.next_u64(), generator.next_u64()];
         assert_eq!(rolls, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
     }
 
     #[test]
     fn chances_are_as_said() {
-        let mut dice = Dice::new(7);
-        let hits = (0..10_000).filter(|_| dice.one_in(20)).count();
+        let mut generator = SplitMix64::new(7);
+        let hits = (0..10_000).filter(|_| generator.one_in(20)).count();
         assert!((400..600).contains(&hits), "{hits}");
-        assert!(!(0..100).any(|_| dice.one_in(0)));
-        assert!((0..100).all(|_| dice.one_in(1)));
-        assert_eq!(dice.pick::<u8>(&[]), None);
-        assert_eq!(dice.bytes(13).len(), 13);
+        assert!(!(0..100).any(|_| generator.one_in(0)));
+        assert!((0..100).all(|_| generator.one_in(1)));
+        assert_eq!(generator.pick::<u8>(&[]), None);
+        assert_eq!(generator.bytes(13).len(), 13);
     }
 }

@@ -3,8 +3,9 @@
 use std::str::FromStr;
 use std::time::Duration;
 
-use super::words::{BOTH, Word};
+use super::tokens::Token;
 use super::{Fault, LinkEvent, LinkFault, ScriptError, StatusFault};
+use crate::link_selector::{BOTH, LinkSelector};
 use crate::{Direction, Port};
 
 /// The units of time, and how many of them are a second.
@@ -12,14 +13,14 @@ const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 
 
 /// Words that have not been read yet.
 #[derive(Debug)]
-pub(super) struct Args<'w, 's> {
-    rest: &'w [Word<'s>],
-    last: Option<&'w Word<'s>>,
+pub(super) struct TokenReader<'w, 's> {
+    rest: &'w [Token<'s>],
+    last: Option<&'w Token<'s>>,
 }
 
-impl<'w, 's> Args<'w, 's> {
-    pub(super) fn new(words: &'w [Word<'s>]) -> Self {
-        Self { rest: words, last: None }
+impl<'w, 's> TokenReader<'w, 's> {
+    pub(super) fn new(tokens: &'w [Token<'s>]) -> Self {
+        Self { rest: tokens, last: None }
     }
 
     pub(super) fn fault(&mut self) -> Result<Fault, ScriptError> {
@@ -77,7 +78,7 @@ impl<'w, 's> Args<'w, 's> {
     pub(super) fn link_event(&mut self) -> Result<LinkEvent, ScriptError> {
         let port = self.one_of(Port::ALL, "`command`, `status` or `both`")?;
         let direction = self.one_of(Direction::ALL, "`to-controller`, `to-client` or `both`")?;
-        let mut event = LinkEvent { port, direction, ..LinkEvent::new(self.link_fault()?) };
+        let mut event = LinkEvent { selector: LinkSelector { port, direction }, ..LinkEvent::new(self.link_fault()?) };
         if self.is_next("after") {
             event = event.after(self.skip().time()?);
         }
@@ -175,11 +176,11 @@ impl<'w, 's> Args<'w, 's> {
         self.rest.first().is_none_or(|word| word.text == ",")
     }
 
-    fn word(&mut self, what: &str) -> Result<&'w Word<'s>, ScriptError> {
+    fn word(&mut self, what: &str) -> Result<&'w Token<'s>, ScriptError> {
         self.advance().ok_or_else(|| self.unfit(format!("{what} must follow")))
     }
 
-    fn advance(&mut self) -> Option<&'w Word<'s>> {
+    fn advance(&mut self) -> Option<&'w Token<'s>> {
         let (first, rest) = self.rest.split_first()?;
         self.rest = rest;
         self.last = Some(first);

@@ -1,4 +1,4 @@
-//! The words of a script.
+//! The tokens of a script.
 
 use std::fmt;
 
@@ -7,45 +7,42 @@ use super::ScriptError;
 /// What ends a word, beside white space.
 const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
 
-/// The word for both ports, and for both directions.
-pub(super) const BOTH: &str = "both";
-
 /// A word, as it is written and as it is meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Word<'s> {
+pub(super) struct Token<'s> {
     pub(super) line: usize,
     pub(super) text: &'s str,
     /// What stands in the quotes, without escapes.
     pub(super) quoted: Option<Vec<u8>>,
 }
 
-impl Word<'_> {
+impl Token<'_> {
     pub(super) fn error(&self, reason: impl Into<String>) -> ScriptError {
         ScriptError::new(self.line, self.text, reason)
     }
 }
 
-/// The words of each line that has any; it ends at its end or at a semicolon. Commas and colons are words.
-pub(super) fn lines(script: &str) -> Result<Vec<Vec<Word<'_>>>, ScriptError> {
+/// The tokens of each line that has any; it ends at its end or at a semicolon. Commas and colons are tokens.
+pub(super) fn lines(script: &str) -> Result<Vec<Vec<Token<'_>>>, ScriptError> {
     let mut lines = Vec::new();
     for (line, text) in (1..).zip(script.lines()) {
-        let mut words = Vec::new();
+        let mut tokens = Vec::new();
         let mut rest = text.trim_start();
         while let Some(word) = next_word(line, rest)? {
             rest = rest[word.text.len()..].trim_start();
             if word.text == ";" {
-                lines.push(std::mem::take(&mut words));
+                lines.push(std::mem::take(&mut tokens));
             } else {
-                words.push(word);
+                tokens.push(word);
             }
         }
-        lines.push(words);
+        lines.push(tokens);
     }
-    lines.retain(|words| !words.is_empty());
+    lines.retain(|tokens| !tokens.is_empty());
     Ok(lines)
 }
 
-fn next_word(line: usize, rest: &str) -> Result<Option<Word<'_>>, ScriptError> {
+fn next_word(line: usize, rest: &str) -> Result<Option<Token<'_>>, ScriptError> {
     let (len, quoted) = match rest.bytes().next() {
         None | Some(b'#') => return Ok(None),
         Some(b',' | b';' | b':') => (1, None),
@@ -57,7 +54,7 @@ fn next_word(line: usize, rest: &str) -> Result<Option<Word<'_>>, ScriptError> {
         }
         Some(_) => (rest.find(|c: char| c.is_whitespace() || MARKS.contains(&c)).unwrap_or(rest.len()), None),
     };
-    Ok(Some(Word { line, text: &rest[..len], quoted }))
+    Ok(Some(Token { line, text: &rest[..len], quoted }))
 }
 
 /// The length of the quoted word that the text begins with, quotes included.

@@ -9,7 +9,7 @@ use crate::lock::lock;
 
 /// The requests of all command connections, in the order of their recorded times.
 #[derive(Debug)]
-pub(super) struct Cues {
+pub(super) struct Dependencies {
     recorded: Vec<Duration>,
     arrivals: Mutex<Arrivals>,
 }
@@ -24,7 +24,7 @@ struct Arrivals {
 
 /// What a packet waits for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Cue {
+pub(super) enum Dependency {
     /// Nothing: no request was sent before it.
     None,
     /// The last request before it has come, then, and was recorded at this time.
@@ -33,7 +33,7 @@ pub(super) enum Cue {
     Awaited,
 }
 
-impl Cues {
+impl Dependencies {
     pub(super) fn new(recording: &Recording) -> Self {
         let sent = |event: &Event| matches!(event, Event::Sent(_));
         let requests = recording.entries.iter().filter(|entry| entry.port == Port::Command && sent(&entry.event));
@@ -56,13 +56,13 @@ impl Cues {
     }
 
     /// What something that was recorded at this time waits for.
-    pub(super) fn before(&self, recorded: Duration) -> Cue {
+    pub(super) fn before(&self, recorded: Duration) -> Dependency {
         let count = self.recorded.partition_point(|time| *time < recorded);
-        let Some(last) = count.checked_sub(1) else { return Cue::None };
+        let Some(last) = count.checked_sub(1) else { return Dependency::None };
         let arrivals = lock(&self.arrivals);
         match arrivals.came[last] {
-            Some(instant) if arrivals.whole >= count => Cue::Came(instant, self.recorded[last]),
-            _ => Cue::Awaited,
+            Some(instant) if arrivals.whole >= count => Dependency::Came(instant, self.recorded[last]),
+            _ => Dependency::Awaited,
         }
     }
 }
@@ -78,16 +78,16 @@ mod tests {
         let millis = Duration::from_millis;
         let sent = |at, connection| Entry::new(millis(at), Port::Command, connection, Event::Sent(Message::new("{}")));
         let entries = vec![sent(10, 1), sent(20, 1), sent(20, 2)];
-        let cues = Cues::new(&Recording::new(Header::new(Duration::ZERO, ""), entries));
-        assert_eq!(cues.before(millis(10)), Cue::None);
-        assert_eq!(cues.before(millis(11)), Cue::Awaited);
-        cues.came(millis(20));
-        assert_eq!(cues.before(millis(30)), Cue::Awaited);
-        cues.came(millis(10));
-        assert!(matches!(cues.before(millis(20)), Cue::Came(_, recorded) if recorded == millis(10)));
-        assert_eq!(cues.before(millis(30)), Cue::Awaited);
-        cues.came(millis(20));
-        assert!(matches!(cues.before(millis(30)), Cue::Came(_, recorded) if recorded == millis(20)));
-        cues.came(millis(99));
+        let dependencies = Dependencies::new(&Recording::new(Header::new(Duration::ZERO, ""), entries));
+        assert_eq!(dependencies.before(millis(10)), Dependency::None);
+        assert_eq!(dependencies.before(millis(11)), Dependency::Awaited);
+        dependencies.came(millis(20));
+        assert_eq!(dependencies.before(millis(30)), Dependency::Awaited);
+        dependencies.came(millis(10));
+        assert!(matches!(dependencies.before(millis(20)), Dependency::Came(_, recorded) if recorded == millis(10)));
+        assert_eq!(dependencies.before(millis(30)), Dependency::Awaited);
+        dependencies.came(millis(20));
+        assert!(matches!(dependencies.before(millis(30)), Dependency::Came(_, recorded) if recorded == millis(20)));
+        dependencies.came(millis(99));
     }
 }

@@ -6,12 +6,9 @@ use std::{fs, io};
 
 use jaka_proto::Request;
 use jaka_proto::messages::motion::JointMove;
-use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::MoveMode;
 
-use crate::answer;
 use crate::motion::Joints;
-use crate::world::World;
 
 /// The commands of a program, in order.
 pub(crate) type Program = Vec<Request>;
@@ -27,31 +24,12 @@ impl Runner {
     pub(crate) fn new(program: Program) -> Self {
         Self { program, next: 0 }
     }
-}
 
-impl World {
-    /// Starts the next command of the program when the one before has ended.
-    pub(crate) fn run_program(&mut self) {
-        if self.state.program_state != ProgramState::Running || self.engine.is_busy() {
-            return;
-        }
-        let Some(runner) = &mut self.runner else {
-            return;
-        };
-        let Some(command) = runner.program.get(runner.next).cloned() else {
-            return self.end_program();
-        };
-        runner.next += 1;
-        if !answer::start_motion(&command, self) {
-            log::debug!(target: "jaka_sim", "the program ends: `{}` is refused", command.info().name);
-            self.end_program();
-        }
-    }
-
-    /// The program is over.
-    pub(crate) fn end_program(&mut self) {
-        self.runner = None;
-        self.state.program_state = ProgramState::Idle;
+    /// Takes the next command; `None` at the end of the program.
+    pub(crate) fn next_command(&mut self) -> Option<Request> {
+        let command = self.program.get(self.next).cloned();
+        self.next += usize::from(command.is_some());
+        command
     }
 }
 
@@ -76,7 +54,7 @@ pub(crate) fn replay(points: &[Joints]) -> Program {
     points.iter().map(to).collect()
 }
 
-/// The programs of a folder: files of requests, one a line, as they go over the wire. Their names are those of the files,
+/// The programs of a folder: files with one request per line, as sent on the wire. Their names are those of the files,
 /// with the folders below `root` before them.
 pub(crate) fn load_folder(root: &Path, programs: &mut HashMap<String, Program>) -> io::Result<()> {
     load_below(root, "", programs)

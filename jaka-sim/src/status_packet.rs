@@ -1,5 +1,6 @@
 //! The status packet.
 
+mod extio;
 mod newer;
 
 use jaka_proto::messages::force::TorqueSensorCommunication;
@@ -11,7 +12,6 @@ use jaka_proto::messages::status::{
 };
 use jaka_proto::wire::{Encode, Typed, Value, Writer};
 
-use super::extio;
 use crate::firmware::{Shape, respace};
 use crate::state::TorqueSensor;
 use crate::{Firmware, Separators, State};
@@ -20,7 +20,7 @@ use crate::{Firmware, Separators, State};
 const HOMED: usize = 9;
 
 /// The packet that shows a state: the keys of the document's sample, in its order, as far as the firmware sends them.
-pub(super) fn packet(state: &State, firmware: Firmware) -> Vec<u8> {
+pub(crate) fn packet(state: &State, firmware: Firmware) -> Vec<u8> {
     let mut status = RobotStatus::default();
     set_head(state, &mut status);
     set_io(state, firmware.shape(), &mut status);

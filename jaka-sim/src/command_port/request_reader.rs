@@ -14,7 +14,7 @@ const MAX_REQUEST: usize = 64 << 10;
 
 /// Cuts requests off a connection.
 #[derive(Debug)]
-pub(super) struct Feed<'s> {
+pub(super) struct RequestReader<'s> {
     inbound: Inbound<'s>,
     framer: Framer,
 }
@@ -40,7 +40,7 @@ pub(super) enum Incoming {
     Garbage,
 }
 
-impl<'s> Feed<'s> {
+impl<'s> RequestReader<'s> {
     pub(super) fn new(wire: &'s Wire) -> Self {
         Self { inbound: Inbound::new(wire), framer: Framer::new(MAX_REQUEST) }
     }

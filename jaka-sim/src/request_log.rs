@@ -12,40 +12,40 @@ const KEPT_BYTES: usize = 16 << 20;
 
 /// The texts of the last requests, and the count of all.
 #[derive(Debug, Default)]
-pub(crate) struct Tape {
-    reel: Mutex<Reel>,
+pub(crate) struct RequestLog {
+    logged: Mutex<Logged>,
     grown: Condvar,
 }
 
 #[derive(Debug, Default)]
-struct Reel {
+struct Logged {
     texts: VecDeque<String>,
     bytes: usize,
     count: usize,
 }
 
-impl Tape {
+impl RequestLog {
     /// Adds a request, and forgets the oldest where there are too many.
     pub(crate) fn record(&self, request: String) {
-        let mut reel = lock(&self.reel);
-        reel.bytes += request.len();
-        reel.texts.push_back(request);
-        reel.count += 1;
-        reel.trim();
+        let mut logged = lock(&self.logged);
+        logged.bytes += request.len();
+        logged.texts.push_back(request);
+        logged.count += 1;
+        logged.trim();
         self.grown.notify_all();
     }
 
     pub(crate) fn texts(&self) -> Vec<String> {
-        lock(&self.reel).texts.iter().cloned().collect()
+        lock(&self.logged).texts.iter().cloned().collect()
     }
 
     /// Waits until `count` requests have come in all; false where they have not in time.
     pub(crate) fn wait_for(&self, count: usize, timeout: Duration) -> bool {
-        wait(&self.grown, lock(&self.reel), timeout, |reel| reel.count >= count).count >= count
+        wait(&self.grown, lock(&self.logged), timeout, |logged| logged.count >= count).count >= count
     }
 }
 
-impl Reel {
+impl Logged {
     fn trim(&mut self) {
         while self.texts.len() > KEPT || self.bytes > KEPT_BYTES {
             let Some(oldest) = self.texts.pop_front() else { break };
@@ -60,23 +60,23 @@ mod tests {
 
     #[test]
     fn the_oldest_are_forgotten_and_counted() {
-        let tape = Tape::default();
+        let request_log = RequestLog::default();
         for i in 0..KEPT + 2 {
-            tape.record(i.to_string());
+            request_log.record(i.to_string());
         }
-        let texts = tape.texts();
+        let texts = request_log.texts();
         assert_eq!((texts.len(), &*texts[0]), (KEPT, "2"));
-        assert!(tape.wait_for(KEPT + 2, Duration::ZERO));
-        assert!(!tape.wait_for(KEPT + 3, Duration::ZERO));
+        assert!(request_log.wait_for(KEPT + 2, Duration::ZERO));
+        assert!(!request_log.wait_for(KEPT + 3, Duration::ZERO));
     }
 
     #[test]
     fn long_ones_are_forgotten_before() {
-        let tape = Tape::default();
+        let request_log = RequestLog::default();
         for _ in 0..20 {
-            tape.record("x".repeat(1 << 20));
+            request_log.record("x".repeat(1 << 20));
         }
-        assert_eq!(tape.texts().len(), 16);
-        assert!(tape.wait_for(20, Duration::ZERO));
+        assert_eq!(request_log.texts().len(), 16);
+        assert!(request_log.wait_for(20, Duration::ZERO));
     }
 }

@@ -1,0 +1,58 @@
+//! Which links are meant: those of one port or both, in one direction or both.
+
+use std::fmt;
+
+use crate::Port;
+
+/// A direction in which bytes pass between a port and its clients.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[expect(clippy::exhaustive_enums, reason = "a connection has these two")]
+pub enum Direction {
+    /// What clients send: requests. Clients of the status port have nothing to send but the end of their connection.
+    ToController,
+    /// What clients receive: replies and status packets.
+    ToClient,
+}
+
+impl Direction {
+    /// Both directions.
+    pub const ALL: [Self; 2] = [Self::ToController, Self::ToClient];
+}
+
+/// As in the script of a [`FaultPlan`](crate::FaultPlan): `to-controller` or `to-client`.
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::ToController => "to-controller",
+            Self::ToClient => "to-client",
+        })
+    }
+}
+
+/// The word of a script for both ports, and for both directions.
+pub(crate) const BOTH: &str = "both";
+
+/// A choice of links; `None` stands for both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct LinkSelector {
+    pub(crate) port: Option<Port>,
+    pub(crate) direction: Option<Direction>,
+}
+
+impl LinkSelector {
+    /// The links that are meant.
+    pub(crate) fn each(self) -> impl Iterator<Item = (Port, Direction)> {
+        let ports = Port::ALL.into_iter().filter(move |port| self.port.is_none_or(|chosen| chosen == *port));
+        let chosen = move |direction: &Direction| self.direction.is_none_or(|chosen| chosen == *direction);
+        ports.flat_map(move |port| Direction::ALL.into_iter().filter(chosen).map(move |direction| (port, direction)))
+    }
+}
+
+/// As in a script: `status to-client`, `both both`.
+impl fmt::Display for LinkSelector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let port = self.port.map_or_else(|| BOTH.to_owned(), |port| port.to_string());
+        let direction = self.direction.map_or_else(|| BOTH.to_owned(), |direction| direction.to_string());
+        write!(f, "{port} {direction}")
+    }
+}

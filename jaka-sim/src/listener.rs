@@ -1,0 +1,122 @@
+//! A listener that can be woken.
+
+use std::io;
+use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream};
+use std::sync::{Condvar, Mutex};
+use std::time::Duration;
+
+use crate::lock::{lock, wait};
+
+/// How long the kernel may take for a connection on loopback.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(2);
+
+/// How long to wait after an `accept` that failed, perhaps because no file descriptor is left.
+const RETRY_DELAY: Duration = Duration::from_millis(20);
+
+/// A TCP listener on which one thread accepts.
+///
+/// std can neither wake `accept` nor say whether its queue is empty. So the listener connects to itself to wake up; it recognises
+/// these connections by their address. The queue is in order of arrival: when a wake-up is accepted, everything that connected
+/// before it has been accepted too.
+#[derive(Debug)]
+pub(crate) struct Listener {
+    socket: TcpListener,
+    address: SocketAddr,
+    state: Mutex<ListenerState>,
+    changed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct ListenerState {
+    /// Local addresses of wake-up connections that have not been accepted yet.
+    wake_ups: Vec<SocketAddr>,
+    /// No further connection is accepted.
+    closed: bool,
+    /// The accepting thread has ended.
+    stopped: bool,
+}
+
+impl Listener {
+    /// Listens at an address, on a free port if `port` is 0.
+    pub(crate) fn bind(address: IpAddr, port: u16) -> io::Result<Self> {
+        let socket = TcpListener::bind((address, port))?;
+        let address = socket.local_addr()?;
+        Ok(Self { socket, address, state: Mutex::default(), changed: Condvar::new() })
+    }
+
+    pub(crate) fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Waits for the next connection; `None` once the listener is closed.
+    pub(crate) fn accept(&self) -> Option<TcpStream> {
+        loop {
+            let accepted = self.socket.accept();
+            let mut state = lock(&self.state);
+            if state.closed {
+                return None;
+            }
+            match accepted {
+                Ok((_, peer)) if state.wake_ups.contains(&peer) => {
+                    state.wake_ups.retain(|wake_up| *wake_up != peer);
+                    self.changed.notify_all();
+                }
+                Ok((stream, _)) => return Some(stream),
+                Err(_) => drop(wait(&self.changed, state, RETRY_DELAY, |state| state.closed)),
+            }
+        }
+    }
+
+    /// Waits until every connection made so far has been accepted.
+    pub(crate) fn wait_until_accepted(&self) -> io::Result<()> {
+        // The lock is held while connecting, so that the wake-up is known when it is accepted.
+        let mut state = lock(&self.state);
+        let wake_up = TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT)?;
+        let address = wake_up.local_addr()?;
+        state.wake_ups.push(address);
+        drop(wait(&self.changed, state, Duration::MAX, |state| state.stopped || !state.wake_ups.contains(&address)));
+        Ok(())
+    }
+
+    /// Accepts nothing more, and wakes the accepting thread. An error says that the thread could not be woken.
+    pub(crate) fn close(&self) -> io::Result<()> {
+        lock(&self.state).closed = true;
+        self.changed.notify_all();
+        TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT).map(drop)
+    }
+
+    /// Says that the accepting thread ends.
+    pub(crate) fn stop(&self) {
+        lock(&self.state).stopped = true;
+        self.changed.notify_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::thread;
+
+    use super::*;
+
+    #[test]
+    fn connections_before_a_wake_up_are_accepted_before_it() {
+        let listener = Listener::bind(IpAddr::from([127, 0, 0, 1]), 0).expect("loopback has ports");
+        let accepted = Mutex::new(0);
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                while listener.accept().is_some() {
+                    *lock(&accepted) += 1;
+                }
+                listener.stop();
+            });
+            for count in 1..20 {
+                let _stream = TcpStream::connect(listener.address()).expect("it listens");
+                listener.wait_until_accepted().expect("it listens");
+                assert_eq!(*lock(&accepted), count);
+            }
+            listener.close().expect("it listens");
+        });
+        assert_eq!(*lock(&accepted), 19);
+        listener.wait_until_accepted().expect("after the end, no call waits");
+    }
+}

@@ -1,0 +1,116 @@
+//! The readers of status packets.
+
+mod packet_writer;
+mod reader;
+mod recorded_packets;
+
+use std::collections::VecDeque;
+use std::io;
+use std::net::TcpStream;
+use std::sync::{Arc, Mutex};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use self::reader::Message;
+pub(crate) use self::reader::Reader;
+pub(crate) use self::recorded_packets::RecordedPackets;
+use crate::StatusFault;
+use crate::link::Links;
+use crate::lock::lock;
+
+/// How many readers there can be, so that no number of connections uses up threads and memory.
+const MAX_READERS: usize = 256;
+
+/// The readers, each with a thread of its own so that none waits for another.
+#[derive(Debug)]
+pub(crate) struct Readers {
+    list: Mutex<ReaderList>,
+}
+
+#[derive(Debug)]
+struct ReaderList {
+    readers: VecDeque<(Arc<Reader>, JoinHandle<()>)>,
+    /// What is wrong with the packets that go out.
+    fault: StatusFault,
+}
+
+impl Readers {
+    pub(crate) fn new(fault: StatusFault) -> Self {
+        Self { list: Mutex::new(ReaderList { readers: VecDeque::new(), fault }) }
+    }
+
+    /// Sets what is wrong with the packets from now on.
+    pub(crate) fn set_fault(&self, fault: StatusFault) {
+        let mut list = lock(&self.list);
+        for (reader, _) in &list.readers {
+            reader.set_fault(fault.clone());
+        }
+        list.fault = fault;
+    }
+
+    /// The time between two packets, which is `usual` if nothing is wrong.
+    pub(crate) fn period(&self, usual: Duration) -> Duration {
+        packet_writer::period(&lock(&self.list).fault, usual)
+    }
+
+    /// Sends a packet to all with what is wrong with packets, and waits until each has been sent it or has been dropped because it
+    /// does not read.
+    pub(crate) fn send_packet(&self, packet: Vec<u8>) {
+        self.post(&Message::Packet(packet.into()));
+    }
+
+    /// Sends bytes to all as they are, and waits as [`send_packet`](Self::send_packet) does.
+    pub(crate) fn send(&self, bytes: &[u8]) {
+        self.post(&Message::Bytes(bytes.into()));
+    }
+
+    fn post(&self, message: &Message) {
+        let readers: Vec<_> = lock(&self.list).readers.iter().map(|(reader, _)| Arc::clone(reader)).collect();
+        let posted: Vec<_> = readers.iter().map(|reader| reader.post(message.clone())).collect();
+        for (reader, number) in readers.iter().zip(posted) {
+            reader.wait_for(number);
+        }
+    }
+
+    /// Has each thread compute again when its next packet is due.
+    pub(crate) fn reschedule(&self) {
+        lock(&self.list).readers.iter().for_each(|(reader, _)| reader.reschedule());
+    }
+
+    /// Closes all connections, and waits for their threads.
+    pub(crate) fn close(&self) {
+        let readers = std::mem::take(&mut lock(&self.list).readers);
+        for (reader, _) in &readers {
+            reader.close();
+        }
+        readers.into_iter().for_each(close);
+    }
+
+    /// Adds a reader whose thread runs this, and removes those that have ended.
+    ///
+    /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to.
+    pub(crate) fn add(
+        &self,
+        stream: TcpStream,
+        links: &Arc<Links>,
+        run: impl FnOnce(&Reader) + Send + 'static,
+    ) -> io::Result<()> {
+        let mut list = lock(&self.list);
+        list.readers.retain(|(_, thread)| !thread.is_finished());
+        let oldest = if list.readers.len() < MAX_READERS { None } else { list.readers.pop_front() };
+        let reader = Arc::new(Reader::new(stream, links, list.fault.clone())?);
+        let theirs = Arc::clone(&reader);
+        let thread = thread::Builder::new().name("jaka-sim status".to_owned()).spawn(move || run(&theirs))?;
+        list.readers.push_back((reader, thread));
+        drop(list);
+        oldest.into_iter().for_each(close);
+        Ok(())
+    }
+}
+
+/// Closes a connection, and waits for its thread.
+fn close((reader, thread): (Arc<Reader>, JoinHandle<()>)) {
+    reader.close();
+    // A panic there has been reported, and concerns one connection.
+    drop(thread.join());
+}

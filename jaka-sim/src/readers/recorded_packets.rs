@@ -1,0 +1,60 @@
+//! Packets from a recording.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::packet_writer::LEAST_PERIOD;
+use crate::replay::{ReplaySession, Script, Step};
+
+/// The packets of one connection of a recording, each with its time.
+#[derive(Debug)]
+pub(crate) struct RecordedPackets {
+    script: Arc<Script>,
+    position: usize,
+    began: Instant,
+    last: Option<Instant>,
+    period: Duration,
+}
+
+/// What comes next on a connection.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum RecordedStep {
+    Packet(Vec<u8>),
+    End,
+}
+
+impl RecordedPackets {
+    pub(crate) fn new(script: Arc<Script>, period: Duration) -> Self {
+        Self { script, position: 0, began: Instant::now(), last: None, period: period.max(LEAST_PERIOD) }
+    }
+
+    /// When the next step is due; `None` if that is not known yet, or there is none.
+    pub(super) fn due(&self, session: &ReplaySession) -> Option<Instant> {
+        let next = match self.last {
+            Some(last) => last.checked_add(self.period)?,
+            None => self.began,
+        };
+        match self.script.steps.get(self.position) {
+            Some(Step::Send { at, .. } | Step::End { at, .. }) => {
+                session.packet_due(&self.script, *at, self.began, next)
+            }
+            Some(Step::Expect { .. } | Step::Gap { .. }) => Some(self.began),
+            // After the last packet, it is repeated each period.
+            None => self.script.last.as_ref().map(|_| next),
+        }
+    }
+
+    /// Takes the step that is due; `None` if there is nothing to do in it.
+    pub(super) fn take(&mut self) -> Option<RecordedStep> {
+        let step = self.script.steps.get(self.position);
+        self.position += 1;
+        let packet = match step {
+            Some(Step::Send { bytes, .. }) => bytes.clone(),
+            Some(Step::End { .. }) => return Some(RecordedStep::End),
+            Some(Step::Expect { .. } | Step::Gap { .. }) => return None,
+            None => self.script.last.as_ref()?.bytes().to_vec(),
+        };
+        self.last = Some(Instant::now());
+        Some(RecordedStep::Packet(packet))
+    }
+}

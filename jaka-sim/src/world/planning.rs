@@ -1,0 +1,108 @@
+//! Motions as planned from the requests that command them.
+
+use jaka_proto::Request;
+use jaka_proto::messages::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
+
+use super::World;
+use crate::kinematics::from_pose;
+use crate::motion::{Arc, Joints, Path, Planned, Profile, Reference, Transform, Zone};
+
+/// Acceleration where a command leaves it out, in deg/s² and mm/s². What controllers choose is not known.
+const USUAL_ACCELERATION: f64 = 180.0;
+
+impl World {
+    /// Queues a motion; false if the arm cannot make it, or the request is not a motion.
+    pub(crate) fn start_motion(&mut self, request: &Request) -> bool {
+        let planned = match request {
+            Request::JointMove(command) => joint_move(command, self),
+            Request::EndMove(command) => end_move(command, self),
+            Request::MoveL(command) => move_l(command, self),
+            Request::MoveC(command) => move_c(command, self),
+            _ => None,
+        };
+        let Some(planned) = planned.filter(|_| self.engine.jog.is_none()) else {
+            return false;
+        };
+        self.engine.enqueue(planned);
+        true
+    }
+
+    /// Where the next motion starts.
+    pub(crate) fn tail(&self) -> Joints {
+        self.engine.tail(self.state.joint_position.0)
+    }
+
+    /// The way of all joints to a target.
+    pub(crate) fn plan_joints(&self, to: Joints, speed: f64, acceleration: f64) -> Option<Planned> {
+        let from = self.tail();
+        self.model.within_limits(&to).then_some(())?;
+        self.plan(Path::Joints { from, to }, speed, acceleration)
+    }
+
+    pub(crate) fn plan(&self, path: Path, speed: f64, acceleration: f64) -> Option<Planned> {
+        if speed <= 0.0 || acceleration <= 0.0 {
+            return None;
+        }
+        let end = path.end(&self.model, self.tail())?;
+        let profile = Profile::new(path.length(), speed, acceleration);
+        Some(Planned { path, profile, deceleration: acceleration, end, zone: None })
+    }
+
+    /// A motion that goes over into the next one within a tolerance, where that is a habit.
+    fn rounded(&self, planned: Planned, tolerance: Option<f64>) -> Planned {
+        let radius = tolerance.filter(|_| self.habits.blend).unwrap_or_default();
+        let end = self.model.forward(planned.end) * self.tool();
+        Planned { zone: Zone::new(self.tool(), &end, radius), ..planned }
+    }
+
+    /// The flange displaced along the axes of the user frame.
+    pub(crate) fn displaced(&self, flange: &Transform, by: Pose) -> Transform {
+        let reference = Reference::Fixed { base: self.user(), tool: self.tool() };
+        reference.moved(flange, &from_pose(by.into()))
+    }
+}
+
+fn joint_move(command: &JointMove, world: &World) -> Option<Planned> {
+    let from = world.tail();
+    let JointPosition(values) = command.joint_position;
+    let to = match command.mode {
+        MoveMode::Relative => std::array::from_fn(|i| from[i] + values[i]),
+        _ => values,
+    };
+    world.plan_joints(to, command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
+}
+
+fn end_move(command: &EndMove, world: &World) -> Option<Planned> {
+    let to = world.model.inverse(&world.flange(command.pose), world.tail())?;
+    world.plan_joints(to, command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
+}
+
+/// Where the tool is at a pose that a command gives.
+fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Transform {
+    let tool = world.tool();
+    match mode {
+        MoveMode::Relative => world.displaced(&world.model.forward(world.tail()), pose) * tool,
+        _ => world.flange(pose) * tool,
+    }
+}
+
+fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
+    let tool = world.tool();
+    let from = world.model.forward(world.tail()) * tool;
+    let to = tool_at(world, command.mode, command.pose);
+    let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
+    let planned = world.plan(Path::line(from, to, tool), command.speed, acceleration)?;
+    Some(world.rounded(planned, command.tolerance))
+}
+
+/// Speed and acceleration as those of the path, in mm/s and mm/s²: the sources leave that open.
+fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
+    let tool = world.tool();
+    let from = world.model.forward(world.tail()) * tool;
+    let middle = tool_at(world, command.mode, command.mid_pose);
+    let to = tool_at(world, command.mode, command.end_pose);
+    let arc = Arc::through(from, middle, to, tool)?;
+    let planned = world.plan(Path::Arc(Box::new(arc)), command.speed, command.acceleration)?;
+    Some(world.rounded(planned, Some(command.tolerance)))
+}
