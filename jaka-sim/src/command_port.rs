@@ -167,7 +167,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
         shared.request_log.record(text.clone());
     }
-    writer.send_reply(reply.as_str(), fault, sequel)
+    writer.send_reply(fault.delivery(reply.as_str()), sequel)
 }
 
 /// Writes the fields that a user has set into the reply.

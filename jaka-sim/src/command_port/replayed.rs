@@ -114,7 +114,7 @@ pub(super) fn answer(
         None => (refusal(incoming.command().as_deref()), Fault::None),
     };
     request_log.record(request);
-    writer.send_reply(&reply, fault, Sequel::Nothing)
+    writer.send_reply(fault.delivery(&reply), Sequel::Nothing)
 }
 
 fn refusal(command: Option<&str>) -> String {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::NextStep;
 use crate::answer::Sequel;
-use crate::fault::Fault;
+use crate::fault::Delivery;
 use crate::link::Wire;
 
 /// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
@@ -32,8 +32,7 @@ pub(super) struct PendingReplies {
 #[derive(Debug)]
 struct LateReply {
     due: Due,
-    reply: String,
-    fault: Fault,
+    delivery: Delivery,
     sequel: Sequel,
 }
 
@@ -64,14 +63,19 @@ impl<'l> ReplyWriter<'l> {
         Self { wire, pending }
     }
 
-    /// Sends a reply with its fault, or lets it wait.
-    pub(crate) fn send_reply(&mut self, reply: &str, fault: Fault, sequel: Sequel) -> NextStep {
-        let late = |due, fault| LateReply { due, reply: reply.to_owned(), fault, sequel };
-        let next = match (fault, sequel) {
-            (Fault::Delay(time), _) => self.put_off(late(Due::after(time), Fault::None)),
-            (fault, Sequel::Rest(by)) => self.put_off(late(Due::AtRest(by), fault)),
-            (fault, _) if !self.pending.late.is_empty() => self.put_off(late(Due::after(Duration::ZERO), fault)),
-            (fault, _) => self.send_now(reply, &fault, sequel),
+    /// Sends a reply, or lets it wait.
+    pub(crate) fn send_reply(&mut self, delivery: Delivery, sequel: Sequel) -> NextStep {
+        let due = match (&delivery, sequel) {
+            (Delivery::Later(time, _), _) => Some(Due::after(*time)),
+            (_, Sequel::Rest(by)) => Some(Due::AtRest(by)),
+            _ => (!self.pending.late.is_empty()).then(|| Due::after(Duration::ZERO)),
+        };
+        let next = match due {
+            Some(due) => {
+                self.pending.late.push_back(LateReply { due, delivery, sequel });
+                NextStep::Continue
+            }
+            None => self.send_now(delivery, sequel),
         };
         if self.pending.is_full() {
             log::trace!(target: "jaka_sim", "too many replies wait");
@@ -89,7 +93,7 @@ impl<'l> ReplyWriter<'l> {
         };
         while self.pending.late.front().is_some_and(is_due) {
             let Some(late) = self.pending.late.pop_front() else { break };
-            let next = self.send_now(&late.reply, &late.fault, late.sequel);
+            let next = self.send_now(late.delivery, late.sequel);
             if next != NextStep::Continue {
                 return next;
             }
@@ -121,13 +125,8 @@ impl<'l> ReplyWriter<'l> {
         self.wire.send(bytes)
     }
 
-    fn put_off(&mut self, late: LateReply) -> NextStep {
-        self.pending.late.push_back(late);
-        NextStep::Continue
-    }
-
-    fn send_now(&mut self, reply: &str, fault: &Fault, sequel: Sequel) -> NextStep {
-        let next = self.try_send(reply, fault).unwrap_or_else(|error| {
+    fn send_now(&mut self, delivery: Delivery, sequel: Sequel) -> NextStep {
+        let next = self.deliver(delivery).unwrap_or_else(|error| {
             log::trace!(target: "jaka_sim", "command client lost: {error}");
             NextStep::Close
         });
@@ -140,34 +139,32 @@ impl<'l> ReplyWriter<'l> {
         }
     }
 
-    fn try_send(&mut self, reply: &str, fault: &Fault) -> io::Result<NextStep> {
-        let bytes = reply.as_bytes();
-        match fault {
-            Fault::Drop => {}
-            Fault::Hold => self.pending.hold(bytes),
-            Fault::WithNext => self.pending.joined.extend_from_slice(bytes),
-            Fault::Pieces(sizes) => self.send_pieces(bytes, sizes)?,
-            Fault::HalfOpen => return Ok(NextStep::HalfOpen),
-            Fault::Close => return Ok(NextStep::Close),
-            Fault::CloseAfter(count) => {
-                self.send(&bytes[..bytes.len().min(*count)])?;
+    fn deliver(&mut self, delivery: Delivery) -> io::Result<NextStep> {
+        match delivery {
+            Delivery::Nothing => {}
+            Delivery::Write(bytes, sizes) => self.send(&bytes, &sizes)?,
+            // Its time has come.
+            Delivery::Later(_, bytes) => self.send(&bytes, &[])?,
+            Delivery::Hold(bytes) => self.pending.hold(&bytes),
+            Delivery::WithNext(bytes) => self.pending.joined.extend_from_slice(&bytes),
+            Delivery::WriteAndClose(bytes) => {
+                self.send(&bytes, &[])?;
                 return Ok(NextStep::Close);
             }
-            Fault::Reset => return Ok(NextStep::Reset),
-            Fault::Takeover => return Ok(NextStep::Takeover),
-            _ => self.send(&fault.garble(reply))?,
+            Delivery::HalfOpen => return Ok(NextStep::HalfOpen),
+            Delivery::Close => return Ok(NextStep::Close),
+            Delivery::Reset => return Ok(NextStep::Reset),
+            Delivery::Takeover => return Ok(NextStep::Takeover),
         }
         Ok(NextStep::Continue)
     }
 
-    /// Sends the replies that are held back, and then these bytes in one write with those that wait for them.
-    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        let all = self.join(bytes)?;
-        self.write(&all)
-    }
-
-    fn send_pieces(&mut self, bytes: &[u8], sizes: &[usize]) -> io::Result<()> {
-        let all = self.join(bytes)?;
+    /// Sends the replies that are held back, and then these bytes together with those that wait for them, in pieces of these sizes
+    /// and the rest as the last piece.
+    fn send(&mut self, bytes: &[u8], sizes: &[usize]) -> io::Result<()> {
+        self.release()?;
+        let mut all = std::mem::take(&mut self.pending.joined);
+        all.extend_from_slice(bytes);
         let mut rest = &*all;
         for size in sizes {
             let (piece, more) = rest.split_at(rest.len().min(*size));
@@ -175,13 +172,6 @@ impl<'l> ReplyWriter<'l> {
             rest = more;
         }
         self.write(rest)
-    }
-
-    fn join(&mut self, bytes: &[u8]) -> io::Result<Vec<u8>> {
-        self.release()?;
-        let mut all = std::mem::take(&mut self.pending.joined);
-        all.extend_from_slice(bytes);
-        Ok(all)
     }
 }
 

@@ -1,25 +1,51 @@
-//! What can be wrong with the way between a port and its clients.
+//! What can be wrong with a link between a port and its clients.
 
+use std::fmt;
+use std::str::FromStr;
 use std::time::Duration;
 
+use super::ScriptError;
+use super::kinds::{Argument, fault_kinds};
+use super::token_reader::TokenReader;
 use crate::link_selector::LinkSelector;
 use crate::{Direction, Port};
 
-/// Something wrong with a link: what passes between a port and its clients in one direction, and when.
-///
-/// [`Controller::link`](crate::Controller::link) sets it on a running controller, and [`FaultPlan::link`] from the start. It
-/// concerns the connections that are open and those to come, until another fault is set. Times are real times, also with a
-/// stepped clock. A link has no message boundaries: it concerns bytes, and the end of a connection behind them.
-///
-/// Connecting itself is up to the system, and succeeds on a link on which nothing passes.
-///
-/// [`FaultPlan::link`]: crate::FaultPlan::link
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum LinkFault {
+/// Whether bytes pass on a link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Passage {
+    /// All that waits passes now.
+    Now,
+    /// The first bytes that wait pass after this time.
+    After(Duration),
+    /// So many bytes pass in a second.
+    Paced(u64),
+    /// Nothing passes until the fault changes.
+    Held,
+    /// Nothing passes ever again.
+    Lost,
+}
+
+fault_kinds! {
+    /// Something wrong with a link: what passes between a port and its clients in one direction, and when.
+    ///
+    /// [`Controller::link`](crate::Controller::link) sets it on a running controller, and [`FaultPlan::link`] from the start. It
+    /// applies to the connections that are open and to later ones, until another fault is set. Times are real times, also with a
+    /// stepped clock. A link has no message boundaries: it passes bytes, and the end of a connection after them.
+    ///
+    /// The system makes the connection itself, which succeeds on a link on which nothing passes.
+    ///
+    /// [`FaultPlan::link`]: crate::FaultPlan::link
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    #[non_exhaustive]
+    pub enum LinkFault("a fault of a link", |_| "a link has no such fault");
+
+    /// Whether bytes pass, if the first of them has waited for `age`.
+    pub(crate) fn passage(&self, age: Duration) -> Passage;
+
     /// Nothing: what is sent passes at once, and so does all that is held. `none` in a script.
     #[default]
-    None,
+    None: "none" => Passage::Now;
+
     /// Nothing passes until another fault is set. `hold` in a script.
     ///
     /// To the client: what the controller sends waits, and then arrives as it was sent: old status packets, replies of long ago.
@@ -27,20 +53,26 @@ pub enum LinkFault {
     ///
     /// To the controller: requests are neither read nor carried out, nor is the end of the connection noticed. The systems'
     /// buffers go on taking what the client sends, some hundred kilobytes, and acknowledge it.
-    Hold,
-    /// Each byte arrives so much later, in order, and as many at a time as without. `delay 800ms` in a script.
+    Hold: "hold" => Passage::Held;
+
+    /// Each byte arrives so much later, in order, in the same portions as without. `delay 800ms` in a script.
     ///
     /// Requests are carried out, and answered, so much later.
-    Delay(Duration),
+    Delay(time: Duration as time = Duration::from_millis(80)): "delay" => match time.saturating_sub(age) {
+        Duration::ZERO => Passage::Now,
+        left => Passage::After(left),
+    };
+
     /// So many bytes pass in a second, and at least one. `slow 9600` in a script.
     ///
     /// What has been held goes on at this pace, and so does all that follows, until another fault is set.
-    Slow(u64),
+    Slow(per_second: u64 as rate = 20_000): "slow" => Passage::Paced(*per_second);
+
     /// Nothing passes ever again, as with a pulled cable: no byte, no end of the connection, no reset. `cut` in a script.
     ///
     /// A connection that has been cut stays so, and so does one that is made meanwhile. When another fault is set, it is for the
     /// connections that follow.
-    Cut,
+    Cut: "cut" => Passage::Lost;
 }
 
 /// A [`LinkFault`] of a [`FaultPlan`](crate::FaultPlan): on which links, and when.
@@ -105,5 +137,16 @@ impl LinkEvent {
 impl From<LinkFault> for LinkEvent {
     fn from(fault: LinkFault) -> Self {
         Self::new(fault)
+    }
+}
+
+/// A line of a script.
+impl fmt::Display for LinkEvent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "link {} {}", self.selector, self.fault)?;
+        if !self.after.is_zero() {
+            write!(f, " after {:?}", self.after)?;
+        }
+        self.lasting.map_or(Ok(()), |time| write!(f, " for {time:?}"))
     }
 }

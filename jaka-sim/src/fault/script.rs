@@ -5,10 +5,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::token_reader::TokenReader;
-use super::tokens::{self, Token};
-use super::{Fault, FaultPlan, LinkFault, StatusFault};
+use super::tokens::{self, Name, Token};
+use super::{Fault, FaultPlan, LinkEvent, StatusFault};
 
-/// What is wrong with the text of a [`FaultPlan`], a [`Fault`], a [`StatusFault`] or a [`LinkFault`], and where.
+/// What is wrong with the text of a [`FaultPlan`], a [`Fault`], a [`StatusFault`] or a [`LinkFault`](crate::LinkFault), and where.
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -76,9 +76,9 @@ impl FaultPlan {
                 let one_in = args.odds()?;
                 *self = std::mem::take(self).one_in(one_in, faults(args)?);
             }
-            Some("always") => self.inject_always(one(args.skip(), TokenReader::fault)?),
-            Some("link") => self.links.push(one(args.skip(), TokenReader::link_event)?),
-            Some("status") => self.status = one(args.skip(), TokenReader::status_fault)?,
+            Some("always") => self.inject_always(args.skip().last_item(Fault::read)?),
+            Some("link") => self.links.push(args.skip().last_item(TokenReader::link_event)?),
+            Some("status") => self.status = args.skip().last_item(StatusFault::read)?,
             _ => self.script.extend(faults(args)?),
         }
         Ok(())
@@ -101,61 +101,37 @@ impl FaultPlan {
 
 /// The faults that are left in a line.
 fn faults(mut args: TokenReader<'_, '_>) -> Result<Vec<Fault>, ScriptError> {
-    let mut faults = vec![args.fault()?];
+    let mut faults = vec![Fault::read(&mut args)?];
     while !args.is_empty() {
         args.mark(",")?;
-        faults.push(args.fault()?);
+        faults.push(Fault::read(&mut args)?);
     }
     Ok(faults)
 }
 
-/// What has to be the last thing in a line.
-fn one<'w, 's, T>(
-    args: &mut TokenReader<'w, 's>,
-    read: impl FnOnce(&mut TokenReader<'w, 's>) -> Result<T, ScriptError>,
-) -> Result<T, ScriptError> {
-    let item = read(args)?;
-    args.end()?;
-    Ok(item)
-}
-
-/// The tokens of a text that has one thing in it.
-fn all_words(text: &str) -> Result<Vec<Token<'_>>, ScriptError> {
-    Ok(tokens::lines(text)?.into_iter().flatten().collect())
-}
-
-impl FromStr for Fault {
-    type Err = ScriptError;
-
-    /// Reads the text form of a fault.
-    ///
-    /// # Errors
-    /// A word does not fit, or one is missing.
-    fn from_str(text: &str) -> Result<Self, ScriptError> {
-        one(&mut TokenReader::new(&all_words(text)?), TokenReader::fault)
+impl fmt::Display for FaultPlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut lines = Vec::new();
+        if !self.script.is_empty() {
+            lines.push(list(&self.script));
+        }
+        for (command, fault) in &self.commands {
+            lines.push(format!("for {}: {fault}", Name(command)));
+        }
+        for chance in &self.chances {
+            let seed = self.seed.unwrap_or(0);
+            lines.push(format!("random {seed} 1/{} {}", chance.one_in, list(&chance.faults)));
+        }
+        lines.extend(self.always.iter().map(|fault| format!("always {fault}")));
+        if self.status != StatusFault::None {
+            lines.push(format!("status {}", self.status));
+        }
+        lines.extend(self.links.iter().map(LinkEvent::to_string));
+        f.write_str(&lines.join("\n"))
     }
 }
 
-impl FromStr for StatusFault {
-    type Err = ScriptError;
-
-    /// Reads the text form of a fault.
-    ///
-    /// # Errors
-    /// A word does not fit, or one is missing.
-    fn from_str(text: &str) -> Result<Self, ScriptError> {
-        one(&mut TokenReader::new(&all_words(text)?), TokenReader::status_fault)
-    }
-}
-
-impl FromStr for LinkFault {
-    type Err = ScriptError;
-
-    /// Reads the text form of a fault.
-    ///
-    /// # Errors
-    /// A word does not fit, or one is missing.
-    fn from_str(text: &str) -> Result<Self, ScriptError> {
-        one(&mut TokenReader::new(&all_words(text)?), TokenReader::link_fault)
-    }
+fn list<'f>(faults: impl IntoIterator<Item = &'f Fault>) -> String {
+    let texts: Vec<_> = faults.into_iter().map(Fault::to_string).collect();
+    texts.join(", ")
 }

@@ -1,46 +1,101 @@
 //! What can be wrong on the status port.
 
+use std::fmt;
+use std::str::FromStr;
 use std::time::Duration;
 
-/// Something wrong with the packets of the status port, for all readers and until another fault is set.
-///
-/// [`Controller::status_fault`](crate::Controller::status_fault) sets it, and [`FaultPlan::status`] from the start. It
-/// concerns the packets that come in time and those of [`Controller::publish`](crate::Controller::publish), and not the
-/// bytes of [`Controller::send_status`](crate::Controller::send_status). What counts, counts for each reader by itself,
-/// from when the fault is set or the reader connects.
-///
-/// [`FaultPlan::status`]: crate::FaultPlan::status
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum StatusFault {
+use super::kinds::{Argument, fault_kinds};
+use super::token_reader::TokenReader;
+use super::{ScriptError, garbage};
+
+/// What has been sent to a reader since its fault was set.
+#[derive(Debug, Default)]
+pub(crate) struct Sent {
+    /// Packets, with the one that is being sent.
+    pub(crate) packets: u64,
+    /// Bytes of the packets before.
+    pub(crate) bytes: usize,
+}
+
+/// What is written for a packet.
+#[derive(Debug, Default)]
+pub(crate) struct PacketWrites {
+    /// What each write writes.
+    pub(crate) pieces: Vec<Vec<u8>>,
+    /// Whether the connection is closed then.
+    pub(crate) close: bool,
+}
+
+impl PacketWrites {
+    fn one(bytes: impl Into<Vec<u8>>) -> Self {
+        Self { pieces: vec![bytes.into()], close: false }
+    }
+}
+
+fault_kinds! {
+    /// Something wrong with the packets of the status port, for all readers and until another fault is set.
+    ///
+    /// [`Controller::status_fault`](crate::Controller::status_fault) sets it, and [`FaultPlan::status`] from the start. It
+    /// applies to the periodic packets and those of [`Controller::publish`](crate::Controller::publish), and not to the
+    /// bytes of [`Controller::send_status`](crate::Controller::send_status). Counts are for each reader by itself,
+    /// from when the fault is set or the reader connects.
+    ///
+    /// [`FaultPlan::status`]: crate::FaultPlan::status
+    #[derive(Debug, Clone, PartialEq, Eq, Default)]
+    #[non_exhaustive]
+    pub enum StatusFault("a fault of the status port", |_| "the status port has no such fault");
+
+    /// What is written for a packet with this fault.
+    pub(crate) fn writes(&self, packet: &[u8], sent: &Sent) -> PacketWrites;
+
     /// Nothing: packets are as they should be. `none` in a script.
     #[default]
-    None,
+    None: "none" => PacketWrites::one(packet);
+
     /// Connections stay open, and no packet comes. `silent` in a script.
-    Silent,
+    Silent: "silent" => PacketWrites::default();
+
     /// Packets come with this period, in real time. `slow 2s` in a script.
-    Slow(Duration),
+    Slow(_period: Duration as time = Duration::from_millis(80)): "slow" => PacketWrites::one(packet);
+
     /// Each packet is written in pieces of so many bytes. `split 7` in a script.
     ///
     /// Each piece is a segment of its own; the reader's kernel may put them together again.
-    Pieces(usize),
+    Pieces(size: usize as count = 3): "split" => {
+        PacketWrites { pieces: packet.chunks((*size).max(1)).map(<[u8]>::to_vec).collect(), close: false }
+    };
+
     /// Random bytes come before each packet, in the same write. `garbage 40 7` in a script.
     ///
-    /// Braces and quotes among them hide the packets that follow from a reader who counts braces.
+    /// Braces and quotes among them hide the packets that follow from a reader that counts braces.
     Garbage {
         /// How many before each packet; at most 256 MiB.
-        bytes: usize,
+        bytes: usize as count = 300,
         /// The same seed gives each reader the same bytes, which differ from packet to packet.
-        seed: u64,
-    },
+        seed: u64 as seed = 3,
+    }: "garbage" => PacketWrites::one([&garbage(*bytes, seed.wrapping_add(sent.packets)), packet].concat());
+
     /// Of each packet only so many bytes come. `cut 100` in a script.
     ///
     /// The next packet begins within the one before it, as the reader sees it.
-    Cut(usize),
+    Cut(count: usize as count = 100): "cut" => PacketWrites::one(&packet[..packet.len().min(*count)]);
+
     /// These bytes come in place of each packet. `instead "joint_actual_position:(0, 0)\n"` in a script.
-    Instead(Vec<u8>),
+    Instead(bytes: Vec<u8> as bytes = b"{}".to_vec()): "instead" => PacketWrites::one(bytes.as_slice());
+
     /// The connection is closed after so many bytes of packets. `close-after 5000` in a script.
     ///
-    /// So is that of each reader who connects anew, after as many. With 0 it is closed when the first packet is due.
-    CloseAfter(usize),
+    /// The same happens to each reader that connects again, after as many. With 0 it is closed when the first packet is due.
+    CloseAfter(count: usize as count = 100): "close-after" => {
+        let left = count.saturating_sub(sent.bytes);
+        let part = &packet[..packet.len().min(left)];
+        PacketWrites { pieces: vec![part.to_vec()], close: part.len() == left }
+    };
+}
+
+impl StatusFault {
+    /// The time between two packets, which is `usual` if nothing is wrong with it.
+    pub(crate) fn period(&self, usual: Duration) -> Duration {
+        if let Self::Slow(period) = self { *period } else { usual }
+    }
 }

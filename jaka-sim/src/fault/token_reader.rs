@@ -1,17 +1,17 @@
-//! One line of a script, read word by word.
+//! One line of a script, read token by token.
 
 use std::str::FromStr;
 use std::time::Duration;
 
-use super::tokens::Token;
-use super::{Fault, LinkEvent, LinkFault, ScriptError, StatusFault};
+use super::tokens::{self, Token};
+use super::{LinkEvent, LinkFault, ScriptError};
 use crate::link_selector::{BOTH, LinkSelector};
 use crate::{Direction, Port};
 
 /// The units of time, and how many of them are a second.
 const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 1e9), ("s", 1.0)];
 
-/// Words that have not been read yet.
+/// The tokens that have not been read yet.
 #[derive(Debug)]
 pub(super) struct TokenReader<'w, 's> {
     rest: &'w [Token<'s>],
@@ -23,62 +23,30 @@ impl<'w, 's> TokenReader<'w, 's> {
         Self { rest: tokens, last: None }
     }
 
-    pub(super) fn fault(&mut self) -> Result<Fault, ScriptError> {
-        Ok(match self.word("a fault")?.text {
-            "none" => Fault::None,
-            "drop" => Fault::Drop,
-            "delay" => Fault::Delay(self.time()?),
-            "hold" => Fault::Hold,
-            "split" => Fault::Pieces(self.sizes()?),
-            "with-next" => Fault::WithNext,
-            "twice" => Fault::Twice,
-            "nameless" => Fault::Nameless,
-            "renamed" => Fault::Renamed(self.name()?),
-            "before" => Fault::Before(self.bytes()?),
-            "after" => Fault::After(self.bytes()?),
-            "instead" => Fault::Instead(self.bytes()?),
-            "garbage" => Fault::Garbage { bytes: self.count()?, seed: self.seed()? },
-            "oversized" => Fault::Oversized(self.count()?),
-            "half-open" => Fault::HalfOpen,
-            "close" => Fault::Close,
-            "close-after" => Fault::CloseAfter(self.count()?),
-            "reset" => Fault::Reset,
-            "takeover" => Fault::Takeover,
-            "for" | "random" | "always" | "status" | "link" => return Err(self.unfit("this can only begin a line")),
-            _ => return Err(self.unfit("there is no such fault")),
-        })
+    /// Reads all of a text as one thing.
+    pub(super) fn read_all<T>(
+        text: &str,
+        read: impl FnOnce(&mut TokenReader<'_, '_>) -> Result<T, ScriptError>,
+    ) -> Result<T, ScriptError> {
+        let tokens: Vec<_> = tokens::lines(text)?.into_iter().flatten().collect();
+        TokenReader::new(&tokens).last_item(read)
     }
 
-    pub(super) fn status_fault(&mut self) -> Result<StatusFault, ScriptError> {
-        Ok(match self.word("a fault of the status port")?.text {
-            "none" => StatusFault::None,
-            "silent" => StatusFault::Silent,
-            "slow" => StatusFault::Slow(self.time()?),
-            "split" => StatusFault::Pieces(self.count()?),
-            "garbage" => StatusFault::Garbage { bytes: self.count()?, seed: self.seed()? },
-            "cut" => StatusFault::Cut(self.count()?),
-            "instead" => StatusFault::Instead(self.bytes()?),
-            "close-after" => StatusFault::CloseAfter(self.count()?),
-            _ => return Err(self.unfit("the status port has no such fault")),
-        })
-    }
-
-    pub(super) fn link_fault(&mut self) -> Result<LinkFault, ScriptError> {
-        Ok(match self.word("a fault of a link")?.text {
-            "none" => LinkFault::None,
-            "hold" => LinkFault::Hold,
-            "delay" => LinkFault::Delay(self.time()?),
-            "slow" => LinkFault::Slow(self.number("a number of bytes a second")?),
-            "cut" => LinkFault::Cut,
-            _ => return Err(self.unfit("a link has no such fault")),
-        })
+    /// Reads what has to be the last thing in a line.
+    pub(super) fn last_item<T>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<T, ScriptError>,
+    ) -> Result<T, ScriptError> {
+        let item = read(self)?;
+        self.rest.first().map_or(Ok(item), |token| Err(token.error("nothing can follow here")))
     }
 
     /// A link, its fault, and when it is so, as `status to-client hold after 10s for 5s`.
     pub(super) fn link_event(&mut self) -> Result<LinkEvent, ScriptError> {
         let port = self.one_of(Port::ALL, "`command`, `status` or `both`")?;
         let direction = self.one_of(Direction::ALL, "`to-controller`, `to-client` or `both`")?;
-        let mut event = LinkEvent { selector: LinkSelector { port, direction }, ..LinkEvent::new(self.link_fault()?) };
+        let mut event =
+            LinkEvent { selector: LinkSelector { port, direction }, ..LinkEvent::new(LinkFault::read(self)?) };
         if self.is_next("after") {
             event = event.after(self.skip().time()?);
         }
@@ -115,10 +83,6 @@ impl<'w, 's> TokenReader<'w, 's> {
         if self.word(&wanted)?.text == mark { Ok(()) } else { Err(self.unfit(format!("here must be {wanted}"))) }
     }
 
-    pub(super) fn end(&self) -> Result<(), ScriptError> {
-        self.rest.first().map_or(Ok(()), |word| Err(word.error("nothing can follow here")))
-    }
-
     pub(super) fn number<T: FromStr>(&mut self, what: &str) -> Result<T, ScriptError> {
         let word = self.word(what)?;
         word.text.parse().map_err(|_| word.error(format!("here must be {what}")))
@@ -145,20 +109,24 @@ impl<'w, 's> TokenReader<'w, 's> {
         }
     }
 
-    fn bytes(&mut self) -> Result<Vec<u8>, ScriptError> {
+    pub(super) fn bytes(&mut self) -> Result<Vec<u8>, ScriptError> {
         let word = self.word("bytes in quotes")?;
         word.quoted.clone().ok_or_else(|| word.error("here must be bytes in quotes"))
     }
 
-    fn count(&mut self) -> Result<usize, ScriptError> {
+    pub(super) fn count(&mut self) -> Result<usize, ScriptError> {
         self.number("a number of bytes")
     }
 
-    fn seed(&mut self) -> Result<u64, ScriptError> {
+    pub(super) fn rate(&mut self) -> Result<u64, ScriptError> {
+        self.number("a number of bytes a second")
+    }
+
+    pub(super) fn seed(&mut self) -> Result<u64, ScriptError> {
         if self.at_item_end() { Ok(0) } else { self.number("a seed") }
     }
 
-    fn sizes(&mut self) -> Result<Vec<usize>, ScriptError> {
+    pub(super) fn sizes(&mut self) -> Result<Vec<usize>, ScriptError> {
         let mut sizes = Vec::new();
         while !self.at_item_end() {
             sizes.push(self.count()?);
@@ -166,7 +134,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         Ok(sizes)
     }
 
-    fn time(&mut self) -> Result<Duration, ScriptError> {
+    pub(super) fn time(&mut self) -> Result<Duration, ScriptError> {
         const WANTED: &str = "a time such as 200ms or 1.5s";
         let word = self.word(WANTED)?;
         read_time(word.text).ok_or_else(|| word.error(format!("here must be {WANTED}")))
@@ -176,7 +144,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         self.rest.first().is_none_or(|word| word.text == ",")
     }
 
-    fn word(&mut self, what: &str) -> Result<&'w Token<'s>, ScriptError> {
+    pub(super) fn word(&mut self, what: &str) -> Result<&'w Token<'s>, ScriptError> {
         self.advance().ok_or_else(|| self.unfit(format!("{what} must follow")))
     }
 

@@ -8,7 +8,7 @@ use super::Wire;
 use super::queue::Pace;
 use super::state::shorter;
 use crate::Direction;
-use crate::fault::LinkFault;
+use crate::fault::{LinkFault, Passage};
 
 /// The least time that a socket can be waited for.
 const LEAST_WAIT: Duration = Duration::from_millis(1);
@@ -106,19 +106,16 @@ impl<'w> Inbound<'w> {
 
     fn next(&self, fault: LinkFault) -> ReceiveStep {
         let first = self.waiting.front().map(|(came, _)| came.elapsed());
-        match (fault, first) {
-            (LinkFault::Hold | LinkFault::Cut, _) => ReceiveStep::Wait(None),
-            (_, None) => ReceiveStep::Read(None),
-            (LinkFault::None, Some(_)) => ReceiveStep::Take(usize::MAX),
-            (LinkFault::Delay(time), Some(age)) => match time.saturating_sub(age) {
-                Duration::ZERO => ReceiveStep::Take(usize::MAX),
-                left if self.ended || self.bytes >= MOST => ReceiveStep::Wait(Some(left)),
-                left => ReceiveStep::Read(Some(left.min(MOST_WAIT))),
-            },
-            (LinkFault::Slow(per_second), Some(_)) => self
-                .pace
-                .left()
-                .map_or(ReceiveStep::Take(Pace::portion(per_second)), |left| ReceiveStep::Wait(Some(left))),
+        match fault.passage(first.unwrap_or_default()) {
+            Passage::Held | Passage::Lost => ReceiveStep::Wait(None),
+            _ if first.is_none() => ReceiveStep::Read(None),
+            Passage::Now => ReceiveStep::Take(usize::MAX),
+            Passage::After(left) if self.ended || self.bytes >= MOST => ReceiveStep::Wait(Some(left)),
+            Passage::After(left) => ReceiveStep::Read(Some(left.min(MOST_WAIT))),
+            Passage::Paced(per_second) => {
+                let portion = ReceiveStep::Take(Pace::portion(per_second));
+                self.pace.left().map_or(portion, |left| ReceiveStep::Wait(Some(left)))
+            }
         }
     }
 

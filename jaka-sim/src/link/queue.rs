@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
-use crate::fault::LinkFault;
+use crate::fault::{LinkFault, Passage};
 
 /// How many bytes may wait.
 const MOST: usize = 16 << 20;
@@ -107,15 +107,17 @@ impl Queue {
             Some((_, end)) if self.fate == Fate::Lost => return SendStep::End(end),
             _ => {}
         }
-        let step = match fault {
-            LinkFault::None => self.take(usize::MAX),
-            LinkFault::Hold => SendStep::Wait(None),
-            LinkFault::Delay(time) => self.take_delayed(time),
-            LinkFault::Slow(per_second) => self.take_slowly(per_second),
-            LinkFault::Cut => {
+        let first = self.writes.front().map(|(sent, _)| *sent).or(self.end.map(|(sent, _)| sent));
+        let step = match fault.passage(first.map_or(Duration::ZERO, |sent| sent.elapsed())) {
+            Passage::Lost => {
                 self.clear();
                 SendStep::Wait(None)
             }
+            _ if first.is_none() => SendStep::Wait(None),
+            Passage::Now => self.take(usize::MAX),
+            Passage::After(left) => SendStep::Wait(Some(left)),
+            Passage::Paced(per_second) => self.take_slowly(per_second),
+            Passage::Held => SendStep::Wait(None),
         };
         self.is_sending = matches!(step, SendStep::Send(_));
         step
@@ -132,15 +134,6 @@ impl Queue {
         }
         self.bytes -= bytes.len();
         SendStep::Send(bytes)
-    }
-
-    fn take_delayed(&mut self, time: Duration) -> SendStep {
-        let sent = self.writes.front().map(|(sent, _)| *sent).or(self.end.map(|(sent, _)| sent));
-        let Some(sent) = sent else { return SendStep::Wait(None) };
-        match time.saturating_sub(sent.elapsed()) {
-            Duration::ZERO => self.take(usize::MAX),
-            left => SendStep::Wait(Some(left)),
-        }
     }
 
     fn take_slowly(&mut self, per_second: u64) -> SendStep {
