@@ -12,7 +12,7 @@ use jaka_proto::messages::status::{
 };
 use jaka_proto::wire::{Encode, Typed, Value, Writer};
 
-use crate::firmware::{Shape, respace};
+use crate::firmware::{PacketKeys, Shape, respace};
 use crate::state::TorqueSensor;
 use crate::{Firmware, Separators, State};
 
@@ -22,19 +22,18 @@ const HOMED: usize = 9;
 /// The packet that shows a state: the keys of the document's sample, in its order, as far as the firmware sends them.
 pub(crate) fn packet(state: &State, firmware: Firmware) -> Vec<u8> {
     let mut status = RobotStatus::default();
+    let shape = firmware.shape();
     set_head(state, &mut status);
-    set_io(state, firmware.shape(), &mut status);
+    set_io(state, shape, &mut status);
     set_modes(state, &mut status);
-    set_tail(state, firmware.shape(), &mut status);
-    match firmware {
-        Firmware::V1_5_14 => {}
-        Firmware::Document => add_extio(state, &mut status),
-        Firmware::Newer => {
-            add_extio(state, &mut status);
-            newer::add(state, &mut status);
-        }
+    set_tail(state, shape, &mut status);
+    if shape.packet_keys >= PacketKeys::Document {
+        status.extio = Some(Typed::Known(extio::report(&state.extio)));
     }
-    with_length(status, firmware.separators()).into_bytes()
+    if shape.packet_keys >= PacketKeys::All {
+        newer::add(state, &mut status);
+    }
+    with_length(status, shape.separators).into_bytes()
 }
 
 /// The packet's text, with its own length in it.
@@ -54,10 +53,6 @@ fn text(status: &RobotStatus, separators: Separators) -> String {
     let mut out = Writer::new();
     status.encode(&mut out);
     if separators == Separators::Compact { out.into_string() } else { respace(out.as_str(), separators) }
-}
-
-fn add_extio(state: &State, status: &mut RobotStatus) {
-    status.extio = Some(Typed::Known(extio::report(&state.extio)));
 }
 
 fn set_head(state: &State, status: &mut RobotStatus) {

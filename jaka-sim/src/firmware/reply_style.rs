@@ -29,7 +29,7 @@ pub struct ReplyStyle {
 }
 
 impl ReplyStyle {
-    const DOCUMENT: Self = Self {
+    pub(super) const DOCUMENT: Self = Self {
         codes: CodeStyle::Text,
         truths: TruthStyle::Document,
         numbers: NumberStyle::Plain,
@@ -45,12 +45,7 @@ impl ReplyStyle {
     /// [`Firmware::V1_5_14`] puts blanks between the parts; [`Firmware::Newer`] does that too, writes
     /// truth values as its packets do, and tells the controller's error.
     pub const fn of(firmware: Firmware) -> Self {
-        let spaced = Self { separators: Separators::Spaced, ..Self::DOCUMENT };
-        match firmware {
-            Firmware::V1_5_14 => spaced,
-            Firmware::Document => Self::DOCUMENT,
-            Firmware::Newer => Self { truths: TruthStyle::Packet, robot_error: true, ..spaced },
-        }
+        firmware.shape().reply_style
     }
 
     /// Chooses how error codes are written.
@@ -162,7 +157,7 @@ pub enum Separators {
     /// No blanks.
     #[default]
     Compact,
-    /// A blank behind each comma and colon.
+    /// A blank after each comma and colon.
     Spaced,
 }
 

@@ -1,11 +1,19 @@
-//! How many inputs and outputs a controller has.
+//! What messages of a firmware look like.
 
-use super::Firmware;
+use std::time::Duration;
+
+use super::{Firmware, ReplyStyle, Separators};
 use crate::State;
 
-/// Lengths of arrays.
+/// What messages of a firmware look like: one row of the table of [`Firmware`].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shape {
+    pub(crate) name: &'static str,
+    pub(crate) status_period: Duration,
+    /// What stands between the parts of status packets.
+    pub(crate) separators: Separators,
+    pub(crate) reply_style: ReplyStyle,
+    pub(crate) packet_keys: PacketKeys,
     /// Digital inputs, and as many outputs.
     pub(crate) digital: usize,
     /// Analog inputs, and as many outputs.
@@ -18,15 +26,18 @@ pub(crate) struct Shape {
     pub(crate) functions: usize,
 }
 
-impl Firmware {
-    pub(crate) fn shape(self) -> Shape {
-        match self {
-            Self::V1_5_14 => Shape { digital: 136, analog: 64, tool_digital: 8, tool_analog: 1, functions: 13 },
-            Self::Document => Shape { digital: 144, analog: 66, tool_digital: 8, tool_analog: 1, functions: 15 },
-            Self::Newer => Shape { digital: 200, analog: 128, tool_digital: 8, tool_analog: 2, functions: 15 },
-        }
-    }
+/// Which keys status packets have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum PacketKeys {
+    /// Those of the document's sample without extension I/O modules.
+    WithoutExtio,
+    /// Those of the document's sample.
+    Document,
+    /// All of the spec.
+    All,
+}
 
+impl Firmware {
     /// Gives a state the inputs that this firmware has.
     pub(crate) fn fit(self, state: &mut State) {
         let shape = self.shape();
