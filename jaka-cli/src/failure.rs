@@ -71,7 +71,7 @@ impl fmt::Display for Failure {
             Self::Refused { refusal, meaning: Some(meaning), .. } => {
                 write!(f, "{refusal}\nThe code's meaning: {meaning}")
             }
-            Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe spec does not know the code."),
+            Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe code is not in the spec."),
             Self::Local { what, .. } => f.write_str(what),
             Self::Differs(impact) => write!(f, "the specs differ: {impact}"),
             Self::OutputClosed => f.write_str("the output is closed"),

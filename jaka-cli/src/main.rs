@@ -34,20 +34,20 @@ The robot:
   in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
 
 Command packs:
-  Commands that know packs take them from, in this order: --pack, the environment's JAKA_PACK, and
-  `packs = [\"FILE\"]` in the config file. The first of these that names any counts.
+  Commands that accept packs take them from, in this order: --pack, the environment's JAKA_PACK, and
+  `packs = [\"FILE\"]` in the config file. The first of these that names any is used.
 
 Exit codes:
-  0  done; also when a reader of the output has seen enough, and on Ctrl-C where a command runs until then
+  0  success; also when the reader of the output closes it, and on Ctrl-C if the command runs until then
   1  the controller refused the command, which did not run
   2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
      nothing was sent
   3  no connection could be made; nothing was sent
-  4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
-  5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
+  4  the command may have run: no reply in time, or an unexpected one; check the robot's state before you go on
+  5  the connection was lost or became unreadable with no command outstanding; also no status packet in time
   6  something on this machine: a file, a port, the terminal
-  7  `jaka probe` found something that is not as the spec has it, or was not answered; clients of `jaka replay`
-     did otherwise than the recorded ones
+  7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
+     recording
   10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most";
 
 /// Commands, status, live dashboard and simulated controller for JAKA robots.

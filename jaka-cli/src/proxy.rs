@@ -90,7 +90,7 @@ impl Gate {
     }
 
     fn connect(&self) -> io::Result<TcpStream> {
-        let mut result = Err(io::Error::new(io::ErrorKind::NotFound, "the name stands for no address"));
+        let mut result = Err(io::Error::new(io::ErrorKind::NotFound, "the name resolves to no address"));
         for address in self.robot.to_socket_addrs()? {
             result = TcpStream::connect_timeout(&address, self.timeout);
             if result.is_ok() {

@@ -27,7 +27,7 @@ fn from_number(number: f64) -> Result<Duration, String> {
     if number > LONGEST {
         return Err(format!("{number} is more than {LONGEST} seconds"));
     }
-    Duration::try_from_secs_f64(number).map_err(|_| format!("{number} is no number of seconds from 0 on"))
+    Duration::try_from_secs_f64(number).map_err(|_| format!("{number} is not a valid number of seconds"))
 }
 
 fn not_zero(time: Duration) -> Result<Duration, String> {

@@ -77,7 +77,7 @@ pub(crate) struct PlaceArgs {
 pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
     Model::named(name).ok_or_else(|| {
         let names: Vec<_> = Model::published().iter().map(Model::name).collect();
-        format!("there are {}", names.join(", "))
+        format!("the models are {}", names.join(", "))
     })
 }
 

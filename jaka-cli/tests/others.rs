@@ -25,19 +25,19 @@ fn a_simulated_controller_serves_other_programs() {
 #[test]
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
-        jaka: invalid value '9' for '--firmware <SHAPE>': there are 1.5.14, document, newer
+        jaka: invalid value '9' for '--firmware <SHAPE>': the shapes are 1.5.14, document, newer
 
         For more information, try '--help'.
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));
     expect![[r#"
-        jaka: invalid value 'drip' for '--faults <TEXT>': line 1: `drip`: there is no such fault
+        jaka: invalid value 'drip' for '--faults <TEXT>': line 1: `drip`: unknown fault
 
         For more information, try '--help'.
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--faults", "drip"])));
     expect![[r#"
-        jaka: no model `zu99`; there are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
+        jaka: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--model", "zu99"])));
 }
 
@@ -68,10 +68,10 @@ fn the_help_explains_exit_codes() {
         Usage: jaka <COMMAND>
 
         Commands:
-          status       Print the robot's state, once or again and again
+          status       Print the robot's state, once or repeatedly
           monitor      Show the robot's state live in the terminal
           call         Send one command of the protocol, and print the reply
-          probe        Ask a controller every question of the protocol, and report where its answers depart from the spec
+          probe        Send a controller every query of the protocol, and report where its answers depart from the spec
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
           replay       Serve a recording in place of a robot until it is interrupted, or show it
@@ -92,20 +92,20 @@ fn the_help_explains_exit_codes() {
           in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
 
         Command packs:
-          Commands that know packs take them from, in this order: --pack, the environment's JAKA_PACK, and
-          `packs = ["FILE"]` in the config file. The first of these that names any counts.
+          Commands that accept packs take them from, in this order: --pack, the environment's JAKA_PACK, and
+          `packs = ["FILE"]` in the config file. The first of these that names any is used.
 
         Exit codes:
-          0  done; also when a reader of the output has seen enough, and on Ctrl-C where a command runs until then
+          0  success; also when the reader of the output closes it, and on Ctrl-C if the command runs until then
           1  the controller refused the command, which did not run
           2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
              nothing was sent
           3  no connection could be made; nothing was sent
-          4  the command may have run: no reply in time, or none that fits; look at the robot's state before going on
-          5  the connection was lost or is unreadable, and nothing was left under way; also no status packet in time
+          4  the command may have run: no reply in time, or an unexpected one; check the robot's state before you go on
+          5  the connection was lost or became unreadable with no command outstanding; also no status packet in time
           6  something on this machine: a file, a port, the terminal
-          7  `jaka probe` found something that is not as the spec has it, or was not answered; clients of `jaka replay`
-             did otherwise than the recorded ones
+          7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
+             recording
           10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
     "#]]
     .assert_eq(&help);

@@ -171,7 +171,7 @@ fn nothing_to_draft_is_said() {
     let run = probe(&controller(Firmware::Document), &["--draft", &draft.display().to_string()]);
     assert_eq!(run.code, Some(0));
     expect![[r"
-        jaka: no draft is written: no message has a key that the spec does not know
+        jaka: no draft is written: no message has a key that is not in the spec
     "]]
     .assert_eq(&run.err);
     assert!(!draft.exists());

@@ -65,7 +65,7 @@ fn everything_is_shown_and_summed_up() {
         without reply:
             0.060000  get_joint_pos
         3 status packets, the longest gap 0.144000 s before 0.200000
-        3 entries are missing, since the file could not be written as fast
+        3 entries are missing, because the file could not be written fast enough
         exit code 0
     "#]]
     .assert_eq(&show("all.jsonl", SESSION, &[]));
@@ -83,7 +83,7 @@ fn a_port_or_a_command_is_shown_alone() {
             5.080000  status   2  closed by failure: the connection was reset
 
         3 status packets, the longest gap 0.144000 s before 0.200000
-        3 entries are missing, since the file could not be written as fast
+        3 entries are missing, because the file could not be written fast enough
         exit code 0
     "#]]
     .assert_eq(&show("status_port.jsonl", SESSION, &["--port", "status"]));
@@ -144,7 +144,7 @@ fn a_recording_that_is_cut_off_is_used_and_a_damaged_one_is_not() {
         recorded by a test, from 2025-11-21 11:53:20 UTC
             0.001000  command  1  connected to 10.5.5.100:10001
 
-        jaka: warning: session.jsonl: the file ends within a line: line 3 of the recording cannot be read: no JSON: expected `,` or `}` at byte 11, where the text ends
+        jaka: warning: session.jsonl: the file ends in the middle of a line: line 3 of the recording cannot be read: no JSON: expected `,` or `}` at byte 11, where the text ends
         exit code 0
     "#]].assert_eq(&show("cut.jsonl", &(first.clone() + "{\"time\":0.0"), &[]));
     expect![[r#"
@@ -215,7 +215,7 @@ mod served {
         let mut line = String::new();
         out.read_line(&mut line).unwrap();
         expect![[r#"
-            deviation: recorded was `{"cmdName":"get_version"}`, but `{"cmdName":"get_joint_pos"}` came
+            deviation: expected the recorded request `{"cmdName":"get_version"}`, but received `{"cmdName":"get_joint_pos"}`
             jaka: 1 deviation from the recording
             exit code Some(7)
         "#]]
@@ -233,7 +233,7 @@ mod served {
         assert_eq!(call("get_version", &robot).code, Some(1), "there is one reply");
         let found = finish(child, out);
         expect![[r#"
-            deviation: the recording has no reply left to `{"cmdName":"get_version"}`
+            deviation: the recording has no unused reply to `{"cmdName":"get_version"}`
             jaka: 1 deviation from the recording
             exit code Some(7)
         "#]]

@@ -67,7 +67,7 @@ fn the_event_has_its_severity_and_meaning() {
         error_code  0x0f9999 (severity unknown)
         error_code  0x0
         error_code  ""
-        error_code  fine (not an event's code)
+        error_code  fine (not an event code)
     "#]]
     .assert_eq(&lines.concat());
 }
@@ -163,7 +163,7 @@ fn raw_is_what_came() {
 fn a_name_that_does_not_exist_has_near_ones() {
     let failed = failure(&mut jaka(&["status", "--sim", "--fields", "enabled,joint_actual_pos"]));
     expect![[r#"
-        jaka: there is no status field `joint_actual_pos`; near it: `joint_actual_position`
+        jaka: there is no status field `joint_actual_pos`; similar names: `joint_actual_position`
         exit code Some(2)"#]]
     .assert_eq(&failed);
 }

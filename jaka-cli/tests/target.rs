@@ -21,7 +21,7 @@ fn config(name: &str, text: &str) -> PathBuf {
 #[test]
 fn without_an_address_the_ways_to_give_one_are_named() {
     expect![[r#"
-        jaka: no robot is given; name its address by `--robot ADDRESS`, by the environment's JAKA_ROBOT, or by `robot = "NAME"` in the config file; or try a simulated one with `--sim`
+        jaka: no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with `robot = "NAME"` in the config file; or try a simulated one with `--sim`
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["status"])));
 }
 
@@ -49,7 +49,7 @@ fn the_usual_config_file_is_in_the_users_folder() {
     fs::create_dir_all(folder.join("jaka")).unwrap();
     fs::write(folder.join("jaka/config.toml"), "robot = 'cell 2'\n").unwrap();
     expect![[r#"
-        jaka: `cell 2` is no address, and the config file has no robot of that name
+        jaka: `cell 2` is not an address, and the config file has no robot of that name
         exit code Some(2)"#]]
     .assert_eq(&failure(jaka(&["status"]).env("XDG_CONFIG_HOME", &folder)));
 }

@@ -79,7 +79,8 @@ impl SpecIndex {
     /// The reply that the spec prints for a command.
     pub(crate) fn example<C: Command>(&self) -> io::Result<C::Reply> {
         let text = self.entry(C::INFO.name).and_then(|entry| entry.example.as_deref());
-        let text = text.ok_or_else(|| io::Error::other(format!("the spec has no reply of `{}`", C::INFO.name)))?;
+        let text =
+            text.ok_or_else(|| io::Error::other(format!("the spec has no example reply of `{}`", C::INFO.name)))?;
         read_payload(C::INFO, text).map_err(io::Error::other)
     }
 }

@@ -20,7 +20,7 @@ fn no_packet_comes() {
     controller.publish();
     let mut late = Peer::status(&controller);
     controller.publish();
-    // Only what the owner sends comes, and no packet came before.
+    // Only what the owner sends comes, and no packet was received before.
     controller.send_status(b"{}");
     assert_eq!([peer.receive(), late.receive()], ["{}", "{}"]);
     controller.status_fault(StatusFault::None);

@@ -221,11 +221,11 @@ fn matching_answers_equal_requests_in_any_order_and_no_others() {
     assert_eq!(controller.deviations(), []);
     for refused in [client.rapid_rate(0.3), client.rapid_rate(0.25), client.get_joint_pos().map(drop)] {
         let error = refused.expect_err("the recording has none, or none any more");
-        assert!(error.to_string().contains("the recording has no reply left to this request"), "{error}");
+        assert!(error.to_string().contains("the recording has no unused reply to this request"), "{error}");
     }
     client.rapid_rate(0.5).expect("it was recorded");
     let deviations: Vec<_> = controller.deviations().iter().map(ToString::to_string).collect();
-    assert_eq!(deviations[0], r#"the recording has no reply left to `{"cmdName":"rapid_rate","rate_value":0.3}`"#);
+    assert_eq!(deviations[0], r#"the recording has no unused reply to `{"cmdName":"rapid_rate","rate_value":0.3}`"#);
     assert_eq!(deviations.len(), 3);
 }
 

@@ -31,8 +31,8 @@ pub(crate) use self::reply::json as reply_json;
 
 /// Send one command of the protocol, and print the reply.
 ///
-/// `jaka call --list` lists the commands, `jaka call COMMAND --help` says what one does and what it takes, and
-/// `jaka call --help` explains the options that all have.
+/// `jaka call --list` lists the commands, `jaka call COMMAND --help` describes one and its fields, and
+/// `jaka call --help` explains the common options.
 #[derive(Debug, Args)]
 #[command(disable_help_flag = true, override_usage = parser::USAGE)]
 pub(crate) struct Call {
@@ -66,8 +66,8 @@ fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {
     spec.command_called(name).ok_or_else(|| {
         let near = spec.command_like(name).map(|near| format!("; did you mean `{}`?", near.wire)).unwrap_or_default();
         Failure::Usage(format!(
-            "there is no command `{name}`{near}\n`jaka call --list` lists those that there are; --pack adds to them, and \
-             --raw sends what is none of them"
+            "there is no command `{name}`{near}\n`jaka call --list` lists the commands; --pack adds commands, and --raw \
+             sends a command that is not in the spec"
         ))
     })
 }

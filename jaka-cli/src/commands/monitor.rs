@@ -24,7 +24,7 @@ const RECONNECT: Reconnect =
 
 /// Show the robot's state live in the terminal.
 ///
-/// Only reads, from the status port, so that it disturbs no other program. A lost connection is made anew.
+/// Only reads, from the status port, so that it disturbs no other program. Reconnects when the connection is lost.
 #[derive(Debug, Args)]
 pub(crate) struct Monitor {
     #[command(flatten)]

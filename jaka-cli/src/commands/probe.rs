@@ -22,13 +22,13 @@ use crate::output;
 use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
 
-/// Ask a controller every question of the protocol, and report where its answers depart from the spec.
+/// Send a controller every query of the protocol, and report where its answers depart from the spec.
 ///
-/// Only reads: it sends the queries that need no argument, and takes a status packet. The command port serves one client, so
-/// another program that is connected there may be cut off. The report is made to be pasted into a bug report.
+/// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one client, so
+/// another program that is connected there may be cut off. The report can be pasted into a bug report.
 #[derive(Debug, Args)]
 pub(crate) struct Probe {
-    /// Take so many status packets
+    /// Read so many status packets
     #[arg(long, value_name = "N", default_value = "1")]
     packets: NonZeroU32,
     /// Print the report as JSON
@@ -36,8 +36,8 @@ pub(crate) struct Probe {
     json: bool,
     /// Write a draft of a command pack with the keys that the spec does not know
     ///
-    /// Each is optional and has the type that its value looks like; its meaning is left to do. What cannot be read at all
-    /// stands there as a suggestion, commented out. A file that exists is not overwritten.
+    /// Each is optional, with a type guessed from its value, and without documentation. Fields that cannot be read are added
+    /// as suggestions, commented out. An existing file is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
     #[command(flatten)]
@@ -67,15 +67,14 @@ impl Probe {
 
 fn write_draft(path: &Path, spec: &Spec, findings: &Findings) -> Result<(), Failure> {
     let Some(draft) = draft::text(spec, findings) else {
-        output::tell("no draft is written: no message has a key that the spec does not know");
+        output::tell("no draft is written: no message has a key that is not in the spec");
         return Ok(());
     };
     let failed = |error| Failure::local(format!("cannot write {}", path.display()), error);
     let mut file = File::create_new(path).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => Failure::Usage(format!(
-            "{} exists already, and packs are not overwritten: somebody may have finished it",
-            path.display()
-        )),
+        ErrorKind::AlreadyExists => {
+            Failure::Usage(format!("{} exists already, and packs are not overwritten", path.display()))
+        }
         _ => failed(error),
     })?;
     file.write_all(draft.as_bytes()).map_err(failed)

@@ -19,8 +19,8 @@ use crate::{listen, output, record};
 
 /// Record a session to a new file, until it is interrupted.
 ///
-/// Either what any program and the robot say to each other, by standing between them (--listen): the program connects to
-/// this one as if it were the robot. Or the robot's status packets alone (--status-only), which disturbs no other program.
+/// Records either what any program and the robot send each other, as a proxy between them (--listen): the program connects
+/// to this one instead of the robot. Or the robot's status packets only (--status-only), which disturbs no other program.
 ///
 /// `jaka replay` shows the file, and answers from it in place of the robot.
 #[derive(Debug, Args)]
@@ -28,27 +28,27 @@ use crate::{listen, output, record};
 pub(crate) struct Record {
     /// The file, which must not exist
     file: PathBuf,
-    /// Stand between programs and the robot, and listen for them at this address, such as 127.0.0.1
+    /// Act as a proxy between programs and the robot, and listen at this address, such as 127.0.0.1
     ///
     /// Bytes are passed on unchanged and at once, in both directions. Anyone who can reach the address can move the robot.
     #[arg(long, value_name = "ADDRESS")]
     listen: Option<IpAddr>,
-    /// Port at which programs find the robot's command port, 0 for a free one
+    /// Port of the proxy for commands, 0 for a free one
     #[arg(long, value_name = "PORT", default_value_t = jaka_sync::COMMAND_PORT, requires = "listen")]
     listen_commands: u16,
-    /// Port at which programs find the robot's status port, 0 for a free one
+    /// Port of the proxy for status packets, 0 for a free one
     #[arg(long, value_name = "PORT", default_value_t = jaka_sync::STATUS_PORT, requires = "listen")]
     listen_status: u16,
     /// Record the robot's status packets
     #[arg(long)]
     status_only: bool,
-    /// Record no more than one status packet in so many seconds, of each connection; all pass
+    /// Record at most one status packet per connection in so many seconds; all are passed on
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     status_every: Option<Duration>,
     /// End after so many status packets, recorded or not
     #[arg(long, short = 'n', value_name = "N", requires = "status_only")]
     count: Option<u64>,
-    /// End after so long
+    /// End after so many seconds
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     seconds: Option<Duration>,
     #[command(flatten)]
@@ -134,7 +134,7 @@ impl Record {
             (_, 0) => format!("{file}: {entries} entries"),
             (_, missing) => {
                 format!(
-                    "{file}: {entries} entries; {missing} are missing, since they came faster than they can be recorded"
+                    "{file}: {entries} entries; {missing} are missing, because they arrived faster than they could be recorded"
                 )
             }
         })

@@ -26,7 +26,7 @@ const TICK: Duration = Duration::from_millis(100);
 
 /// Serve a recording in place of a robot until it is interrupted, or show it.
 ///
-/// Says what clients do otherwise than the recorded ones, and then ends with exit code 7.
+/// Prints where clients deviate from the recording, and then ends with exit code 7.
 #[derive(Debug, Args)]
 pub(crate) struct Replay {
     /// The recording
@@ -49,20 +49,20 @@ pub(crate) struct Replay {
 /// Which requests get which replies.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum ModeName {
-    /// The session is played message by message; another request than the recorded one ends the connection
+    /// Message by message; a request that differs from the recorded one ends the connection
     #[default]
     Strict,
-    /// Each request gets the reply to an equal one of the recording, in any order
+    /// Each request gets the recorded reply to an equal request, in any order
     Matching,
 }
 
 /// When replies and status packets are sent.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum TimingName {
-    /// As long after the request as then
+    /// As long after the request as in the recording
     #[default]
     Recorded,
-    /// Replies at once, and status packets at the usual pace
+    /// Replies at once, and status packets at the usual period
     Immediate,
 }
 
@@ -97,7 +97,7 @@ fn read(path: &Path) -> Result<Recording, Failure> {
     let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
     let recording = Recording::read(&file).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
     if let Some(error) = &recording.truncated {
-        output::tell(&format!("warning: {}: the file ends within a line: {error}", path.display()));
+        output::tell(&format!("warning: {}: the file ends in the middle of a line: {error}", path.display()));
     }
     Ok(recording)
 }

@@ -46,7 +46,7 @@ pub(crate) struct Sim {
     /// Switch power and enable at once, instead of after some seconds
     #[arg(long)]
     fast: bool,
-    /// Print each message that comes and goes
+    /// Print each message received and sent
     #[arg(long)]
     log: bool,
 }
@@ -72,7 +72,7 @@ impl Sim {
         builder = packs.iter().fold(builder, Builder::pack);
         builder = builder.firmware(self.firmware);
         if let Some(name) = &self.model {
-            let model = model(name).map_err(|text| Failure::Usage(format!("no model `{name}`; {text}")))?;
+            let model = model(name).map_err(|text| Failure::Usage(format!("there is no model `{name}`; {text}")))?;
             builder = builder.model(model.clone());
         }
         if let Some(ms) = self.period {
@@ -93,7 +93,7 @@ fn firmware(name: &str) -> Result<Firmware, String> {
     let found = Firmware::ALL.iter().find(|firmware| firmware.name() == name).copied();
     found.ok_or_else(|| {
         let names: Vec<_> = Firmware::ALL.iter().map(|firmware| firmware.name()).collect();
-        format!("there are {}", names.join(", "))
+        format!("the shapes are {}", names.join(", "))
     })
 }
 

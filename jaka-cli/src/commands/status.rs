@@ -26,12 +26,12 @@ const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_st
                      interpreter_state,rapid_rate,error_code,error_message,joint_actual_position,actual_position,\
                      tcp_speed,current_tool_id,current_user_frame_id";
 
-/// Print the robot's state, once or again and again.
+/// Print the robot's state, once or repeatedly.
 ///
 /// Only reads, from the status port, so that it disturbs no other program.
 #[derive(Debug, Args)]
 pub(crate) struct Status {
-    /// Print again each second, or each so many seconds; 0 for every packet
+    /// Print again every second, or every so many seconds; 0 for every packet
     #[arg(long, short, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "1", value_parser = seconds)]
     watch: Option<Duration>,
     /// End after so many packets; without --watch one a second
@@ -45,7 +45,7 @@ pub(crate) struct Status {
     /// How to print it
     #[arg(long, value_enum, default_value_t, conflicts_with = "raw")]
     format: Format,
-    /// Print each packet's own text, in a line, with JSON's escapes for what cannot be seen
+    /// Print each packet's own text on one line, with JSON escapes for invisible characters
     #[arg(long)]
     raw: bool,
     #[command(flatten)]
@@ -58,9 +58,9 @@ enum Format {
     /// For people
     #[default]
     Table,
-    /// A JSON object a line, with the Unix time at which the packet was read, in seconds
+    /// One JSON object per line, with the Unix time at which the packet was read, in seconds
     Json,
-    /// A header, then a line a packet; arrays take a column for each element
+    /// A header, then one line per packet; arrays take one column per element
     Csv,
 }
 

@@ -143,8 +143,8 @@ fn draw_help(frame: &mut Frame<'_>) {
         [
             "",
             " Nothing is ever sent to the robot. Values that a",
-            " packet does not have are –. Whether servo mode is",
-            " on, status packets do not say.",
+            " packet does not have are shown as –. Status packets",
+            " do not say whether servo mode is on.",
         ]
         .map(Line::from),
     );

@@ -65,7 +65,7 @@ impl Feed {
     fn take(&mut self, packet: &Snapshot, view: &mut View) {
         let time = SystemTime::now().checked_sub(packet.age()).unwrap_or_else(SystemTime::now);
         let reconnects = self.monitor.statistics().reconnects;
-        let again = if reconnects > self.reconnects { "connected anew" } else { "status packets come again" };
+        let again = if reconnects > self.reconnects { "reconnected" } else { "status packets resumed" };
         if self.silent || reconnects > self.reconnects {
             let gap = self.newest.as_ref().map(|last| packet.received.saturating_duration_since(last.received));
             let after = gap.map_or_else(String::new, |gap| format!(" after {}", duration(gap)));
@@ -164,7 +164,7 @@ mod tests {
         update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("no status packets"));
         assert!(!view.is_fresh());
         controller.publish();
-        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("status packets come again after"));
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("status packets resumed after"));
         assert!(view.status.is_some());
     }
 
@@ -172,7 +172,7 @@ mod tests {
     fn a_connection_that_was_made_anew_is_told() {
         let (controller, mut feed, mut view) = started();
         controller.disconnect();
-        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("connected anew after"));
+        update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("reconnected after"));
         assert_eq!(view.link.reconnects, 1);
     }
 

@@ -17,9 +17,9 @@ pub(crate) enum Flow {
 /// The keys, for the help.
 pub(super) const KEYS: [(&str, &str); 6] = [
     ("q, Esc, Ctrl-C", "quit"),
-    ("p", "pause, or go on"),
-    ("Tab, → and Shift-Tab, ←", "next page, last page"),
-    ("1 to 4", "a page"),
+    ("p", "pause or continue"),
+    ("Tab, → and Shift-Tab, ←", "next page, previous page"),
+    ("1 to 4", "go to a page"),
     ("↑ ↓ PgUp PgDn Home", "scroll"),
     ("?", "this help"),
 ];

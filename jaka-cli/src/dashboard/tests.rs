@@ -402,7 +402,7 @@ fn newer_firmware_has_fieldbuses() {
             |   64       ········ ········ ········ ········ ········ ········ ········ ········
             |  128       ········ ········ ········ ········ ········ ········ ········ ········
             |  192       ········
-            | analog in  128 values, but for these all 0
+            | analog in  128 values, all others 0
             |            [5] 2.500
             | analog out 128 values, all 0
             | relays     ·· 0/2 on
@@ -451,15 +451,15 @@ fn the_help_lies_over_the_page() {
             | Program         idle      Task mode       manual    Rapid rate      100 %
             | Event       ┌─────────────────────── Keys ───────────────────────┐
             |─ Joints ────│ q, Esc, Ctrl-C           quit                      │0 user 0 ────
-            |   position °│ p                        pause, or go on           │32.041 mm
-            | 1   -170.250│ Tab, → and Shift-Tab, ←  next page, last page      │41.433 mm
-            | 2     90.000│ 1 to 4                   a page                    │11.670 mm
+            |   position °│ p                        pause or continue         │32.041 mm
+            | 1   -170.250│ Tab, → and Shift-Tab, ←  next page, previous page  │41.433 mm
+            | 2     90.000│ 1 to 4                   go to a page              │11.670 mm
             | 3     45.500│ ↑ ↓ PgUp PgDn Home       scroll                    │35.609 °
             | 4     90.000│ ?                        this help                 │-3.502 °
             | 5    -90.000│                                                    │76.679 °
             | 6    355.000│ Nothing is ever sent to the robot. Values that a   │ 0.000 mm/s
-            |─ Digital I/O│ packet does not have are –. Whether servo mode is  │─────────────
-            | in         ·│ on, status packets do not say.                     │ 2/144 on
+            |─ Digital I/O│ packet does not have are shown as –. Status packets│─────────────
+            | in         ·│ do not say whether servo mode is on.               │ 2/144 on
             | out        ·└────────────────────────────────────────────────────┘ 0/144 on
             | tool in    ●·······   out ········
             |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────

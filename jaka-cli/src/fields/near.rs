@@ -14,7 +14,7 @@ pub(super) fn hint<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> St
         return "`jaka status --fields all` shows them all".to_owned();
     }
     let near: Vec<_> = near.iter().take(MOST).map(|(_, name)| format!("`{name}`")).collect();
-    format!("near it: {}", near.join(", "))
+    format!("similar names: {}", near.join(", "))
 }
 
 /// The number of letters that differ, if that is few; names that contain the wanted one come behind those.

@@ -10,8 +10,8 @@ pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
     for segment in path.trim().split('.') {
         let (name, indices) = segment.split_at(segment.find('[').unwrap_or(segment.len()));
         found = named(&found, name)?;
-        for index in
-            parse_indices(indices).ok_or_else(|| format!("`{segment}` is no name with indices like `name[0]`"))?
+        for index in parse_indices(indices)
+            .ok_or_else(|| format!("`{segment}` is not a name, or a name with an index such as `name[0]`"))?
         {
             found = at(&found, index)?;
         }
@@ -23,10 +23,7 @@ pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
 fn named(parent: &Field, name: &str) -> Result<Field, String> {
     let members = parent.members();
     if members.is_empty() {
-        return Err(format!(
-            "the status field `{}` has no parts with names, so there is no `{name}` in it",
-            parent.name
-        ));
+        return Err(format!("the status field `{}` has no named parts, so it has no `{name}`", parent.name));
     }
     let found = members.iter().find(|member| own_name(parent, member) == name);
     let found = found.or_else(|| members.iter().find(|member| wire_key(member) == Some(name)));
@@ -55,7 +52,7 @@ fn at(list: &Field, index: usize) -> Result<Field, String> {
             Err(format!("the status field `{}` has {count} elements, 0 to {}", list.name, count - 1))
         }
         Type::Array(..) | Type::List(_) => Ok(list.element(index)),
-        _ => Err(format!("the status field `{}` is no list", list.name)),
+        _ => Err(format!("the status field `{}` is not a list", list.name)),
     }
 }
 
@@ -91,24 +88,24 @@ mod tests {
         check(
             "joint_actul_position",
             &expect![
-                "there is no status field `joint_actul_position`; near it: `joint_actual_position`, `joint_position`"
+                "there is no status field `joint_actul_position`; similar names: `joint_actual_position`, `joint_position`"
             ],
         );
         check(
             "digital",
             &expect![
-                "there is no status field `digital`; near it: `digital_inputs`, `digital_outputs`, `tool_digital_inputs`"
+                "there is no status field `digital`; similar names: `digital_inputs`, `digital_outputs`, `tool_digital_inputs`"
             ],
         );
         check("zzzzzz", &expect!["there is no status field `zzzzzz`; `jaka status --fields all` shows them all"]);
         check(
             "actual_position.w",
-            &expect!["there is no status field `w` in `actual_position`; near it: `x`, `y`, `z`"],
+            &expect!["there is no status field `w` in `actual_position`; similar names: `x`, `y`, `z`"],
         );
         check("joint_actual_position[6]", &expect!["the status field `joint_actual_position` has 6 elements, 0 to 5"]);
-        check("enabled[0]", &expect!["the status field `enabled` is no list"]);
-        check("enabled.x", &expect!["the status field `enabled` has no parts with names, so there is no `x` in it"]);
-        check("din[x]", &expect!["`din[x]` is no name with indices like `name[0]`"]);
+        check("enabled[0]", &expect!["the status field `enabled` is not a list"]);
+        check("enabled.x", &expect!["the status field `enabled` has no named parts, so it has no `x`"]);
+        check("din[x]", &expect!["`din[x]` is not a name, or a name with an index such as `name[0]`"]);
         check("", &expect!["there is no status field ``; `jaka status --fields all` shows them all"]);
     }
 }

@@ -131,7 +131,7 @@ mod tests {
         );
         check(
             "[robots.a]\naddress = 'x'\ntimeout = -1\n",
-            &expect!["config.toml:3: -1 is no number of seconds from 0 on"],
+            &expect!["config.toml:3: -1 is not a valid number of seconds"],
         );
         check("[robots.a]\naddress = 'x'\n\n[robots.a]\n", &expect!["config.toml:4: duplicate key"]);
         check("robot = ", &expect!["config.toml:1: string values must be quoted, expected literal string"]);

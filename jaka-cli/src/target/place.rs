@@ -13,7 +13,7 @@ use super::{CONNECT_TIMEOUT, PlaceArgs};
 use crate::failure::Failure;
 
 /// What to say where nothing tells the robot's address.
-const NO_ROBOT: &str = "no robot is given; name its address by `--robot ADDRESS`, by the environment's JAKA_ROBOT, or by \
+const NO_ROBOT: &str = "no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with \
                         `robot = \"NAME\"` in the config file; or try a simulated one with `--sim`";
 
 /// A robot's address and how to connect to it.
@@ -35,7 +35,7 @@ impl Place {
         let named = match (&args.robot, &environment.robot, &file.robot) {
             (Some(robot), ..) | (None, None, Some(robot)) => robot.clone(),
             (None, Some(robot), _) => {
-                let robot = robot.to_str().ok_or_else(|| Failure::Usage("JAKA_ROBOT is no UTF-8".to_owned()))?;
+                let robot = robot.to_str().ok_or_else(|| Failure::Usage("JAKA_ROBOT is not valid UTF-8".to_owned()))?;
                 robot.to_owned()
             }
             (None, None, None) => return Err(Failure::Usage(NO_ROBOT.to_owned())),
@@ -112,7 +112,7 @@ fn host(address: &str) -> Result<String, Failure> {
     }
     if address.is_empty() || address.contains(|c: char| c.is_whitespace() || c == '/') {
         return Err(Failure::Usage(format!(
-            "`{address}` is no address, and the config file has no robot of that name"
+            "`{address}` is not an address, and the config file has no robot of that name"
         )));
     }
     if address.contains(':') {

@@ -159,7 +159,7 @@ fn refusals_have_code_message_and_meaning() {
     controller.inject(Fault::Instead(reply.to_vec()));
     expect![[r"
         jaka: the controller refused `get_version` with code 77: hot
-        The spec does not know the code.
+        The code is not in the spec.
         exit code 1
     "]]
     .assert_eq(&call(&controller, "get_version").text());

@@ -12,19 +12,19 @@ fn check(line: &str, expected: &Expect) {
 fn unknown_commands_suggest_the_nearest() {
     check(
         "joint_mov --speed 1",
-        &expect![[r"
-        jaka: there is no command `joint_mov`; did you mean `joint_move`?
-        `jaka call --list` lists those that there are; --pack adds to them, and --raw sends what is none of them
-        exit code 2
-    "]],
+        &expect![[r#"
+            jaka: there is no command `joint_mov`; did you mean `joint_move`?
+            `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
+            exit code 2
+        "#]],
     );
     check(
         "zzzzzzzz",
-        &expect![[r"
-        jaka: there is no command `zzzzzzzz`
-        `jaka call --list` lists those that there are; --pack adds to them, and --raw sends what is none of them
-        exit code 2
-    "]],
+        &expect![[r#"
+            jaka: there is no command `zzzzzzzz`
+            `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
+            exit code 2
+        "#]],
     );
 }
 
@@ -166,11 +166,11 @@ fn whole_requests_are_checked_too() {
     );
     check(
         r#"--params {"cmdName":"power_of"} --dry-run"#,
-        &expect![[r"
-        jaka: there is no command `power_of`; did you mean `power_off`?
-        `jaka call --list` lists those that there are; --pack adds to them, and --raw sends what is none of them
-        exit code 2
-    "]],
+        &expect![[r#"
+            jaka: there is no command `power_of`; did you mean `power_off`?
+            `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
+            exit code 2
+        "#]],
     );
     check(
         "--params {} --dry-run",
@@ -182,7 +182,7 @@ fn whole_requests_are_checked_too() {
     check(
         "power_on --params [1] --dry-run",
         &expect![[r"
-        jaka: the request of --params is no JSON object: invalid type: sequence, expected a map at line 1 column 0
+        jaka: the request of --params is not a JSON object: invalid type: sequence, expected a map at line 1 column 0
         exit code 2
     "]],
     );

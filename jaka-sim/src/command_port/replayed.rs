@@ -119,7 +119,7 @@ pub(super) fn answer(
 
 fn refusal(command: Option<&str>) -> String {
     let mut out = Writer::new();
-    write_refusal(command, ErrorCode::EXCEPTION, "the recording has no reply left to this request", &mut out);
+    write_refusal(command, ErrorCode::EXCEPTION, "the recording has no unused reply to this request", &mut out);
     out.into_string()
 }
 

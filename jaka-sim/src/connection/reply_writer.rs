@@ -78,7 +78,7 @@ impl<'l> ReplyWriter<'l> {
             None => self.send_now(delivery, sequel),
         };
         if self.pending.is_full() {
-            log::trace!(target: "jaka_sim", "too many replies wait");
+            log::trace!(target: "jaka_sim", "too many replies are pending");
             return NextStep::Close;
         }
         next

@@ -37,7 +37,7 @@ fault_kinds! {
     /// [`FaultPlan::link`]: crate::FaultPlan::link
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     #[non_exhaustive]
-    pub enum LinkFault("a fault of a link", |_| "a link has no such fault");
+    pub enum LinkFault("a fault of a link", |_| "unknown fault of a link");
 
     /// Whether bytes pass, if the first of them has waited for `age`.
     pub(crate) fn passage(&self, age: Duration) -> Passage;

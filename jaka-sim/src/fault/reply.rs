@@ -157,7 +157,7 @@ fault_kinds! {
 fn unknown(word: &str) -> &'static str {
     match word {
         "for" | "random" | "always" | "status" | "link" => "this can only begin a line",
-        _ => "there is no such fault",
+        _ => "unknown fault",
     }
 }
 

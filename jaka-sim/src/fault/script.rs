@@ -13,7 +13,7 @@ use super::{Fault, FaultPlan, LinkEvent, StatusFault};
 /// ```
 /// # use jaka_sim::FaultPlan;
 /// let error = "drop\ndely 200ms".parse::<FaultPlan>().unwrap_err();
-/// assert_eq!(error.to_string(), "line 2: `dely`: there is no such fault");
+/// assert_eq!(error.to_string(), "line 2: `dely`: unknown fault");
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ScriptError {
@@ -88,7 +88,7 @@ impl FaultPlan {
         let seed = args.number("a seed")?;
         match self.seed {
             Some(other) if other != seed => {
-                Err(args.unfit(format!("the seed has been {other}, and there is only one")))
+                Err(args.unfit(format!("the seed is already {other}, and a plan has only one")))
             }
             Some(_) => Ok(()),
             None => {

@@ -43,7 +43,7 @@ fault_kinds! {
     /// [`FaultPlan::status`]: crate::FaultPlan::status
     #[derive(Debug, Clone, PartialEq, Eq, Default)]
     #[non_exhaustive]
-    pub enum StatusFault("a fault of the status port", |_| "the status port has no such fault");
+    pub enum StatusFault("a fault of the status port", |_| "unknown fault of the status port");
 
     /// What is written for a packet with this fault.
     pub(crate) fn writes(&self, packet: &[u8], sent: &Sent) -> PacketWrites;

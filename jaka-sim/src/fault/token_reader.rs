@@ -38,7 +38,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         read: impl FnOnce(&mut Self) -> Result<T, ScriptError>,
     ) -> Result<T, ScriptError> {
         let item = read(self)?;
-        self.rest.first().map_or(Ok(item), |token| Err(token.error("nothing can follow here")))
+        self.rest.first().map_or(Ok(item), |token| Err(token.error("expected the end of the line")))
     }
 
     /// A link, its fault, and when it is so, as `status to-client hold after 10s for 5s`.
@@ -60,7 +60,7 @@ impl<'w, 's> TokenReader<'w, 's> {
     fn one_of<T: ToString>(&mut self, items: [T; 2], what: &str) -> Result<Option<T>, ScriptError> {
         let word = self.word(what)?;
         let found = items.into_iter().find(|item| item.to_string() == word.text);
-        if found.is_some() || word.text == BOTH { Ok(found) } else { Err(word.error(format!("here must be {what}"))) }
+        if found.is_some() || word.text == BOTH { Ok(found) } else { Err(word.error(format!("expected {what}"))) }
     }
 
     fn is_next(&self, text: &str) -> bool {
@@ -80,19 +80,19 @@ impl<'w, 's> TokenReader<'w, 's> {
     /// Reads a comma or a colon.
     pub(super) fn mark(&mut self, mark: &str) -> Result<(), ScriptError> {
         let wanted = format!("`{mark}`");
-        if self.word(&wanted)?.text == mark { Ok(()) } else { Err(self.unfit(format!("here must be {wanted}"))) }
+        if self.word(&wanted)?.text == mark { Ok(()) } else { Err(self.unfit(format!("expected {wanted}"))) }
     }
 
     pub(super) fn number<T: FromStr>(&mut self, what: &str) -> Result<T, ScriptError> {
         let word = self.word(what)?;
-        word.text.parse().map_err(|_| word.error(format!("here must be {what}")))
+        word.text.parse().map_err(|_| word.error(format!("expected {what}")))
     }
 
     /// One in how many, as `1/20`.
     pub(super) fn odds(&mut self) -> Result<u64, ScriptError> {
         let word = self.word("odds such as 1/20")?;
         let times = word.text.strip_prefix("1/").and_then(|times| times.parse().ok());
-        times.ok_or_else(|| word.error("here must be odds such as 1/20"))
+        times.ok_or_else(|| word.error("expected odds such as 1/20"))
     }
 
     pub(super) fn name(&mut self) -> Result<String, ScriptError> {
@@ -111,7 +111,7 @@ impl<'w, 's> TokenReader<'w, 's> {
 
     pub(super) fn bytes(&mut self) -> Result<Vec<u8>, ScriptError> {
         let word = self.word("bytes in quotes")?;
-        word.quoted.clone().ok_or_else(|| word.error("here must be bytes in quotes"))
+        word.quoted.clone().ok_or_else(|| word.error("expected bytes in quotes"))
     }
 
     pub(super) fn count(&mut self) -> Result<usize, ScriptError> {
@@ -137,7 +137,7 @@ impl<'w, 's> TokenReader<'w, 's> {
     pub(super) fn time(&mut self) -> Result<Duration, ScriptError> {
         const WANTED: &str = "a time such as 200ms or 1.5s";
         let word = self.word(WANTED)?;
-        read_time(word.text).ok_or_else(|| word.error(format!("here must be {WANTED}")))
+        read_time(word.text).ok_or_else(|| word.error(format!("expected {WANTED}")))
     }
 
     fn at_item_end(&self) -> bool {
@@ -145,7 +145,7 @@ impl<'w, 's> TokenReader<'w, 's> {
     }
 
     pub(super) fn word(&mut self, what: &str) -> Result<&'w Token<'s>, ScriptError> {
-        self.advance().ok_or_else(|| self.unfit(format!("{what} must follow")))
+        self.advance().ok_or_else(|| self.unfit(format!("expected {what} next")))
     }
 
     fn advance(&mut self) -> Option<&'w Token<'s>> {

@@ -49,7 +49,7 @@ fn next_word(line: usize, rest: &str) -> Result<Option<Token<'_>>, ScriptError> 
         Some(b'"') => {
             let unfit = |reason| ScriptError::new(line, rest, reason);
             let len = quoted_len(rest).ok_or_else(|| unfit("the quote is not closed"))?;
-            let bytes = unescape(&rest[1..len - 1]).ok_or_else(|| unfit("an escape is none of Rust's for bytes"))?;
+            let bytes = unescape(&rest[1..len - 1]).ok_or_else(|| unfit("an escape is not one of Rust's for bytes"))?;
             (len, Some(bytes))
         }
         Some(_) => (rest.find(|c: char| c.is_whitespace() || MARKS.contains(&c)).unwrap_or(rest.len()), None),

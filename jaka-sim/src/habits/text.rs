@@ -16,7 +16,7 @@ pub struct HabitError {
 
 impl fmt::Display for HabitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is not a habit; there are ", self.text)?;
+        write!(f, "`{}` is not a habit; the habits are ", self.text)?;
         for habit in Habit::one_of_each() {
             write!(f, "`{habit}`, ")?;
         }
@@ -129,7 +129,7 @@ mod tests {
         let error = "blend, pauses".parse::<Habits>().expect_err("there is no such habit").to_string();
         assert_eq!(
             error,
-            "`pauses` is not a habit; there are `pause 100ms`, `lead 16ms`, `late-queries`, `blend`, `servo-at-rest`, \
+            "`pauses` is not a habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `blend`, `servo-at-rest`, \
              `events`, and `all`"
         );
     }

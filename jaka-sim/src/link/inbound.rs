@@ -95,7 +95,7 @@ impl<'w> Inbound<'w> {
                 ReceiveStep::Read(time) => {
                     drop(state);
                     let received = self.read(space, shorter(time, left())).unwrap_or_else(|error| {
-                        log::trace!(target: "jaka_sim", "client lost behind its link: {error}");
+                        log::trace!(target: "jaka_sim", "client lost on its link: {error}");
                         Received::End
                     });
                     self.keep(received, space);

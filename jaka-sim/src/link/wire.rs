@@ -83,7 +83,7 @@ impl Wire {
             _ => {}
         }
         if !queue.push(bytes) {
-            return Err(io::Error::new(ErrorKind::StorageFull, "too much waits on a link that is held up"));
+            return Err(io::Error::new(ErrorKind::StorageFull, "too many bytes are pending on a link"));
         }
         drop(state);
         self.have_sender(queue)?;
@@ -113,7 +113,7 @@ impl Wire {
                 SendStep::Send(bytes) => {
                     drop(state);
                     if let Err(error) = (&self.stream).write_all(&bytes) {
-                        log::trace!(target: "jaka_sim", "client lost behind its link: {error}");
+                        log::trace!(target: "jaka_sim", "client lost on its link: {error}");
                         lock(&self.queue).lose();
                     }
                     state = self.links.state();

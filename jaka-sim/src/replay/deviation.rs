@@ -47,13 +47,19 @@ pub enum Deviation {
 impl fmt::Display for Deviation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OtherRequest { expected, received } => write!(f, "recorded was `{expected}`, but `{received}` came"),
-            Self::FurtherRequest { received } => write!(f, "`{received}` came, but nothing more was recorded"),
-            Self::MissingRequest { expected } => write!(f, "recorded was `{expected}`, but the client has left"),
-            Self::NoReplyLeft { received } => write!(f, "the recording has no reply left to `{received}`"),
-            Self::Gap { count } => write!(f, "{count} entries are missing in the recording at this place"),
+            Self::OtherRequest { expected, received } => {
+                write!(f, "expected the recorded request `{expected}`, but received `{received}`")
+            }
+            Self::FurtherRequest { received } => {
+                write!(f, "received `{received}`, but no further request was recorded")
+            }
+            Self::MissingRequest { expected } => {
+                write!(f, "expected the recorded request `{expected}`, but the client disconnected")
+            }
+            Self::NoReplyLeft { received } => write!(f, "the recording has no unused reply to `{received}`"),
+            Self::Gap { count } => write!(f, "{count} entries are missing in the recording at this point"),
             Self::Connection { port, recorded } => {
-                write!(f, "a connection to the {} port beyond the {recorded} of the recording", port.word())
+                write!(f, "a connection to the {} port, of which the recording has {recorded}", port.word())
             }
         }
     }

@@ -140,7 +140,7 @@ fn admittance(spec_index: &SpecIndex) -> io::Result<AdmittanceControl> {
     };
     Ok(AdmittanceControl {
         enabled: false,
-        axes: axes.try_into().map_err(|_| io::Error::other("the spec's admittance control has not six axes"))?,
+        axes: axes.try_into().map_err(|_| io::Error::other("the spec's admittance control does not have six axes"))?,
         compliance_type: kind.compliance_type,
         sensor_compensation: kind.sensor_compensation,
         condition: [0.0; 6],

@@ -80,7 +80,7 @@ impl Session {
         }
         let statistics = self.robot.monitor().statistics();
         tally.add("packets", statistics.packets);
-        tally.add("monitors connected anew", statistics.reconnects);
+        tally.add("monitors reconnected", statistics.reconnects);
         // The connections are closed before the recording ends.
         drop(self.robot);
         if let Some((recorder, tape)) = self.recording {

@@ -23,13 +23,13 @@ pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> R
     }
     if options.raw {
         return Err(Failure::Usage(format!(
-            "`{}` was not sent: what it does is not known when it is sent unchecked; say --yes if you know",
+            "`{}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it",
             request.name
         )));
     }
     if !stdin().is_terminal() {
         return Err(Failure::Usage(format!(
-            "`{}` was not sent: it {}, and nobody can be asked here; say --yes to send it all the same",
+            "`{}` was not sent: it {}, and there is no terminal to ask on; use --yes to send it anyway",
             request.name,
             effect(request)
         )));

@@ -15,7 +15,7 @@ pub(super) fn text(spec: &Spec, topic: &str) -> Result<String, Failure> {
     let wanted: Vec<_> = all.iter().filter(|known| topic.is_empty() || known.name == topic).collect();
     if wanted.is_empty() {
         let names: Vec<_> = all.iter().map(|known| known.name.as_str()).collect();
-        return Err(Failure::Usage(format!("there is no topic `{topic}`; there are {}", names.join(", "))));
+        return Err(Failure::Usage(format!("there is no topic `{topic}`; the topics are {}", names.join(", "))));
     }
     let sections: Vec<_> = wanted.iter().map(|topic| section(topic)).collect();
     Ok(sections.join("\n"))

@@ -15,16 +15,16 @@ pub(super) struct Options {
     pub(super) list: Option<String>,
     /// The whole request in place of fields: JSON, or @FILE, or - for standard input
     ///
-    /// It is checked like fields. `cmdName` may be left out where the command is named before.
+    /// It is checked like fields. `cmdName` may be left out if the command is named before.
     #[arg(long, value_name = "JSON", allow_hyphen_values = true)]
     pub(super) params: Option<String>,
-    /// Send the request of --params unchecked, also of a command that no spec knows; wants --yes
+    /// Send the request of --params unchecked, also for a command that is not in the spec; needs --yes
     #[arg(long, conflicts_with_all = ["check_firmware", "advisory_ranges"])]
     pub(super) raw: bool,
     /// Send without asking
     ///
-    /// Commands that move the arm, switch power or change a setting are asked about on a terminal, and refused elsewhere
-    /// unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once.
+    /// Commands that move the arm, switch power or change a setting ask for confirmation on a terminal, and are refused
+    /// elsewhere unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once.
     #[arg(long, short)]
     pub(super) yes: bool,
     /// Whether ranges are enforced that newer firmware has widened
@@ -36,7 +36,7 @@ pub(super) struct Options {
     /// Print the bytes that would be sent, and send nothing
     #[arg(long)]
     pub(super) dry_run: bool,
-    /// Print the reply's text as it came
+    /// Print the reply's text as received
     #[arg(long)]
     pub(super) json: bool,
     #[command(flatten)]

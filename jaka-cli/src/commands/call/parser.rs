@@ -36,9 +36,10 @@ pub(super) struct Line {
 /// The parser of a line without fields.
 pub(super) fn bare() -> clap::Command {
     let about = "Send one command of the protocol, and print the reply";
-    with_options(clap::Command::new("jaka call")).about(about).override_usage(USAGE).after_help(
-        "`jaka call --list` lists the commands, `jaka call COMMAND --help` says what one does and what it takes.",
-    )
+    with_options(clap::Command::new("jaka call"))
+        .about(about)
+        .override_usage(USAGE)
+        .after_help("`jaka call --list` lists the commands, `jaka call COMMAND --help` describes one and its fields.")
 }
 
 /// Adds the options that every command has, behind what is there.

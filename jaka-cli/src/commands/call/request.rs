@@ -62,7 +62,7 @@ fn read(params: &str) -> Result<String, Failure> {
 /// The fields of a whole request, without its `cmdName`.
 fn object(text: &str) -> Result<(Option<Value>, Map<String, Value>), Failure> {
     let mut fields: Map<String, Value> = serde_json::from_str(text)
-        .map_err(|error| Failure::Usage(format!("the request of --params is no JSON object: {error}")))?;
+        .map_err(|error| Failure::Usage(format!("the request of --params is not a JSON object: {error}")))?;
     Ok((fields.remove(COMMAND_NAME), fields))
 }
 

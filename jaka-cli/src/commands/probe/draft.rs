@@ -32,8 +32,11 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
 
 fn head(version: &str, packs: &[String]) -> String {
     let title = quoted(&visible(&format!("What {version} sends beyond the spec")));
-    let behind =
-        if packs.is_empty() { String::new() } else { format!("# It stands behind {}.\n", visible(&packs.join(", "))) };
+    let behind = if packs.is_empty() {
+        String::new()
+    } else {
+        format!("# It applies on top of {}.\n", visible(&packs.join(", ")))
+    };
     format!(
         "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\n\
          {behind}title = {title}\n"

@@ -77,7 +77,7 @@ impl Line<'_> {
         } else {
             let again = self.target.client();
             again.map_err(|failure| {
-                format!("the connection broke at `{command}`, and there is no new one: {}", chain(&failure))
+                format!("the connection broke at `{command}`, and reconnecting failed: {}", chain(&failure))
             })
         };
     }

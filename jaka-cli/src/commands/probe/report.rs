@@ -10,7 +10,7 @@ use super::finding::{Finding, Findings, Outcome};
 pub(super) fn text(findings: &Findings) -> String {
     let packs = if findings.packs.is_empty() { "none".to_owned() } else { findings.packs.join(", ") };
     let version = findings.version.as_ref();
-    let version = version.map_or_else(|| "does not tell its version".to_owned(), |version| format!("{version:?}"));
+    let version = version.map_or_else(|| "does not report its version".to_owned(), |version| format!("{version:?}"));
     let mut text = format!("controller  {version}\njaka        {}\npacks       {packs}\n\n", env!("CARGO_PKG_VERSION"));
     let width = findings.all().map(|finding| finding.name.len()).max().unwrap_or_default();
     for finding in findings.all() {

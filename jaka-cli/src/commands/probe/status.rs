@@ -37,7 +37,7 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32) -> Finding {
 }
 
 fn none() -> Outcome {
-    Outcome::NoReply("no packet came".to_owned())
+    Outcome::NoReply("no packet was received".to_owned())
 }
 
 /// The text of the next packet, whether it fits or not.

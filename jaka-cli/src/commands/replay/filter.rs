@@ -12,10 +12,10 @@ use crate::packs;
 /// The options that say which entries are shown.
 #[derive(Debug, Args)]
 pub(super) struct FilterArgs {
-    /// Show the connections to this port alone
+    /// Show only the connections to this port
     #[arg(long, value_enum, requires = "show")]
     port: Option<PortName>,
-    /// Show the requests of this command alone, and their replies
+    /// Show only the requests of this command, and their replies
     #[arg(long, value_name = "NAME", requires = "show", conflicts_with = "port")]
     command: Option<String>,
 }

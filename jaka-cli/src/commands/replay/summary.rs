@@ -115,7 +115,7 @@ impl fmt::Display for Summary {
         }
         match self.dropped {
             0 => Ok(()),
-            dropped => writeln!(f, "{dropped} entries are missing, since the file could not be written as fast"),
+            dropped => writeln!(f, "{dropped} entries are missing, because the file could not be written fast enough"),
         }
     }
 }

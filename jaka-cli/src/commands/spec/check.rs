@@ -12,7 +12,7 @@ use crate::{output, packs};
 
 /// Check packs, or a whole spec, and say what they add and change.
 ///
-/// Prints all errors at file, line and column. Examples are held against the fields of their commands. Each pack is
+/// Prints all errors at file, line and column. Examples are checked against the fields of their commands. Each pack is
 /// checked on top of the spec and the packs before it.
 #[derive(Debug, Args)]
 pub(super) struct Check {

@@ -16,9 +16,9 @@ use crate::{output, packs};
 /// major, minor or patch, as for the version number of a crate.
 #[derive(Debug, Args)]
 pub(super) struct Diff {
-    /// The spec before: `builtin`, a folder or a pack
+    /// The old spec: `builtin`, a folder or a pack
     old: PathBuf,
-    /// The spec behind it: the same
+    /// The new spec: `builtin`, a folder or a pack
     new: PathBuf,
     /// A pack on top of NEW; repeat it for more
     #[arg(long = "pack", value_name = "FILE")]
@@ -26,7 +26,7 @@ pub(super) struct Diff {
     /// Print the changes as JSON
     #[arg(long)]
     json: bool,
-    /// Say the gravest impact by the exit code: 10 for patch, 11 for minor, 12 for major, 0 for no differences
+    /// Report the highest impact by the exit code: 10 for patch, 11 for minor, 12 for major, 0 for no differences
     #[arg(long)]
     exit_code: bool,
 }
