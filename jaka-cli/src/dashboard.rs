@@ -16,5 +16,5 @@ mod view;
 
 pub(crate) use draw::draw;
 pub(crate) use feed::Feed;
-pub(crate) use keys::Flow;
+pub(crate) use keys::AfterKey;
 pub(crate) use view::View;

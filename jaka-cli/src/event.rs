@@ -28,7 +28,7 @@ pub(crate) fn meaning(event: &Reading) -> Option<&'static str> {
 }
 
 /// Severity and meaning, such as `information: the robot is disabled`; nothing where there is no event.
-pub(crate) fn words(event: &Reading) -> Option<String> {
+pub(crate) fn describe(event: &Reading) -> Option<String> {
     let text = match (event, severity(event)?, meaning(event)) {
         (Err(_), ..) => "not an event code".to_owned(),
         (_, Severity::Unknown, _) => "severity unknown".to_owned(),

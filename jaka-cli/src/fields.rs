@@ -1,7 +1,7 @@
 //! The fields of status packets: found by name, as the spec has them, in a packet's JSON.
 
-mod near;
 mod path;
+mod suggestions;
 
 use std::sync::LazyLock;
 
@@ -54,7 +54,7 @@ impl Field {
     /// The field at a path of names, in Rust or on the wire, and indices: `joint_actual_position[0]`.
     ///
     /// # Errors
-    /// There is none; says which are near.
+    /// There is none; says which names are similar.
     pub(crate) fn find(path: &str) -> Result<Self, String> {
         path::find(Self::packet(), path)
     }

@@ -2,7 +2,7 @@
 
 mod frames;
 mod pipe;
-mod scribe;
+mod recording_queue;
 
 use std::io;
 use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
@@ -18,9 +18,9 @@ use socket2::{SockRef, TcpKeepalive};
 use crate::output;
 
 use self::pipe::Pipe;
-use self::scribe::{Connection, Passed};
+use self::recording_queue::{Connection, Passed};
 
-pub(crate) use self::scribe::Scribe;
+pub(crate) use self::recording_queue::RecordingQueue;
 
 /// How long to wait after a connection that could not be taken, for want of descriptors perhaps.
 const REST: Duration = Duration::from_millis(20);
@@ -30,7 +30,7 @@ const IDLE: Duration = Duration::from_secs(5);
 
 /// One port of a proxy, and the robot's port behind it.
 #[derive(Debug)]
-pub(crate) struct Gate {
+pub(crate) struct ProxyPort {
     /// Which of the robot's ports.
     pub(crate) port: Port,
     /// Its address, such as `10.5.5.100:10001`.
@@ -40,12 +40,12 @@ pub(crate) struct Gate {
     /// Where all that passes is recorded.
     pub(crate) recorder: Recorder,
     /// Who does it.
-    pub(crate) scribe: Scribe,
+    pub(crate) queue: RecordingQueue,
     /// Which status packets are.
     pub(crate) sampling: StatusSampling,
 }
 
-impl Gate {
+impl ProxyPort {
     /// Opens it at an address and port, 0 for a free one, for as long as the program runs.
     ///
     /// Each client gets a connection of its own to the robot.
@@ -58,11 +58,11 @@ impl Gate {
 
     fn serve(self: Arc<Self>, listener: &TcpListener) {
         loop {
-            let guest = listener.accept().and_then(|(guest, _)| {
-                let gate = Arc::clone(&self);
-                thread::Builder::new().spawn(move || gate.attend(&guest))
+            let accepted = listener.accept().and_then(|(accepted, _)| {
+                let port_proxy = Arc::clone(&self);
+                thread::Builder::new().spawn(move || port_proxy.attend(&accepted))
             });
-            if let Err(error) = guest {
+            if let Err(error) = accepted {
                 warn(&format!("a client of the {} port is lost: {error}", self.port.word()));
                 thread::sleep(REST);
             }
@@ -72,13 +72,13 @@ impl Gate {
     /// Serves a client to the end of its connection.
     fn attend(&self, client: &TcpStream) {
         let connection = Connection::new(self.recorder.track(self.port, self.sampling), self.port);
-        let record = |event| self.scribe.take(&connection, Passed::Event(event));
+        let record = |event| self.queue.take(&connection, Passed::Event(event));
         let robot = set_options(client).and_then(|()| self.connect());
         match robot {
             Ok(robot) => {
                 let address = robot.peer_addr().map_or_else(|_| self.robot.clone(), |address| address.to_string());
                 record(Event::Connected { address });
-                Pipe { client, robot: &robot, connection: &connection, scribe: &self.scribe }.run();
+                Pipe { client, robot: &robot, connection: &connection, queue: &self.queue }.run();
             }
             Err(error) => {
                 let text = format!("cannot connect to {}: {error}", self.robot);

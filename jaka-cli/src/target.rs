@@ -1,8 +1,8 @@
 //! The robot that a command talks to, or a simulated one.
 
+mod address;
 mod config_file;
 mod environment;
-mod place;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -12,8 +12,8 @@ use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::recording::Port;
 use jaka_sync::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
 
+use self::address::RobotAddress;
 use self::environment::Environment;
-use self::place::Place;
 use crate::failure::Failure;
 use crate::record;
 use crate::seconds::some_seconds;
@@ -26,7 +26,7 @@ const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 #[command(next_help_heading = "Robot")]
 pub(crate) struct RobotArgs {
     #[command(flatten)]
-    place: PlaceArgs,
+    address: AddressArgs,
     /// Record all that is sent and received to a new file
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
@@ -35,7 +35,7 @@ pub(crate) struct RobotArgs {
 /// The options by which a command finds its robot.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Robot")]
-pub(crate) struct PlaceArgs {
+pub(crate) struct AddressArgs {
     /// Its address, or its name in the config file.
     #[arg(
         long,
@@ -83,18 +83,18 @@ pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
 
 /// The packs that the environment names, or else the config file.
 pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure> {
-    place::packs(config, &Environment::read())
+    address::packs(config, &Environment::read())
 }
 
 impl RobotArgs {
     /// The config file that is named.
     pub(crate) fn config(&self) -> Option<&Path> {
-        self.place.config.as_deref()
+        self.address.config.as_deref()
     }
 
     /// True if the robot is a simulated one.
     pub(crate) fn is_simulated(&self) -> bool {
-        self.place.sim.is_some()
+        self.address.sim.is_some()
     }
 
     /// Finds the robot, or starts the simulated controller, and begins the recording. Connects to nothing yet.
@@ -104,25 +104,25 @@ impl RobotArgs {
 
     /// The same, with a simulated controller that knows these packs.
     pub(crate) fn target_with_packs(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
-        let target = self.place.target(packs)?;
+        let target = self.address.target(packs)?;
         let Some(path) = &self.record else { return Ok(target) };
         Ok(target.recorded(record::begin(path)?, StatusSampling::All))
     }
 }
 
-impl PlaceArgs {
+impl AddressArgs {
     /// Finds the robot, or starts the simulated controller, which knows these packs. Connects to nothing yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         if let Some(model) = self.sim {
             return self.simulated(model, packs);
         }
-        let place = Place::find(self, &Environment::read())?;
+        let address = RobotAddress::find(self, &Environment::read())?;
         Ok(Target {
-            title: place.title(),
-            commands: place.address(place.command_port),
-            status: place.address(place.status_port),
-            config: place.config(),
-            connect_timeout: place.connect_timeout(),
+            title: address.title(),
+            commands: address.address(address.command_port),
+            status: address.address(address.status_port),
+            config: address.config(),
+            connect_timeout: address.connect_timeout(),
             controller: None,
         })
     }
@@ -140,7 +140,7 @@ impl PlaceArgs {
             title: format!("simulated {}", model.name()),
             commands: controller.command_addr().to_string(),
             status: controller.status_addr().to_string(),
-            config: place::config(self.timeout, self.timeout),
+            config: address::config(self.timeout, self.timeout),
             connect_timeout: self.timeout.unwrap_or(CONNECT_TIMEOUT),
             controller: Some(controller),
         })

@@ -143,9 +143,9 @@ fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut 
         Outcome::Replied => {}
         Outcome::Refused => refuse(name, &usual_refusal(name), out),
         Outcome::Unhandled if entry.packed => pack::sample(&spec_index.spec, &entry.command, out),
-        Outcome::Unhandled => show_example(request, entry, out),
+        Outcome::Unhandled => write_example(request, entry, out),
     }
-    world.settle();
+    world.make_consistent();
 }
 
 /// Answers a command that only a pack has, or a request that only a pack allows.
@@ -171,7 +171,7 @@ fn ask_topics(request: &Request, world: &mut World, out: &mut Writer) -> Outcome
     outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
 }
 
-fn show_example(request: &Request, entry: &CommandEntry, out: &mut Writer) {
+fn write_example(request: &Request, entry: &CommandEntry, out: &mut Writer) {
     match entry.example.as_deref() {
         Some(example) => out.raw(example),
         None => write_reply(request.info(), &(), out),

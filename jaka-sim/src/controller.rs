@@ -73,7 +73,7 @@ impl Controller {
     pub fn set_state(&self, change: impl FnOnce(&mut State)) {
         let mut world = self.shared.world();
         change(&mut world.state);
-        world.settle();
+        world.make_consistent();
     }
 
     /// Lets time go on, on a controller with a [stepped clock](Builder::stepped_clock): motions move, delays pass, and status

@@ -149,7 +149,7 @@ impl State {
     }
 
     /// Switches off what cannot be on in this state. Follows each change.
-    pub(crate) fn settle(&mut self) {
+    pub(crate) fn make_consistent(&mut self) {
         self.enabled &= self.powered && !self.emergency_stop;
         self.servo_mode &= self.enabled && !self.protective_stop;
         self.drag_mode &= self.enabled;

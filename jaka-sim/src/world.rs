@@ -75,7 +75,7 @@ impl World {
             now: Duration::ZERO,
         };
         options.firmware.fit(&mut world.state);
-        world.settle();
+        world.make_consistent();
         Ok(world)
     }
 
@@ -127,7 +127,7 @@ impl World {
         if self.identifying && self.engine.pending() == 0 {
             self.identified();
         }
-        self.show();
+        self.update();
     }
 
     /// Makes a change after a delay, or at once if there is none.
@@ -154,7 +154,7 @@ impl World {
             Change::Enabled => self.state.enabled = true,
             Change::ServoMode(on) => self.state.servo_mode = on,
         }
-        self.settle();
+        self.make_consistent();
     }
 
     /// Gives up the changes that are under way.
@@ -163,8 +163,8 @@ impl World {
     }
 
     /// Ends what cannot be in this state. Follows each change.
-    pub(crate) fn settle(&mut self) {
-        self.state.settle();
+    pub(crate) fn make_consistent(&mut self) {
+        self.state.make_consistent();
         if !self.state.can_move() {
             self.engine.halt();
             self.end_program();
@@ -175,24 +175,24 @@ impl World {
         if !self.state.servo_mode {
             self.engine.servo.clear();
         }
-        self.show();
+        self.update();
     }
 
     /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.
-    fn show(&mut self) {
+    fn update(&mut self) {
         self.report_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
         let is_busy = self.engine.is_busy();
         self.state.at_rest = self.is_at_rest();
         self.state.in_position = !is_busy || self.engine.is_resting() || self.engine.busy() < self.delays.in_position;
-        self.show_commanded();
+        self.update_commanded();
         if !is_busy {
             self.state.tcp_speed = 0.0;
         }
     }
 
     /// Where the arm is commanded to be: where it will be, where it is a habit to say so.
-    fn show_commanded(&mut self) {
+    fn update_commanded(&mut self) {
         let joints = self.state.joint_position.0;
         let lead = self.habits.lead.filter(|_| self.engine.is_busy()).unwrap_or_default();
         let ahead = self.engine.ahead(joints, lead, self.rate(), &self.model);

@@ -10,7 +10,7 @@ use jaka_sync::Reconnect;
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event};
 
-use crate::dashboard::{Feed, Flow, View, draw};
+use crate::dashboard::{AfterKey, Feed, View, draw};
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
 use crate::target::RobotArgs;
@@ -62,7 +62,7 @@ fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended
         }
         // Whatever else it is, such as a new size, is answered by drawing.
         if let Event::Key(key) = event::read()? {
-            if view.key(key) == Flow::Quit {
+            if view.key(key) == AfterKey::Quit {
                 break;
             }
         }

@@ -3,7 +3,7 @@
 mod draft;
 mod finding;
 mod json;
-mod place;
+mod location;
 mod queries;
 mod report;
 mod status;

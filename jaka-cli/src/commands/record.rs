@@ -12,9 +12,9 @@ use jaka_sync::{ErrorKind, Recorder, RecorderReport, StatusSampling, StatusStrea
 
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
-use crate::proxy::{Gate, Scribe};
+use crate::proxy::{ProxyPort, RecordingQueue};
 use crate::seconds::some_seconds;
-use crate::target::{PlaceArgs, Target};
+use crate::target::{AddressArgs, Target};
 use crate::{listen, output, record};
 
 /// Record a session to a new file, until it is interrupted.
@@ -52,7 +52,7 @@ pub(crate) struct Record {
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     seconds: Option<Duration>,
     #[command(flatten)]
-    robot: PlaceArgs,
+    robot: AddressArgs,
 }
 
 impl Record {
@@ -62,34 +62,34 @@ impl Record {
         let (sender, ended) = mpsc::channel();
         let interrupted = sender.clone();
         on_interrupt(move || drop(interrupted.send(Ok(()))))?;
-        let (target, scribe) = match self.listen {
+        let (target, queue) = match self.listen {
             Some(address) => {
-                let scribe = Scribe::start().map_err(|error| Failure::local("cannot start a thread", error))?;
-                self.stand_between(address, &target, &recorder, &scribe)?;
-                (target, Some(scribe))
+                let queue = RecordingQueue::start().map_err(|error| Failure::local("cannot start a thread", error))?;
+                self.start_proxy(address, &target, &recorder, &queue)?;
+                (target, Some(queue))
             }
             None => (self.read_packets(target, recorder, sender)?, None),
         };
         let result = self.wait(&ended);
         drop(target);
-        let missing = scribe.map_or(0, |scribe| scribe.finish());
+        let missing = queue.map_or(0, |queue| queue.finish());
         self.tell(record::finish()?, missing)?;
         result
     }
 
     /// Serves programs from now on.
-    fn stand_between(
+    fn start_proxy(
         &self,
         address: IpAddr,
         target: &Target,
         recorder: &Recorder,
-        scribe: &Scribe,
+        queue: &RecordingQueue,
     ) -> Result<(), Failure> {
         let open = |port, own_port| {
             let (robot, timeout) = target.address(port);
-            let (robot, recorder, scribe) = (robot.to_owned(), recorder.clone(), scribe.clone());
-            let gate = Gate { port, robot, timeout, recorder, scribe, sampling: self.sampling() };
-            let opened = gate.open(address, own_port);
+            let (robot, recorder, queue) = (robot.to_owned(), recorder.clone(), queue.clone());
+            let port_proxy = ProxyPort { port, robot, timeout, recorder, queue, sampling: self.sampling() };
+            let opened = port_proxy.open(address, own_port);
             opened.map_err(|error| Failure::local(format!("cannot listen at {address}, port {own_port}"), error))
         };
         listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)

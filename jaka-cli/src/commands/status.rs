@@ -13,7 +13,7 @@ use jaka_sync::proto::text::visible_json_line;
 
 use self::csv::Columns;
 use self::packets::Packets;
-use self::table::Table;
+use self::table::StatusTable;
 use crate::failure::Failure;
 use crate::fields::Field;
 use crate::interrupt::end_on_interrupt;
@@ -76,7 +76,7 @@ impl Status {
         }
         match self.format {
             Format::Table => {
-                let table = Table::new(fields, self.repeats());
+                let table = StatusTable::new(fields, self.repeats());
                 self.print(|| Ok(table.text(&packets.next()?.json)))
             }
             Format::Json => self.print(|| Ok(json::line(&fields, &packets.next()?))),

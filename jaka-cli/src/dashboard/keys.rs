@@ -7,7 +7,7 @@ use super::view::Page;
 
 /// Whether the dashboard goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Flow {
+pub(crate) enum AfterKey {
     /// It goes on.
     Continue,
     /// It ends.
@@ -26,14 +26,14 @@ pub(super) const KEYS: [(&str, &str); 6] = [
 
 impl View {
     /// Does what a key asks for.
-    pub(crate) fn key(&mut self, key: KeyEvent) -> Flow {
+    pub(crate) fn key(&mut self, key: KeyEvent) -> AfterKey {
         if key.kind == KeyEventKind::Release {
-            return Flow::Continue;
+            return AfterKey::Continue;
         }
         match key.code {
-            KeyCode::Char('c') if key.modifiers.contains(KeyModifiers::CONTROL) => return Flow::Quit,
-            KeyCode::Char('q' | 'Q') => return Flow::Quit,
-            KeyCode::Esc if !self.help => return Flow::Quit,
+            KeyCode::Char('c') if key.modifiers.contains(KeyModifiers::CONTROL) => return AfterKey::Quit,
+            KeyCode::Char('q' | 'Q') => return AfterKey::Quit,
+            KeyCode::Esc if !self.help => return AfterKey::Quit,
             KeyCode::Esc => self.help = false,
             KeyCode::Char('?' | 'h') => self.help = !self.help,
             KeyCode::Char('p' | ' ') => self.paused = !self.paused,
@@ -49,7 +49,7 @@ impl View {
             KeyCode::Home => self.scroll = 0,
             _ => {}
         }
-        Flow::Continue
+        AfterKey::Continue
     }
 
     fn turn_to(&mut self, page: Page) {
@@ -63,7 +63,7 @@ impl View {
 mod tests {
     use super::*;
 
-    fn press(view: &mut View, code: KeyCode) -> Flow {
+    fn press(view: &mut View, code: KeyCode) -> AfterKey {
         view.key(KeyEvent::new(code, KeyModifiers::NONE))
     }
 
@@ -82,11 +82,11 @@ mod tests {
     #[test]
     fn the_usual_keys_quit() {
         let mut view = View::default();
-        assert_eq!(press(&mut view, KeyCode::Char('q')), Flow::Quit);
-        assert_eq!(view.key(KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL)), Flow::Quit);
-        assert_eq!(press(&mut view, KeyCode::Char('c')), Flow::Continue);
+        assert_eq!(press(&mut view, KeyCode::Char('q')), AfterKey::Quit);
+        assert_eq!(view.key(KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL)), AfterKey::Quit);
+        assert_eq!(press(&mut view, KeyCode::Char('c')), AfterKey::Continue);
         press(&mut view, KeyCode::Char('?'));
-        assert_eq!(press(&mut view, KeyCode::Esc), Flow::Continue, "closes the help");
-        assert_eq!(press(&mut view, KeyCode::Esc), Flow::Quit);
+        assert_eq!(press(&mut view, KeyCode::Esc), AfterKey::Continue, "closes the help");
+        assert_eq!(press(&mut view, KeyCode::Esc), AfterKey::Quit);
     }
 }

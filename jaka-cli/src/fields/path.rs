@@ -2,7 +2,7 @@
 
 use jaka_spec::Type;
 
-use super::{Field, Step, near};
+use super::{Field, Step, suggestions};
 
 /// Follows a path from the packet.
 pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
@@ -30,7 +30,7 @@ fn named(parent: &Field, name: &str) -> Result<Field, String> {
     found.cloned().ok_or_else(|| {
         let names = members.iter().flat_map(|member| [Some(own_name(parent, member)), wire_key(member)]).flatten();
         let of = if parent.name.is_empty() { String::new() } else { format!(" in `{}`", parent.name) };
-        format!("there is no status field `{name}`{of}; {}", near::hint(name, names))
+        format!("there is no status field `{name}`{of}; {}", suggestions::hint(name, names))
     })
 }
 

@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_sync::recording::{Ending, Event};
 use socket2::SockRef;
 
-use super::scribe::{Connection, Direction, Passed, Scribe};
+use super::recording_queue::{Connection, Direction, Passed, RecordingQueue};
 
 /// How many bytes are passed on at once.
 const ROOM: usize = 16 << 10;
@@ -24,12 +24,12 @@ pub(super) struct Pipe<'p> {
     pub(super) client: &'p TcpStream,
     pub(super) robot: &'p TcpStream,
     pub(super) connection: &'p Arc<Connection>,
-    pub(super) scribe: &'p Scribe,
+    pub(super) queue: &'p RecordingQueue,
 }
 
 /// How a direction ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum End {
+enum DirectionEnd {
     /// The sender has sent all.
     Eof,
     /// The connection of the sender was lost.
@@ -46,7 +46,7 @@ impl Pipe<'_> {
             let requests = || {
                 let end = self.pass(self.client, self.robot, Direction::ToRobot);
                 // How the robot's connection was lost, the other direction tells.
-                if end != End::ReceiverLost {
+                if end != DirectionEnd::ReceiverLost {
                     client_left.store(true, Ordering::Release);
                 }
                 hand_on(end, self.client, self.robot);
@@ -61,18 +61,18 @@ impl Pipe<'_> {
     }
 
     /// Passes the bytes of a direction on, to its end.
-    fn pass(&self, mut from: &TcpStream, mut to: &TcpStream, direction: Direction) -> End {
+    fn pass(&self, mut from: &TcpStream, mut to: &TcpStream, direction: Direction) -> DirectionEnd {
         let mut room = vec![0; ROOM];
         let end = loop {
             let bytes = match from.read(&mut room) {
-                Ok(0) => break End::Eof,
+                Ok(0) => break DirectionEnd::Eof,
                 Ok(n) => &room[..n],
                 Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(_) => break End::SenderLost,
+                Err(_) => break DirectionEnd::SenderLost,
             };
             self.record(Passed::Bytes(direction, bytes.to_vec()));
             if to.write_all(bytes).is_err() {
-                break End::ReceiverLost;
+                break DirectionEnd::ReceiverLost;
             }
         };
         self.record(Passed::End(direction));
@@ -80,27 +80,27 @@ impl Pipe<'_> {
     }
 
     fn record(&self, passed: Passed) {
-        self.scribe.take(self.connection, passed);
+        self.queue.take(self.connection, passed);
     }
 
-    fn closed(&self, end: End, client_left: bool) {
+    fn closed(&self, end: DirectionEnd, client_left: bool) {
         let (by, why) = match end {
             _ if client_left => (Ending::Client, "the client has closed it"),
-            End::ReceiverLost => (Ending::Client, "the client's connection was lost"),
-            End::Eof => (Ending::Controller, "the controller has closed it"),
-            End::SenderLost => (Ending::Failure, "the controller's connection was lost"),
+            DirectionEnd::ReceiverLost => (Ending::Client, "the client's connection was lost"),
+            DirectionEnd::Eof => (Ending::Controller, "the controller has closed it"),
+            DirectionEnd::SenderLost => (Ending::Failure, "the controller's connection was lost"),
         };
         self.record(Passed::Event(Event::Closed { by, why: why.to_owned() }));
     }
 }
 
 /// Has the other side see that a direction has ended, and how.
-fn hand_on(end: End, sender: &TcpStream, receiver: &TcpStream) {
+fn hand_on(end: DirectionEnd, sender: &TcpStream, receiver: &TcpStream) {
     // Errors say that a connection has ended already.
     match end {
-        End::Eof => drop(receiver.shutdown(Shutdown::Write)),
-        End::SenderLost => reset(receiver),
-        End::ReceiverLost => reset(sender),
+        DirectionEnd::Eof => drop(receiver.shutdown(Shutdown::Write)),
+        DirectionEnd::SenderLost => reset(receiver),
+        DirectionEnd::ReceiverLost => reset(sender),
     }
 }
 

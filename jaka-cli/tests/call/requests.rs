@@ -12,19 +12,19 @@ fn check(line: &str, expected: &Expect) {
 fn unknown_commands_suggest_the_nearest() {
     check(
         "joint_mov --speed 1",
-        &expect![[r#"
+        &expect![[r"
             jaka: there is no command `joint_mov`; did you mean `joint_move`?
             `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "zzzzzzzz",
-        &expect![[r#"
+        &expect![[r"
             jaka: there is no command `zzzzzzzz`
             `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
             exit code 2
-        "#]],
+        "]],
     );
 }
 
@@ -166,11 +166,11 @@ fn whole_requests_are_checked_too() {
     );
     check(
         r#"--params {"cmdName":"power_of"} --dry-run"#,
-        &expect![[r#"
+        &expect![[r"
             jaka: there is no command `power_of`; did you mean `power_off`?
             `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "--params {} --dry-run",

@@ -41,9 +41,9 @@ impl Model {
         to_pose(&self.forward(joints.0)).into()
     }
 
-    /// The joints within the soft limits that bring the flange to a pose, those nearest to `near`; `None` if the arm cannot
+    /// The joints within the soft limits that bring the flange to a pose, those nearest to `reference`; `None` if the arm cannot
     /// reach it.
-    pub fn joints(&self, flange: Pose, near: JointPosition) -> Option<JointPosition> {
-        self.inverse(&from_pose(flange.into()), near.0).map(Into::into)
+    pub fn joints(&self, flange: Pose, reference: JointPosition) -> Option<JointPosition> {
+        self.inverse(&from_pose(flange.into()), reference.0).map(Into::into)
     }
 }

@@ -58,13 +58,13 @@ impl Path {
     }
 
     /// The joints at a share of the way from 0 to 1; `None` where the arm cannot be there.
-    pub(crate) fn at(&self, share: f64, model: &Model, near: Joints) -> Option<Joints> {
+    pub(crate) fn at(&self, share: f64, model: &Model, reference: Joints) -> Option<Joints> {
         match self {
             Self::Joints { from, to } => Some(std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)),
             Self::CommandConnection { from, to, tool } => {
-                model.inverse(&(between(from, to, share) * tool.inverse()), near)
+                model.inverse(&(between(from, to, share) * tool.inverse()), reference)
             }
-            Self::Arc(arc) => model.inverse(&(arc.at(share) * arc.tool.inverse()), near),
+            Self::Arc(arc) => model.inverse(&(arc.at(share) * arc.tool.inverse()), reference),
         }
     }
 
@@ -72,7 +72,7 @@ impl Path {
     pub(crate) fn end(&self, model: &Model, start: Joints) -> Option<Joints> {
         const PLACES: u32 = 32;
         let places = (1..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
-        let end = places.into_iter().try_fold(start, |near, share| self.at(share, model, near))?;
+        let end = places.into_iter().try_fold(start, |reference, share| self.at(share, model, reference))?;
         model.within_limits(&end).then_some(end)
     }
 }

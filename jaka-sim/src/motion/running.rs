@@ -55,9 +55,9 @@ impl Running {
     }
 
     /// Where it ends, by the brake if it does.
-    pub(super) fn stop(&self, model: &Model, near: Joints) -> Joints {
+    pub(super) fn stop(&self, model: &Model, reference: Joints) -> Joints {
         let Some(brake) = self.brake else { return self.planned.end };
-        self.planned.path.at(self.share(brake.at(brake.duration())), model, near).unwrap_or(near)
+        self.planned.path.at(self.share(brake.at(brake.duration())), model, reference).unwrap_or(reference)
     }
 
     fn share(&self, along: Along) -> f64 {

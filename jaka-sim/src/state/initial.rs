@@ -78,7 +78,7 @@ impl State {
             admittance: admittance(spec_index)?,
         };
         // The document answers that servo mode is on, and that the arm has no power.
-        state.settle();
+        state.make_consistent();
         Ok(state)
     }
 }

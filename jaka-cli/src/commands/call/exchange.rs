@@ -31,7 +31,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     }
     let timeout = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
     match send(&mut client, request, timeout) {
-        Ok(Some(text)) => show(&protocol.spec, options, request, &text),
+        Ok(Some(text)) => print_reply(&protocol.spec, options, request, &text),
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
             let raw = client.last_reply().filter(|_| options.json && answered(&error));
@@ -73,7 +73,7 @@ fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
     Failure::Refused { refusal, meaning, explanation }
 }
 
-fn show(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
+fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
     if options.json {
         json_line(text)?;
     } else {

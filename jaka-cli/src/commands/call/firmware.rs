@@ -32,8 +32,8 @@ fn missing(spec: &Spec, command: &Command, request: &str, firmware: FirmwareVers
             variant.iter().flat_map(|variant| keyed(&variant.fields, &body)).collect()
         }
     };
-    let gate = Gate { spec, firmware };
-    let found = given.into_iter().find_map(|(field, value)| gate.field("", field, value));
+    let check = FirmwareCheck { spec, firmware };
+    let found = given.into_iter().find_map(|(field, value)| check.field("", field, value));
     found.map(|(field, range)| not(Some(field), range))
 }
 
@@ -48,12 +48,12 @@ fn keyed<'v>(fields: &'v [Field], object: &'v Value) -> impl Iterator<Item = (&'
     fields.iter().filter_map(|field| Some((field, object.get(&field.wire)?)))
 }
 
-struct Gate<'s> {
+struct FirmwareCheck<'s> {
     spec: &'s Spec,
     firmware: FirmwareVersion,
 }
 
-impl Gate<'_> {
+impl FirmwareCheck<'_> {
     /// The first field that the firmware does not have: this one or one inside it.
     fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<(String, FirmwareRange)> {
         let place = if outer.is_empty() { field.name.clone() } else { format!("{outer}.{}", field.name) };

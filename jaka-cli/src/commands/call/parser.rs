@@ -27,7 +27,7 @@ pub(super) struct Parser<'s> {
 
 /// A line that has been read.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct CommandLine {
     pub(super) options: Options,
     /// The fields that are given, as [`jaka_spec::json::request`] takes them.
     pub(super) fields: Map<String, Value>,
@@ -71,11 +71,11 @@ impl<'s> Parser<'s> {
     ///
     /// # Errors
     /// Every value that is none of its field's type.
-    pub(super) fn parse(self, words: Vec<OsString>) -> Result<Line, Failure> {
+    pub(super) fn parse(self, words: Vec<OsString>) -> Result<CommandLine, Failure> {
         let Self { spec, arguments, clap } = self;
         let matches = clap.get_matches_from(iter::once("jaka call".into()).chain(words));
         let options = Options::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-        Ok(Line { options, fields: fields(spec, &arguments, &matches)? })
+        Ok(CommandLine { options, fields: fields(spec, &arguments, &matches)? })
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn json(text: &str) -> Value {
 /// A row for each field that the reply has; `accepted` where it has none.
 pub(super) fn table(spec: &Spec, command: Option<&Command>, text: &str) -> String {
     let fields = command.map_or(&[][..], |command| &command.reply);
-    let mut table = Table { spec, rows: Vec::new() };
+    let mut table = ReplyTable { spec, rows: Vec::new() };
     match json(text) {
         Value::Object(reply) => {
             let payload = reply.into_iter().filter(|(key, _)| !ENVELOPE.contains(&key.as_str())).collect();
@@ -37,12 +37,12 @@ pub(super) fn table(spec: &Spec, command: Option<&Command>, text: &str) -> Strin
     table.text()
 }
 
-struct Table<'s> {
+struct ReplyTable<'s> {
     spec: &'s Spec,
     rows: Vec<(String, String)>,
 }
 
-impl Table<'_> {
+impl ReplyTable<'_> {
     fn text(self) -> String {
         if self.rows.is_empty() {
             return "accepted\n".to_owned();

@@ -6,7 +6,7 @@ use jaka_spec::json::{self, COMMAND_NAME, Problem};
 use jaka_spec::{Command, Spec};
 use serde_json::{Map, Value};
 
-use super::parser::Line;
+use super::parser::CommandLine;
 use crate::failure::Failure;
 
 /// A request that can be sent.
@@ -29,7 +29,7 @@ impl<'s> Request<'s> {
         spec: &'s Spec,
         command: Option<&'s Command>,
         name: Option<&str>,
-        line: &Line,
+        line: &CommandLine,
     ) -> Result<Option<Self>, Failure> {
         let options = &line.options;
         let params = options.params.as_deref().map(read).transpose()?;

@@ -8,7 +8,7 @@ use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;
 
 use super::finding::{Finding, Findings};
-use super::place::{self, Place};
+use super::location::{self, Location};
 
 /// The type of status packets.
 const STATUS: &str = "RobotStatus";
@@ -22,10 +22,10 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
         Draft { spec, version, text: head(version, &findings.packs), added: Vec::new(), suggestions: String::new() };
     for finding in &findings.commands {
         let fields = spec.command(&finding.name).map_or(&[][..], |command| &command.reply);
-        draft.take(finding, |path| place::find(spec, &finding.name, "reply", fields, path));
+        draft.take(finding, |path| location::find(spec, &finding.name, "reply", fields, path));
     }
     if let Some(TypeKind::Object(fields)) = spec.type_def(STATUS).map(|def| &def.kind) {
-        draft.take(&findings.status, |path| place::find(spec, STATUS, "field", fields, path));
+        draft.take(&findings.status, |path| location::find(spec, STATUS, "field", fields, path));
     }
     (!draft.added.is_empty()).then(|| draft.text + &draft.suggestions)
 }
@@ -47,39 +47,41 @@ struct Draft<'s> {
     spec: &'s Spec,
     version: &'s str,
     text: String,
-    added: Vec<Place>,
+    added: Vec<Location>,
     /// What is commented out.
     suggestions: String,
 }
 
 impl Draft<'_> {
-    fn take(&mut self, finding: &Finding, find: impl Fn(&str) -> Option<Place>) {
+    fn take(&mut self, finding: &Finding, find: impl Fn(&str) -> Option<Location>) {
         for departure in &finding.departures {
-            let Some(place) = find(&departure.field).filter(|place| !self.added.contains(place)) else { continue };
-            if departure.kind == DepartureKind::Unknown && !place.is_known {
-                self.extend(departure, place);
-            } else if departure.reading == Reading::Unreadable && place.is_known {
-                self.suggest(finding, departure, &place);
+            let Some(location) = find(&departure.field).filter(|location| !self.added.contains(location)) else {
+                continue;
+            };
+            if departure.kind == DepartureKind::Unknown && !location.is_known {
+                self.extend(departure, location);
+            } else if departure.reading == Reading::Unreadable && location.is_known {
+                self.suggest(finding, departure, &location);
             }
         }
     }
 
     /// Adds a field for an unknown key, under a name that the spec takes.
-    fn extend(&mut self, departure: &Departure, place: Place) {
+    fn extend(&mut self, departure: &Departure, location: Location) {
         let count = self.added.len() + 1;
-        let names = [snake(&place.key), format!("{}_value", snake(&place.key)), format!("unknown_key_{count}")];
-        let entries = names.iter().map(|name| self.entry(departure, &place, name));
+        let names = [snake(&location.key), format!("{}_value", snake(&location.key)), format!("unknown_key_{count}")];
+        let entries = names.iter().map(|name| self.entry(departure, &location, name));
         let loads = |text: &String| load_pack(self.spec, Source { path: "draft.toml", text }).is_ok();
         let draft = entries.map(|entry| format!("{}{entry}", self.text)).find(loads);
         if let Some(text) = draft {
             self.text = text;
-            self.added.push(place);
+            self.added.push(location);
         }
     }
 
-    fn entry(&self, departure: &Departure, place: &Place, name: &str) -> String {
+    fn entry(&self, departure: &Departure, location: &Location, name: &str) -> String {
         let doc = format!("TODO: what it means is not known yet. {} sends {}.", self.version, departure.found);
-        let Place { target, part, key, .. } = place;
+        let Location { target, part, key, .. } = location;
         format!(
             "\n[[extend]]\ntarget = {}\n\n[[extend.{part}]]\nwire = {}\nname = \"{name}\"\ntype = \"{}\"\noptional = \
              true\ndoc = {}\n",
@@ -91,7 +93,7 @@ impl Draft<'_> {
     }
 
     /// Adds what may be done about a field that cannot be read, as a comment.
-    fn suggest(&mut self, finding: &Finding, departure: &Departure, place: &Place) {
+    fn suggest(&mut self, finding: &Finding, departure: &Departure, location: &Location) {
         let change = match departure.kind {
             DepartureKind::Missing => "optional = true".to_owned(),
             _ => format!("type = \"{}\"", guess(&departure.found)),
@@ -100,8 +102,8 @@ impl Draft<'_> {
         let lines = [
             format!("{}: {departure}", finding.name),
             "[[override]]".to_owned(),
-            format!("target = {}", quoted(&place.target)),
-            format!("{} = {}", place.part, quoted(&place.key)),
+            format!("target = {}", quoted(&location.target)),
+            format!("{} = {}", location.part, quoted(&location.key)),
             change,
         ];
         for line in lines {

@@ -18,20 +18,20 @@ const MOST_RECONNECTS: u32 = 3;
 /// # Errors
 /// No connection can be made to begin with. What goes wrong later is a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target) -> Result<Vec<Finding>, Failure> {
-    let mut line = Line { target, client: Ok(target.client()?), reconnects: 0 };
+    let mut connection = Connection { target, client: Ok(target.client()?), reconnects: 0 };
     let queries = spec.commands().filter(|command| command.effect == Effect::Query);
-    Ok(queries.map(|command| line.ask(spec, command)).collect())
+    Ok(queries.map(|command| connection.ask(spec, command)).collect())
 }
 
 /// The connection to the controller, made anew where it breaks.
-struct Line<'t> {
+struct Connection<'t> {
     target: &'t Target,
     /// Why there is none, if there is none.
     client: Result<Client, String>,
     reconnects: u32,
 }
 
-impl Line<'_> {
+impl Connection<'_> {
     fn ask(&mut self, spec: &Spec, command: &Command) -> Finding {
         let name = command.wire.as_str();
         let not_probed = |why| Finding::without(name, Outcome::NotProbed(why));

@@ -24,10 +24,10 @@ pub(super) fn print(recording: &Recording, filter: &Filter) -> Result<(), Failur
 
 fn line(entry: &Entry) -> String {
     let Entry { time, port, connection, event, .. } = entry;
-    format!("{:12.6}  {:<7} {connection:>2}  {}", time.as_secs_f64(), port.word(), words(event))
+    format!("{:12.6}  {:<7} {connection:>2}  {}", time.as_secs_f64(), port.word(), describe(event))
 }
 
-fn words(event: &Event) -> String {
+fn describe(event: &Event) -> String {
     match event {
         Event::Connected { address } => format!("connected to {address}"),
         Event::Sent(message) => format!("-> {}", shortened(message)),

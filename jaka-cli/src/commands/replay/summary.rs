@@ -20,9 +20,9 @@ pub(super) struct Summary {
     requests: usize,
     refused: usize,
     /// The slowest first.
-    replies: Vec<Line>,
+    replies: Vec<ListedRequest>,
     /// The first first.
-    unanswered: Vec<Line>,
+    unanswered: Vec<ListedRequest>,
     packets: usize,
     /// Between two packets of a connection, and when it ended.
     longest_gap: Option<(Duration, Duration)>,
@@ -31,7 +31,7 @@ pub(super) struct Summary {
 
 /// A request in a list.
 #[derive(Debug)]
-struct Line {
+struct ListedRequest {
     command: String,
     sent: Duration,
     after: Duration,
@@ -46,9 +46,9 @@ impl Summary {
         for answered in &answers {
             if let Answer::Reply { reply, after } = &answered.answer {
                 refused += usize::from(is_refusal(reply));
-                replies.push(Line::new(answered, *after));
+                replies.push(ListedRequest::new(answered, *after));
             } else {
-                unanswered.push(Line::new(answered, Duration::ZERO));
+                unanswered.push(ListedRequest::new(answered, Duration::ZERO));
             }
         }
         replies.sort_by_key(|line| std::cmp::Reverse(line.after));
@@ -67,7 +67,7 @@ impl Summary {
     }
 }
 
-impl Line {
+impl ListedRequest {
     fn new(answered: &Answered, after: Duration) -> Self {
         let command = name(&answered.request).unwrap_or_else(|| "a request without a name".to_owned());
         Self { command: visible(&command).into_owned(), sent: answered.sent, after }
@@ -102,7 +102,7 @@ impl fmt::Display for Summary {
                 count(*requests, "request")
             )?;
         }
-        list(f, "slowest replies", replies, |Line { command, sent, after }| {
+        list(f, "slowest replies", replies, |ListedRequest { command, sent, after }| {
             format!("{:12.6}  {command} after {:.6} s", sent.as_secs_f64(), after.as_secs_f64())
         })?;
         list(f, "without reply", unanswered, |line| format!("{:12.6}  {}", line.sent.as_secs_f64(), line.command))?;
@@ -121,7 +121,12 @@ impl fmt::Display for Summary {
 }
 
 /// Writes the first of some requests, if there are any.
-fn list(f: &mut fmt::Formatter<'_>, title: &str, lines: &[Line], text: impl Fn(&Line) -> String) -> fmt::Result {
+fn list(
+    f: &mut fmt::Formatter<'_>,
+    title: &str,
+    lines: &[ListedRequest],
+    text: impl Fn(&ListedRequest) -> String,
+) -> fmt::Result {
     if !lines.is_empty() {
         writeln!(f, "{title}:")?;
     }

@@ -26,7 +26,7 @@ pub(super) struct Check {
 
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let mut findings = Findings::default();
+        let mut findings = ErrorCount::default();
         let mut spec = match &self.spec {
             Some(folder) => whole(folder, &mut findings)?,
             None => packs::builtin(),
@@ -45,11 +45,11 @@ impl Check {
 
 /// What was found, which is printed at once.
 #[derive(Debug, Default)]
-struct Findings {
+struct ErrorCount {
     errors: usize,
 }
 
-impl Findings {
+impl ErrorCount {
     fn errors<'e>(&mut self, errors: impl IntoIterator<Item = &'e Error>) -> Result<(), Failure> {
         errors.into_iter().try_for_each(|error| {
             self.errors += 1;
@@ -80,7 +80,7 @@ fn error(misfit: &tools::Misfit, source: Source<'_>) -> Error {
 }
 
 /// Checks a folder that is a whole spec; without its spec, packs could not be checked.
-fn whole(folder: &Path, findings: &mut Findings) -> Result<Spec, Failure> {
+fn whole(folder: &Path, findings: &mut ErrorCount) -> Result<Spec, Failure> {
     let files = Files::read(folder)?;
     let sources = files.sources();
     let spec = match jaka_spec::load(&sources) {
@@ -101,7 +101,7 @@ fn whole(folder: &Path, findings: &mut Findings) -> Result<Spec, Failure> {
 }
 
 /// Checks a pack on top of a spec, and gives the spec with it if it can be loaded.
-fn pack(spec: &Spec, path: &Path, findings: &mut Findings) -> Result<Option<Spec>, Failure> {
+fn pack(spec: &Spec, path: &Path, findings: &mut ErrorCount) -> Result<Option<Spec>, Failure> {
     let name = path.display().to_string();
     let source = Source { path: &name, text: &packs::read(path)? };
     let pack = match jaka_spec::load_pack(spec, source) {

@@ -15,13 +15,13 @@ const SHORT: usize = 8;
 
 /// A table of these fields.
 #[derive(Debug)]
-pub(super) struct Table {
+pub(super) struct StatusTable {
     fields: Vec<Field>,
     /// What comes before and behind each table.
     around: (&'static str, &'static str),
 }
 
-impl Table {
+impl StatusTable {
     /// Tables that follow each other replace each other on a terminal.
     pub(super) fn new(fields: Vec<Field>, repeats: bool) -> Self {
         let around = match (repeats, stdout().is_terminal()) {
@@ -82,8 +82,8 @@ fn text(field: &Field, packet: &Value) -> String {
 
 /// The code of an event with its severity and meaning.
 fn with_severity(text: String, code: &Value) -> String {
-    match event::words(&event::read(Some(code))) {
-        Some(words) => format!("{text} ({words})"),
+    match event::describe(&event::read(Some(code))) {
+        Some(description) => format!("{text} ({description})"),
         None => text,
     }
 }
@@ -140,6 +140,6 @@ mod tests {
             tcp_speed        0.000 mm/s
             task_mode        9
         "#]]
-        .assert_eq(&Table::new(fields, false).text(&packet));
+        .assert_eq(&StatusTable::new(fields, false).text(&packet));
     }
 }

@@ -19,7 +19,7 @@ const OVERHEAD: usize = 128;
 
 /// Records what passes on all connections, on a thread of its own.
 #[derive(Debug, Clone)]
-pub(crate) struct Scribe(Arc<Shared>);
+pub(crate) struct RecordingQueue(Arc<Shared>);
 
 #[derive(Debug)]
 struct Shared {
@@ -113,7 +113,7 @@ impl Passed {
     }
 }
 
-impl Scribe {
+impl RecordingQueue {
     /// # Errors
     /// A thread cannot be had.
     pub(crate) fn start() -> io::Result<Self> {
@@ -121,10 +121,10 @@ impl Scribe {
     }
 
     fn with_limit(limit: usize) -> io::Result<Self> {
-        let scribe = Self(Arc::new(Shared { state: Mutex::default(), changed: Condvar::new(), limit }));
-        let theirs = scribe.clone();
+        let queue = Self(Arc::new(Shared { state: Mutex::default(), changed: Condvar::new(), limit }));
+        let theirs = queue.clone();
         thread::Builder::new().spawn(move || theirs.work())?;
-        Ok(scribe)
+        Ok(queue)
     }
 
     /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing but other takers.
@@ -157,7 +157,7 @@ impl Scribe {
     }
 
     fn work(&self) {
-        let _end = End(self);
+        let _end = StopOnDrop(self);
         while let Some((connection, passed)) = self.next() {
             connection.record(passed);
         }
@@ -202,9 +202,9 @@ impl State {
 }
 
 /// Lets nobody wait for a thread that has ended, by a panic too.
-struct End<'s>(&'s Scribe);
+struct StopOnDrop<'s>(&'s RecordingQueue);
 
-impl Drop for End<'_> {
+impl Drop for StopOnDrop<'_> {
     fn drop(&mut self) {
         let mut state = self.0.lock();
         (state.closed, state.busy) = (true, false);
@@ -226,22 +226,22 @@ mod tests {
     fn what_does_not_fit_is_missing_and_counted_and_nobody_waits() {
         let tape = Tape::default();
         let recorder = Recorder::new(tape.clone()).expect("a thread can be had");
-        let scribe = Scribe::with_limit(2 * OVERHEAD).expect("a thread can be had");
+        let queue = RecordingQueue::with_limit(2 * OVERHEAD).expect("a thread can be had");
         let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         let bytes = |direction, text: &str| Passed::Bytes(direction, text.as_bytes().to_vec());
         // While it is at work on this one, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
-        scribe.take(&connection, bytes(Direction::ToRobot, "{\"a\":1}{\"cut"));
-        while !scribe.lock().busy {
+        queue.take(&connection, bytes(Direction::ToRobot, "{\"a\":1}{\"cut"));
+        while !queue.lock().busy {
             thread::yield_now();
         }
         for text in ["\":2}{}", &"x".repeat(500), &"y".repeat(500)] {
-            scribe.take(&connection, bytes(Direction::ToRobot, text));
+            queue.take(&connection, bytes(Direction::ToRobot, text));
         }
-        scribe.take(&connection, Passed::End(Direction::ToRobot));
+        queue.take(&connection, Passed::End(Direction::ToRobot));
         drop(blocked);
-        assert_eq!(scribe.finish(), 2);
-        scribe.take(&connection, bytes(Direction::ToRobot, "{\"late\":1}"));
+        assert_eq!(queue.finish(), 2);
+        queue.take(&connection, bytes(Direction::ToRobot, "{\"late\":1}"));
         recorder.finish().expect("memory can be written");
         let recording: Recording = tape.read().expect("it has just been written");
         let events = recording.entries.iter().map(|entry| match &entry.event {

@@ -9,7 +9,7 @@ use jaka_sync::{COMMAND_PORT, Config, STATUS_PORT};
 
 use super::config_file::{ConfigFile, Entry};
 use super::environment::Environment;
-use super::{CONNECT_TIMEOUT, PlaceArgs};
+use super::{AddressArgs, CONNECT_TIMEOUT};
 use crate::failure::Failure;
 
 /// What to say where nothing tells the robot's address.
@@ -18,7 +18,7 @@ const NO_ROBOT: &str = "no robot is given; name its address with `--robot ADDRES
 
 /// A robot's address and how to connect to it.
 #[derive(Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct RobotAddress {
     /// Its name in the config file, if it has one.
     name: Option<String>,
     host: String,
@@ -28,9 +28,9 @@ pub(super) struct Place {
     connect_timeout: Option<Duration>,
 }
 
-impl Place {
+impl RobotAddress {
     /// Finds the robot: what the command line says counts more than the environment, and that more than the config file.
-    pub(super) fn find(args: &PlaceArgs, environment: &Environment) -> Result<Self, Failure> {
+    pub(super) fn find(args: &AddressArgs, environment: &Environment) -> Result<Self, Failure> {
         let file = config_file(args.config.as_deref(), environment)?;
         let named = match (&args.robot, &environment.robot, &file.robot) {
             (Some(robot), ..) | (None, None, Some(robot)) => robot.clone(),
@@ -127,8 +127,8 @@ fn host(address: &str) -> Result<String, Failure> {
 mod tests {
     use super::*;
 
-    fn args(robot: Option<&str>) -> PlaceArgs {
-        PlaceArgs { robot: robot.map(str::to_owned), ..PlaceArgs::default() }
+    fn args(robot: Option<&str>) -> AddressArgs {
+        AddressArgs { robot: robot.map(str::to_owned), ..AddressArgs::default() }
     }
 
     fn environment(robot: &str) -> Environment {
@@ -137,15 +137,15 @@ mod tests {
 
     #[test]
     fn the_command_line_counts_more_than_the_environment() {
-        let found = Place::find(&args(Some("10.0.0.1")), &environment("10.0.0.2")).unwrap();
+        let found = RobotAddress::find(&args(Some("10.0.0.1")), &environment("10.0.0.2")).unwrap();
         assert_eq!(found.address(found.command_port), "10.0.0.1:10001");
-        let found = Place::find(&args(None), &environment("10.0.0.2")).unwrap();
+        let found = RobotAddress::find(&args(None), &environment("10.0.0.2")).unwrap();
         assert_eq!(found.address(found.status_port), "10.0.0.2:10000");
     }
 
     #[test]
     fn without_an_address_the_ways_to_give_one_are_named() {
-        let failure = Place::find(&args(None), &Environment::default()).unwrap_err().to_string();
+        let failure = RobotAddress::find(&args(None), &Environment::default()).unwrap_err().to_string();
         for way in ["--robot", "JAKA_ROBOT", "config file", "--sim"] {
             assert!(failure.contains(way), "{failure}");
         }
@@ -153,7 +153,8 @@ mod tests {
 
     #[test]
     fn addresses_have_no_port() {
-        let address = |text| Place::find(&args(Some(text)), &Environment::default()).map(|place| place.address(1));
+        let address =
+            |text| RobotAddress::find(&args(Some(text)), &Environment::default()).map(|address| address.address(1));
         assert_eq!(address("arm.local").unwrap(), "arm.local:1");
         assert_eq!(address("fe80::1").unwrap(), "[fe80::1]:1");
         assert_eq!(address("[::1]").unwrap(), "[::1]:1");

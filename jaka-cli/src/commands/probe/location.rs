@@ -4,7 +4,7 @@ use jaka_spec::{Field, Spec, Type, TypeKind};
 
 /// What of the spec a pack would change.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct Location {
     /// A command's `cmdName` or a type's name.
     pub(super) target: String,
     /// The key of a pack that names fields there: `reply` or `field`.
@@ -16,12 +16,13 @@ pub(super) struct Place {
 }
 
 /// Follows a departure's path from the fields at its beginning; `None` if it ends where a pack can change nothing.
-pub(super) fn find(spec: &Spec, target: &str, part: &'static str, fields: &[Field], path: &str) -> Option<Place> {
-    let place = |key: &str, is_known| Some(Place { target: target.to_owned(), part, key: key.to_owned(), is_known });
+pub(super) fn find(spec: &Spec, target: &str, part: &'static str, fields: &[Field], path: &str) -> Option<Location> {
+    let location =
+        |key: &str, is_known| Some(Location { target: target.to_owned(), part, key: key.to_owned(), is_known });
     let steps = fields.iter().filter_map(|field| Some((field, rest(path, key(field))?)));
     // Of keys one of which begins with another, the longer one is meant.
-    let Some((field, rest)) = steps.min_by_key(|(_, rest)| rest.len()) else { return place(path, false) };
-    let Some(inner) = inside(spec, &field.ty, rest) else { return place(key(field), true) };
+    let Some((field, rest)) = steps.min_by_key(|(_, rest)| rest.len()) else { return location(path, false) };
+    let Some(inner) = inside(spec, &field.ty, rest) else { return location(key(field), true) };
     find(spec, inner.0, "field", inner.1, inner.2)
 }
 
