@@ -11,7 +11,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
     ("jaka-sim", &["jaka-proto", "jaka-spec"]),
-    ("jaka-cli", &["jaka-proto", "jaka-sim", "jaka-spec", "jaka-sync"]),
+    ("jaka-cli", &["jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 
 /// What stands in a circle nevertheless.
