@@ -4,14 +4,20 @@
 //! mark of an end is the brace that closes the object. [`Framer`] finds it and visits each byte once, however
 //! the stream is cut. It checks nothing else: whether a frame is valid JSON, or UTF-8, is for its reader to say.
 
-use std::error::Error;
+mod error;
+mod nesting;
+mod next_packet;
+mod text;
+
 use std::fmt;
 use std::ops::Range;
 
-use memchr::{memchr, memmem};
+use memchr::memchr;
 
-use crate::near::first_of;
-
+use self::error::EXCERPT;
+pub use self::error::{Excerpt, FrameError};
+use self::nesting::{Form, Nesting, Scanned};
+use self::next_packet::Stream;
 pub use self::text::text;
 
 /// The longest frame, in bytes, that [`Framer::default`] lets pass: 1 MiB, some seventy times the longest seen.
@@ -19,9 +25,6 @@ pub const DEFAULT_MAX_FRAME: usize = 1 << 20;
 
 /// The least room, in bytes, that [`Framer::spare`] offers.
 const ROOM: usize = 8 << 10;
-
-/// The most bytes that an [`Excerpt`] holds.
-const EXCERPT: usize = 64;
 
 /// Cuts a byte stream into frames.
 ///
@@ -63,11 +66,11 @@ impl Framer {
         Self::with_stream(max_frame, Stream::Replies)
     }
 
-    /// Makes a framer for status packets, which finds the next one behind a packet that was cut.
+    /// Makes a framer for status packets, which finds the next one after a packet that was cut.
     ///
     /// A cut packet does not end: whatever follows would stand inside it. So `{"len"`, with which each packet begins, is a
-    /// [`Cut`](FrameError::Cut) where no JSON has it: inside a string, or behind something after which no object can come.
-    /// [`resync`](Self::resync) then goes on there. An object inside a packet that begins so is left in peace; a packet behind
+    /// [`Cut`](FrameError::Cut) where no JSON has it: inside a string, or after something that no object can follow.
+    /// [`resync`](Self::resync) then goes on there. An object inside a packet that begins so is left in peace; a packet after
     /// one that was cut where an object may stand is lost with it. What is in a packet's text is no mark, since quotes
     /// are escaped there.
     ///
@@ -132,38 +135,6 @@ impl Framer {
         }
     }
 
-    /// Leaves the error state for the next `{` behind the error, and returns how many bytes it dropped at once.
-    ///
-    /// For streams that are only read, such as port 10000. Garbage is dropped as a whole; of a frame that is
-    /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to come,
-    /// what precedes it will be dropped as it comes: [`lost`](Self::lost) has it. A framer
-    /// [for status packets](Self::for_status) goes on at `{"len"`; the frame that another one finds may be an object inside
-    /// a broken one: its reader must expect any keys. Without an error, nothing is dropped.
-    pub fn resync(&mut self) -> usize {
-        let Some(error) = self.error.take() else { return 0 };
-        let dropped = self.start;
-        self.start = self.scan;
-        self.state = match (error, &self.state) {
-            // Its brace was taken for a part of a string that did not end.
-            (FrameError::Cut { .. }, State::Frame(Nesting { quote: Some(_), .. })) => {
-                self.start -= 1;
-                State::Frame(Nesting::new(Form::Status))
-            }
-            (FrameError::Cut { .. }, _) => State::Gap,
-            _ => State::Lost,
-        };
-        if matches!(self.state, State::Lost) {
-            self.skip_gap();
-        }
-        self.start - dropped
-    }
-
-    /// The bytes received that the next call of [`next_frame`](Self::next_frame) drops, while the next packet is searched for.
-    pub fn lost(&self) -> &[u8] {
-        let len = if matches!(self.state, State::Lost) { self.lost_len() } else { 0 };
-        &self.partial()[..len]
-    }
-
     /// The bytes received that are not part of a frame taken yet.
     pub fn partial(&self) -> &[u8] {
         &self.buffer[self.start..self.end]
@@ -197,7 +168,7 @@ impl Framer {
             self.begin_frame();
         }
         let State::Frame(nesting) = &mut self.state else { return None };
-        // Nothing is visited behind the limit, so that the outcome is the same however the stream was cut.
+        // Nothing is visited beyond the limit, so that the outcome is the same however the stream was cut.
         let limit = self.start.saturating_add(self.max_frame);
         let frame = &self.buffer[self.start..self.end.min(limit).max(self.scan)];
         let (visited, found) = nesting.find_end(frame, self.scan - self.start);
@@ -246,15 +217,6 @@ impl Framer {
         self.start = self.scan;
     }
 
-    /// How many of the bytes that wait come before the next frame, or before what may be its beginning.
-    fn lost_len(&self) -> usize {
-        let (waiting, beginning) = (self.partial(), self.stream.beginning());
-        memmem::find(waiting, beginning).unwrap_or_else(|| {
-            let is_begun = |len: &usize| waiting.ends_with(&beginning[..*len]);
-            waiting.len() - (1..beginning.len()).rev().find(is_begun).unwrap_or(0)
-        })
-    }
-
     fn visit(&mut self, n: usize) {
         self.scan += n;
         self.visited += n as u64;
@@ -264,13 +226,6 @@ impl Framer {
         let excerpt = Excerpt::of(self.partial());
         let len = memchr(b'{', excerpt.bytes()).unwrap_or(EXCERPT);
         FrameError::Garbage { excerpt: excerpt.first(len) }
-    }
-
-    /// The last bytes before the frame that begins inside this one.
-    fn cut(&self) -> FrameError {
-        let is_inside = matches!(self.state, State::Frame(Nesting { quote: Some(_), .. }));
-        let end = self.scan - usize::from(is_inside);
-        FrameError::Cut { excerpt: Excerpt::of(&self.buffer[self.start.max(end.saturating_sub(EXCERPT))..end]) }
     }
 
     fn too_long(&self) -> FrameError {
@@ -324,224 +279,20 @@ impl fmt::Debug for Framer {
     }
 }
 
-/// Why a byte stream has no next frame.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum FrameError {
-    /// Bytes between frames that begin none.
-    Garbage {
-        /// The first of them, as far as received.
-        excerpt: Excerpt,
-    },
-    /// A frame that has not ended at the limit.
-    TooLong {
-        /// The limit, in bytes.
-        limit: usize,
-        /// How the frame begins.
-        excerpt: Excerpt,
-    },
-    /// A status packet inside of which the next one begins.
-    Cut {
-        /// What came last of it.
-        excerpt: Excerpt,
-    },
-}
-
-impl fmt::Display for FrameError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Garbage { excerpt } => write!(f, "bytes that begin no frame: `{excerpt}`"),
-            Self::TooLong { limit, excerpt } => write!(f, "frame longer than {limit} bytes: `{excerpt}`"),
-            Self::Cut { excerpt } => write!(f, "packet that breaks off at `{excerpt}`"),
-        }
-    }
-}
-
-impl Error for FrameError {}
-
-/// Up to 64 bytes of a stream, for an error to show.
-///
-/// Displays printable ASCII as it is and every other byte as `\xNN`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Excerpt(Vec<u8>);
-
-impl Excerpt {
-    /// The bytes as received.
-    pub fn bytes(&self) -> &[u8] {
-        &self.0
-    }
-
-    fn of(bytes: &[u8]) -> Self {
-        Self(bytes[..bytes.len().min(EXCERPT)].to_vec())
-    }
-
-    fn first(mut self, len: usize) -> Self {
-        self.0.truncate(len);
-        self
-    }
-}
-
-impl fmt::Display for Excerpt {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|&byte| match byte {
-            b' '..=b'~' => write!(f, "{}", char::from(byte)),
-            _ => write!(f, "\\x{byte:02x}"),
-        })
-    }
-}
-
-/// What comes on a stream.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Stream {
-    Replies,
-    Status,
-}
-
-impl Stream {
-    /// How the frame begins that ends a search.
-    fn beginning(self) -> &'static [u8] {
-        match self {
-            Self::Replies => b"{",
-            Self::Status => b"{\"len\"",
-        }
-    }
-}
-
 /// Where the scanner stands.
 #[derive(Debug)]
 enum State {
     /// Between frames.
     Gap,
-    /// Behind an error, on the way to the next `{`.
+    /// After an error, on the way to the next `{`.
     Lost,
-    /// Behind the first byte of a frame.
+    /// After the first byte of a frame.
     Frame(Nesting),
-}
-
-/// What the scanner remembers of the frame it is in.
-#[derive(Debug)]
-struct Nesting {
-    form: Form,
-    /// Brackets open; 0 when the frame has ended.
-    depth: usize,
-    /// The quote that ends the string it is in.
-    quote: Option<u8>,
-    /// Whether the last byte was a backslash that escapes the next.
-    escaped: bool,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Form {
-    Json,
-    Python,
-    /// JSON whose end may be missing.
-    Status,
-}
-
-/// What was found of a frame.
-#[derive(Debug, PartialEq, Eq)]
-enum Scanned {
-    /// Its end.
-    Frame,
-    /// The beginning of the next one, before its end.
-    Cut,
-    /// Neither: all, or all but what may be such a beginning, is inside.
-    All,
-}
-
-impl Nesting {
-    /// Behind the first byte.
-    fn new(form: Form) -> Self {
-        Self { form, depth: 1, quote: None, escaped: false }
-    }
-
-    /// Visits the bytes of a frame from a place on: how many, and what was found behind them.
-    fn find_end(&mut self, frame: &[u8], from: usize) -> (usize, Scanned) {
-        let mut at = from;
-        while let Some(found) = self.next_mark(&frame[at..]) {
-            at += found;
-            if self.form == Form::Status {
-                match self.is_cut(frame, at) {
-                    Some(false) => {}
-                    Some(true) => return (at - from, Scanned::Cut),
-                    None => return (at - from, Scanned::All),
-                }
-            }
-            at += 1;
-            if self.ends_with(frame[at - 1]) {
-                return (at - from, Scanned::Frame);
-            }
-        }
-        (frame.len() - from, Scanned::All)
-    }
-
-    /// Whether another packet begins where no JSON has an object: `None` where the next bytes must tell.
-    #[inline]
-    fn is_cut(&self, frame: &[u8], at: usize) -> Option<bool> {
-        match frame[at] {
-            b'{' if self.quote.is_none() && !may_have_value(&frame[..at]) => begins_with(&frame[at + 1..], b"\"len\""),
-            // In a string that has not ended, the packet's first quote seems to end it.
-            b'"' if self.quote.is_some() && !self.escaped && frame[at - 1] == b'{' => {
-                begins_with(&frame[at + 1..], b"len\"")
-            }
-            _ => Some(false),
-        }
-    }
-
-    /// Whether a byte may change anything.
-    #[inline]
-    fn is_mark(&self, byte: u8) -> bool {
-        self.escaped || matches!(byte, b'"' | b'\'' | b'\\' | b'{' | b'}' | b'(' | b')')
-    }
-
-    /// The place of the next byte that changes anything.
-    #[inline]
-    fn next_mark(&self, bytes: &[u8]) -> Option<usize> {
-        match (self.quote, self.form) {
-            (Some(_), _) if self.escaped => (!bytes.is_empty()).then_some(0),
-            (Some(quote), _) => first_of([quote, b'\\'], bytes),
-            (None, Form::Json | Form::Status) => first_of(*b"\"{}", bytes),
-            (None, Form::Python) => first_of(*b"\"'()", bytes),
-        }
-    }
-
-    /// Visits one byte; true if the frame ends with it.
-    #[inline]
-    fn ends_with(&mut self, byte: u8) -> bool {
-        if let Some(quote) = self.quote {
-            let ends = byte == quote && !self.escaped;
-            self.escaped = byte == b'\\' && !self.escaped;
-            if ends {
-                self.quote = None;
-            }
-            return false;
-        }
-        match byte {
-            b'{' | b'(' => self.depth += 1,
-            b'}' | b')' => self.depth -= 1,
-            quote => self.quote = Some(quote),
-        }
-        self.depth == 0
-    }
-}
-
-/// Whether a value can follow in JSON.
-fn may_have_value(before: &[u8]) -> bool {
-    before.iter().rfind(|byte| !is_white(**byte)).is_some_and(|byte| b":,[".contains(byte))
-}
-
-/// Whether `bytes` begin so; `None` if they are too few to tell.
-fn begins_with(bytes: &[u8], beginning: &[u8]) -> Option<bool> {
-    let len = bytes.len().min(beginning.len());
-    let begins = bytes[..len] == beginning[..len];
-    (!begins || len == beginning.len()).then_some(begins)
 }
 
 fn is_white(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\r' | b'\n')
 }
-
-mod text;
 
 #[cfg(test)]
 mod tests;
