@@ -16,7 +16,7 @@ use serde_json::Value;
 
 use crate::link::{Gate, Link, Posting};
 use crate::reply::{Payload, TextAlone, Typed};
-use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, recorder, reply};
+use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connection, reply};
 
 /// A connection to a controller's command port.
 ///
@@ -52,7 +52,7 @@ impl Client {
     }
 
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = recorder::connect(address, Port::Command, config)?;
+        let (stream, tap) = connection::connect(address, Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
         Ok(Self { link, config: config.clone(), firmware: None, reply: String::new() })
     }

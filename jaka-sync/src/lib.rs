@@ -4,6 +4,7 @@ mod address;
 mod call;
 mod client;
 mod config;
+mod connection;
 mod error;
 mod link;
 mod methods;

@@ -27,9 +27,9 @@ use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
 use self::subscription::Queue;
 pub use self::subscription::Subscription;
-use crate::recorder::{self, Tap};
+use crate::recorder::Tap;
 use crate::sync::{Condvar, Mutex, MutexGuard};
-use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem};
+use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 
 /// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
 ///
@@ -181,7 +181,7 @@ impl Monitor<RobotStatus> {
 
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = recorder::connect(address, Port::Status, config)?;
+        let (stream, tap) = connection::connect(address, Port::Status, config)?;
         let stream = Arc::new(stream);
         let board = Arc::new(Board::new(Some(Arc::clone(&stream)), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());

@@ -21,7 +21,7 @@ use jaka_proto::wire::Writer;
 pub(crate) use self::exchanges::show;
 use self::queue::Queue;
 pub use self::sampling::StatusSampling;
-pub(crate) use self::tap::{Tap, connect};
+pub(crate) use self::tap::Tap;
 pub use self::track::Track;
 
 /// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.

@@ -11,9 +11,9 @@ use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use crate::receive::{self, Chunk};
-use crate::recorder::{self, Tap};
+use crate::recorder::Tap;
 use crate::resync::{record_lost, resync};
-use crate::{Config, Disconnect, Error, ErrorKind, ports};
+use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
 
 /// A reader of the status packets that a controller sends on port 10000.
 ///
@@ -56,7 +56,7 @@ impl StatusStream {
     }
 
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = recorder::connect(address, Port::Status, config)?;
+        let (stream, tap) = connection::connect(address, Port::Status, config)?;
         Ok(Self {
             stream,
             tap,

@@ -11,9 +11,9 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::{Board, Snapshot};
 use crate::receive::{self, Chunk};
-use crate::recorder::{self, Tap};
+use crate::recorder::Tap;
 use crate::resync;
-use crate::{Config, Disconnect, ErrorKind, ports};
+use crate::{Config, Disconnect, ErrorKind, connection, ports};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
@@ -224,7 +224,7 @@ impl<S: Decode> Worker<S> {
             if self.pause(delay) {
                 break;
             }
-            match recorder::connect(&self.address, Port::Status, &self.config) {
+            match connection::connect(&self.address, Port::Status, &self.config) {
                 Ok(connected) => return self.connected(connected),
                 Err(error) => {
                     if let ErrorKind::Connect { source, .. } = error.into_kind() {

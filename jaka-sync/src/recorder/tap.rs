@@ -10,7 +10,7 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
 
 use super::exchanges::KEPT;
 use super::track::Track;
-use crate::{COMMAND_PORT, Config, Disconnect, Error, STATUS_PORT, address};
+use crate::{Config, Disconnect, Error};
 
 /// What a connection tells its recorder; nothing where there is none.
 #[derive(Debug, Clone, Default)]
@@ -31,30 +31,16 @@ struct State {
     last: VecDeque<Arc<Entry>>,
 }
 
-/// Connects to a controller, and records it.
-pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(TcpStream, Tap), Error> {
-    let number = match port {
-        Port::Command => COMMAND_PORT,
-        Port::Status => STATUS_PORT,
-    };
-    let tap = Tap::new(port, config);
-    match address::connect(address, number, config) {
-        Ok(stream) => {
-            tap.connected(&stream);
-            Ok((stream, tap))
-        }
-        Err(error) => Err(tap.attach(error)),
-    }
-}
-
 impl Tap {
-    fn new(port: Port, config: &Config) -> Self {
+    /// What the recorder of the configuration is told of a connection, if there is one.
+    pub(crate) fn new(port: Port, config: &Config) -> Self {
         Self(config.recorder.as_ref().map(|recorder| {
             Arc::new(Connection { track: recorder.track(port, config.status_sampling), state: Mutex::default() })
         }))
     }
 
-    fn connected(&self, stream: &TcpStream) {
+    /// The connection is made.
+    pub(crate) fn connected(&self, stream: &TcpStream) {
         let Some(connection) = &self.0 else { return };
         connection.lock().is_open = true;
         let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();

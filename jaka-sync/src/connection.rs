@@ -1,0 +1,165 @@
+//! Connections to a controller.
+
+use std::fmt::Write;
+use std::io;
+use std::net::{SocketAddr, TcpStream};
+use std::time::{Duration, Instant};
+
+use jaka_proto::recording::Port;
+use socket2::{SockRef, TcpKeepalive};
+
+use crate::address::resolve;
+use crate::recorder::Tap;
+use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
+
+/// What systems take as the times of a keepalive.
+const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
+
+/// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address names none.
+pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(TcpStream, Tap), Error> {
+    let number = match port {
+        Port::Command => COMMAND_PORT,
+        Port::Status => STATUS_PORT,
+    };
+    let tap = Tap::new(port, config);
+    match connect_to(address, number, config) {
+        Ok(stream) => {
+            tap.connected(&stream);
+            Ok((stream, tap))
+        }
+        Err(source) => Err(tap.attach(ErrorKind::Connect { address: address.to_owned(), source }.into())),
+    }
+}
+
+fn connect_to(address: &str, port: u16, config: &Config) -> io::Result<TcpStream> {
+    let stream = first_that_answers(&resolve(address, port)?, config.connect_timeout)?;
+    set_options(&stream, config)?;
+    Ok(stream)
+}
+
+/// Tries one after the other. They share the time: one that is silent leaves its share to each of the others.
+fn first_that_answers(candidates: &[SocketAddr], timeout: Duration) -> io::Result<TcpStream> {
+    let since = Instant::now();
+    let mut failed = Vec::new();
+    for (candidate, others) in candidates.iter().zip((1..=candidates.len()).rev()) {
+        let left = timeout.saturating_sub(since.elapsed());
+        let share = left / u32::try_from(others).unwrap_or(u32::MAX);
+        // The system takes no time of zero, and what is left may be that.
+        match TcpStream::connect_timeout(candidate, share.max(Duration::from_millis(1))) {
+            Ok(stream) => return Ok(stream),
+            Err(error) => failed.push((*candidate, error)),
+        }
+    }
+    Err(none_answers(failed))
+}
+
+/// Why none of the addresses of a name could be connected to.
+fn none_answers(mut failed: Vec<(SocketAddr, io::Error)>) -> io::Error {
+    if failed.len() == 1 {
+        return failed.remove(0).1;
+    }
+    let Some((_, last)) = failed.last() else {
+        return io::Error::new(io::ErrorKind::NotFound, "the name stands for no address");
+    };
+    let (kind, mut text) = (last.kind(), String::new());
+    for (address, error) in &failed {
+        let separator = if text.is_empty() { "" } else { "; " };
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{separator}{address}: {error}");
+    }
+    io::Error::new(kind, text)
+}
+
+fn set_options(stream: &TcpStream, config: &Config) -> io::Result<()> {
+    // Without this a command waits for the acknowledgement of the one before: 40 ms and more.
+    stream.set_nodelay(true)?;
+    if let Some(idle) = config.keepalive {
+        let [idle, interval] = keepalive(idle).map(Duration::from_secs);
+        SockRef::from(stream).set_tcp_keepalive(&TcpKeepalive::new().with_time(idle).with_interval(interval))?;
+    }
+    Ok(())
+}
+
+/// Before the first probe and between probes, in seconds as systems take them.
+fn keepalive(idle: Duration) -> [u64; 2] {
+    let up = idle.as_secs().saturating_add(u64::from(idle.subsec_nanos() > 0));
+    let idle = up.clamp(*KEEPALIVE.start(), *KEEPALIVE.end());
+    [idle, (idle / 3).max(*KEEPALIVE.start())]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::net::TcpListener;
+
+    use socket2::{Domain, Socket, Type};
+
+    use super::*;
+
+    /// A port where connections wait without an answer: its backlog is full. It is silent as long as these live.
+    fn silent() -> (Socket, Vec<TcpStream>, SocketAddr) {
+        let socket = Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
+        socket.bind(&SocketAddr::from(([127, 0, 0, 1], 0)).into()).expect("loopback has free ports");
+        socket.listen(1).expect("it is bound");
+        let address = socket.local_addr().ok().and_then(|address| address.as_socket()).expect("it is bound");
+        let mut waiting = Vec::new();
+        while let Ok(stream) = TcpStream::connect_timeout(&address, Duration::from_millis(100)) {
+            waiting.push(stream);
+            assert!(waiting.len() < 100);
+        }
+        (socket, waiting, address)
+    }
+
+    fn refusing() -> SocketAddr {
+        TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr()).expect("loopback has free ports")
+    }
+
+    #[test]
+    fn a_silent_address_leaves_time_for_the_others() {
+        let (_silent, _waiting, silent) = silent();
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+        let answering = listener.local_addr().expect("it is bound");
+        for candidates in [vec![silent, answering], vec![refusing(), silent, silent, answering]] {
+            let since = Instant::now();
+            let stream = first_that_answers(&candidates, Duration::from_secs(4)).expect("the last one answers");
+            assert_eq!(stream.peer_addr().expect("it is connected"), answering);
+            assert!(since.elapsed() < Duration::from_secs(30));
+        }
+    }
+
+    #[test]
+    fn the_error_names_each_address_and_why_it_failed() {
+        let (_silent, _waiting, silent) = silent();
+        let refusing = refusing();
+        let error = first_that_answers(&[refusing, silent], Duration::from_millis(400)).expect_err("none answers");
+        let text = error.to_string();
+        assert_eq!(error.kind(), io::ErrorKind::TimedOut);
+        assert!(text.starts_with(&format!("{refusing}: ")) && text.contains("refused"), "{text}");
+        assert!(text.contains(&format!("; {silent}: ")) && text.contains("timed out"), "{text}");
+        // The only one is named by the error around it.
+        let error = first_that_answers(&[refusing], Duration::MAX).expect_err("nobody listens");
+        assert_eq!(error.kind(), io::ErrorKind::ConnectionRefused);
+        assert_eq!(
+            first_that_answers(&[], Duration::MAX).expect_err("there is none").to_string(),
+            "the name stands for no address"
+        );
+    }
+
+    #[test]
+    fn no_timeout_and_no_keepalive_is_too_long_or_too_short() {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+        let address = listener.local_addr().expect("it is bound").to_string();
+        for time in [
+            Duration::ZERO,
+            Duration::from_nanos(1),
+            Duration::from_secs(2),
+            Duration::from_secs(40_000),
+            Duration::MAX,
+        ] {
+            let config = Config::new().connect_timeout(time.max(Duration::from_secs(2))).keepalive(Some(time));
+            connect_to(&address, 0, &config).unwrap_or_else(|error| panic!("{time:?}: {error}"));
+        }
+        assert_eq!(keepalive(Duration::from_millis(2100)), [3, 1]);
+        assert_eq!(keepalive(Duration::from_secs(9)), [9, 3]);
+        assert_eq!(keepalive(Duration::MAX), [32767, 10922]);
+    }
+}
