@@ -1,23 +1,16 @@
 //! What every reply has in common.
 
 use std::borrow::Cow;
-use std::fmt;
 
-use crate::command::CommandInfo;
 use crate::error_code::ErrorCode;
-use crate::text::Visible;
-use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, lossy_text, trimmed};
+use crate::refusal::Refusal;
+use crate::wire::{Decode, DecodeError, Reader, lossy_text, trimmed};
 
 /// The keys that every reply has.
 const COMMAND: &str = "cmdName";
 const CODE: &str = "errorCode";
 const MESSAGE: &str = "errorMsg";
 const ENVELOPE: [&str; 3] = [COMMAND, CODE, MESSAGE];
-
-/// The same with their quotes and colons.
-pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
-pub(crate) const QUOTED_CODE: &str = "\"errorCode\":";
-pub(crate) const QUOTED_MESSAGE: &str = "\"errorMsg\":";
 
 /// The part of a reply that says whose it is and whether the command was accepted.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -84,7 +77,7 @@ impl<'a> Envelope<'a> {
     }
 
     /// Whether the reply says that the command was accepted.
-    fn is_accepted(&self) -> bool {
+    pub(crate) fn is_accepted(&self) -> bool {
         self.code.as_ref().is_ok_and(|code| code.is_success())
     }
 
@@ -155,133 +148,9 @@ impl<'a> Parts<'a> {
 }
 
 /// The code that a value holds, all of it, or why it holds none.
-fn code(raw: &str) -> Result<ErrorCode, DecodeError> {
+pub(crate) fn code(raw: &str) -> Result<ErrorCode, DecodeError> {
     let mut value = Reader::new(raw);
-    let code: Result<ErrorCode, _> = crate::wire::Decode::decode(&mut value);
+    let code = ErrorCode::decode(&mut value);
     let code = code.and_then(|code| value.end().map(|()| code));
     code.map_err(|error| error.in_field("error_code"))
-}
-
-/// A command that the controller refused, in the controller's words. Nothing came of the command.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Refusal {
-    /// `cmdName` of the command.
-    pub command: String,
-    /// The controller's code.
-    pub code: ErrorCode,
-    /// The controller's message.
-    pub message: String,
-}
-
-impl Refusal {
-    /// A refusal of `command`.
-    pub fn new(command: impl Into<String>, code: ErrorCode, message: impl Into<String>) -> Self {
-        Self { command: command.into(), code, message: message.into() }
-    }
-}
-
-/// In one line, whatever the controller says: see [`text`](crate::text).
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { command, code, message } = self;
-        write!(f, "the controller refused `{}` with code {code}", Visible(command))?;
-        if message.is_empty() { Ok(()) } else { write!(f, ": {}", Visible(message)) }
-    }
-}
-
-impl std::error::Error for Refusal {}
-
-/// Writes the reply to an accepted command, as a controller does.
-pub fn write_reply(command: &CommandInfo, reply: &impl Fields, out: &mut Writer) {
-    write_envelope(Some(command.name), ErrorCode(0), "", out);
-    reply.write_fields(out);
-    out.raw("}");
-}
-
-/// Writes the reply to a refused command, as a controller does; without `cmdName` if `command` is `None`.
-pub fn write_refusal(command: Option<&str>, code: ErrorCode, message: &str, out: &mut Writer) {
-    write_envelope(command, code, message, out);
-    out.raw("}");
-}
-
-fn write_envelope(command: Option<&str>, code: ErrorCode, message: &str, out: &mut Writer) {
-    out.raw("{\"errorCode\":");
-    code.encode(out);
-    out.raw(",\"errorMsg\":");
-    out.text(message);
-    if let Some(command) = command {
-        out.raw(",\"cmdName\":");
-        out.text(command);
-    }
-}
-
-/// A reply: whose it is, whether the command was accepted, and its payload.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Reply<'a, R> {
-    /// What the reply says beside its payload; `None` for a bare Python tuple, which says nothing else.
-    pub envelope: Option<Envelope<'a>>,
-    /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it was,
-    /// so that a refusal is never hidden behind a missing field.
-    pub payload: Option<Result<R, DecodeError>>,
-}
-
-/// Reads a reply as that to `command`, whosever it is: what [`Envelope::read`] and [`read_payload`] read, in one pass.
-///
-/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's. A reply that
-/// is odd is read as [`Envelope::read_odd`] does, and its payload where that is not odd itself.
-///
-/// ```
-/// use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
-/// use jaka_proto::{Command, read_reply};
-///
-/// let text = r#"{"errorCode": "0", "cmdName": "get_joint_pos", "joint_pos": [0, 90, 90, 90, -90, 0]}"#;
-/// let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, text)?;
-/// assert_eq!(reply.envelope.and_then(|envelope| envelope.command).as_deref(), Some("get_joint_pos"));
-/// assert!(reply.payload.is_some_and(|payload| payload.is_ok()));
-/// # Ok::<(), jaka_proto::wire::DecodeError>(())
-/// ```
-///
-/// # Errors
-/// The text is no object by its quotes and brackets, and no Python tuple.
-pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    match crate::wire::read_accepted(reply) {
-        Some(reply) => Ok(reply),
-        None => read_closely(command, reply),
-    }
-}
-
-/// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
-#[cold]
-fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    let envelope = (!reply.starts_with('(')).then(|| Envelope::read_odd(reply)).transpose()?;
-    let accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
-    let payload = accepted.then(|| read_payload(command, reply));
-    Ok(Reply { envelope, payload })
-}
-
-/// Reads the payload of an accepted reply.
-///
-/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names. Values of
-/// other keys may be [odd](Envelope::read_odd).
-///
-/// # Errors
-/// A field is missing, comes twice or does not fit its type.
-pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
-    crate::wire::read_message(&as_object(command, reply))
-}
-
-/// The reply as a JSON object, also where it is a bare Python tuple.
-fn as_object<'r>(command: &CommandInfo, reply: &'r str) -> Cow<'r, str> {
-    let Some(key) = command.bare_reply.filter(|_| reply.trim_start().starts_with('(')) else {
-        return Cow::Borrowed(reply);
-    };
-    let mut wrapped = Writer::new();
-    wrapped.raw("{");
-    wrapped.text(key);
-    wrapped.raw(":");
-    wrapped.text(reply.trim());
-    wrapped.raw("}");
-    Cow::Owned(wrapped.into_string())
 }

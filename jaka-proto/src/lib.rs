@@ -15,6 +15,8 @@ mod ledger;
 mod near;
 pub mod python;
 pub mod recording;
+mod refusal;
+mod reply;
 mod request;
 pub mod text;
 pub mod wire;
@@ -26,11 +28,13 @@ pub mod messages {
 
 pub use command::{Command, CommandInfo, Effect, Requirement, Visit};
 pub use controller_event::{ControllerEvent, Severity, UnreadableEvent};
-pub use envelope::{Envelope, Refusal, Reply, read_payload, read_reply, write_refusal, write_reply};
+pub use envelope::Envelope;
 pub use error_code::ErrorCode;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
 pub use ledger::{Arrival, Ledger, Mistrust, Ticket};
 pub use messages::Request;
+pub use refusal::Refusal;
+pub use reply::{Reply, read_envelope, read_payload, read_reply, write_refusal, write_reply};
 pub use request::RequestError;
 
 /// What macros of this crate name; no part of the interface.

@@ -18,7 +18,7 @@ pub use decode::Decode;
 pub use encode::Encode;
 pub use error::DecodeError;
 pub use reader::{Keys, Reader};
-pub(crate) use reader::{lossy_text, read_accepted, read_message, trimmed};
+pub(crate) use reader::{lossy_text, read_message, trimmed};
 #[doc(hidden)]
 pub use serde_impls::{deserialize, serialize};
 pub use typed::Typed;

@@ -1,16 +1,16 @@
 //! Reads JSON text, one value after the other, without building a tree.
 
+mod capture;
 mod fields;
 mod odd;
-mod reply;
 mod skip;
 mod status;
 
 use std::borrow::Cow;
 
+use self::capture::Capture;
 pub use fields::Keys;
 pub(crate) use odd::lossy_text;
-pub(crate) use reply::read_accepted;
 pub(super) use skip::MAX_DEPTH;
 
 use super::error::DecodeError;
@@ -25,8 +25,7 @@ pub struct Reader<'a> {
     at: usize,
     /// True where a comma must come before the next key or element.
     comma: bool,
-    /// What a reply says beside its payload, where that is wanted.
-    reply: reply::Slots<'a>,
+    capture: Capture<'a>,
     /// Whether odd values of keys that nobody asks for are passed over.
     tolerant: bool,
     /// What was left out of a status packet, and why.
@@ -43,7 +42,7 @@ pub struct Mark {
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self { text, at: 0, comma: false, reply: reply::Slots::default(), tolerant: false, left_out: Vec::new() }
+        Self { text, at: 0, comma: false, capture: Capture::NONE, tolerant: false, left_out: Vec::new() }
     }
 
     /// Where the reader stands.

@@ -12,8 +12,8 @@ pub struct Keys {
     found: usize,
     /// A bit for each key that came with a value, where values are read in place.
     seen: u128,
-    /// Whether keys that the type does not know may be those of a reply.
-    in_reply: bool,
+    /// Whether values of keys that the type does not know are captured.
+    captures: bool,
     /// Whether a value that does not fit is left out: so it is in a status packet.
     pub(super) lenient: bool,
 }
@@ -74,7 +74,7 @@ impl Reader<'_> {
     /// The next value is no object.
     pub fn begin_fields(&mut self, names: &'static [&'static str]) -> Result<Keys, DecodeError> {
         self.begin_object()?;
-        Ok(Keys { names, found: usize::MAX, seen: 0, in_reply: self.reply.enter(), lenient: false })
+        Ok(Keys { names, found: usize::MAX, seen: 0, captures: self.capture.enter(), lenient: false })
     }
 
     /// Goes to the next key, and tells its place among those of the type: the one behind the last for any other key.
@@ -98,7 +98,7 @@ impl Reader<'_> {
                 keys.found = guess;
                 return Ok(Some(guess));
             }
-            if keys.in_reply && self.take_reply_key()? {
+            if keys.captures && self.capture_value()? {
                 continue;
             }
             if let Some(place) = keys.place_of_usual(self.rest()) {
@@ -146,8 +146,8 @@ impl Reader<'_> {
     /// Reads a key that may be written with escapes, with a bare control character, or with white space before its colon.
     #[inline(never)]
     fn unusual_key(&mut self, keys: &Keys) -> Result<usize, DecodeError> {
-        if keys.in_reply {
-            // It may be one of a reply's keys: two passes tell.
+        if keys.captures {
+            // It may be a key that is captured: the caller reads the text in another way.
             return Err(self.malformed("a key in its usual form"));
         }
         let key = self.key()?;
@@ -338,7 +338,7 @@ impl Reader<'_> {
 
 /// Whether `text` begins with a quoted key; the byte behind the quote spares most comparisons.
 #[inline]
-fn begins_with(text: &[u8], key: &str) -> bool {
+pub(super) fn begins_with(text: &[u8], key: &str) -> bool {
     text.get(1) == key.as_bytes().get(1) && text.starts_with(key.as_bytes())
 }
 

@@ -1,0 +1,177 @@
+//! Replies: what they say besides their payload, and the payload.
+
+use std::borrow::Cow;
+
+use crate::command::CommandInfo;
+use crate::envelope::{Envelope, code};
+use crate::error_code::ErrorCode;
+use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, read_message};
+
+/// The keys of an envelope in their usual order, with quotes and colons.
+const KEYS: [&str; 3] = ["\"errorCode\":", "\"errorMsg\":", "\"cmdName\":"];
+
+/// A reply: whose it is, whether the command was accepted, and its payload.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Reply<'a, R> {
+    /// What the reply says beside its payload; `None` for a bare Python tuple, which says nothing else.
+    pub envelope: Option<Envelope<'a>>,
+    /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it was,
+    /// so that a refusal is never hidden behind a missing field.
+    pub payload: Option<Result<R, DecodeError>>,
+}
+
+/// Reads a reply as that to `command`, whosever it is: what [`Envelope::read`] and [`read_payload`] read, in one pass.
+///
+/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's. A reply that
+/// is odd is read as [`Envelope::read_odd`] does, and its payload where that is not odd itself.
+///
+/// ```
+/// use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
+/// use jaka_proto::{Command, read_reply};
+///
+/// let text = r#"{"errorCode": "0", "cmdName": "get_joint_pos", "joint_pos": [0, 90, 90, 90, -90, 0]}"#;
+/// let reply = read_reply::<GetJointPosReply>(GetJointPos::INFO, text)?;
+/// assert_eq!(reply.envelope.and_then(|envelope| envelope.command).as_deref(), Some("get_joint_pos"));
+/// assert!(reply.payload.is_some_and(|payload| payload.is_ok()));
+/// # Ok::<(), jaka_proto::wire::DecodeError>(())
+/// ```
+///
+/// # Errors
+/// The text is no object by its quotes and brackets, and no Python tuple.
+pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
+    match read_accepted(reply) {
+        Some(reply) => Ok(reply),
+        None => read_closely(command, reply),
+    }
+}
+
+/// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
+fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
+    let mut reader = Reader::capturing(text, &KEYS);
+    let payload = R::read_fields(&mut reader).ok()?;
+    reader.end().ok()?;
+    let [code, message, command] = reader.captured();
+    let code = usual_code(code?).filter(|code| code.is_success())?;
+    let command = command.map(|raw| unquoted(raw).ok_or(())).transpose().ok()?;
+    let message = message.map_or(Some(""), unquoted)?;
+    let command = command.map(|command| command.trim().into());
+    Some(Reply {
+        envelope: Some(Envelope { command, code: Ok(code), message: message.into() }),
+        payload: Some(Ok(payload)),
+    })
+}
+
+/// The code of nearly all replies at once.
+fn usual_code(raw: &str) -> Option<ErrorCode> {
+    if raw == "\"0\"" { Some(ErrorCode(0)) } else { code(raw).ok() }
+}
+
+/// The text of a string without escapes.
+fn unquoted(raw: &str) -> Option<&str> {
+    raw.strip_prefix('"')?.strip_suffix('"')
+}
+
+/// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
+#[cold]
+fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
+    let envelope = read_envelope(reply)?;
+    let accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
+    let payload = accepted.then(|| read_payload(command, reply));
+    Ok(Reply { envelope, payload })
+}
+
+/// Reads the envelope of a reply, as [`Envelope::read_odd`] does; `None` for a bare Python tuple, which has none.
+///
+/// # Errors
+/// The text is neither an object by its quotes and brackets nor a Python tuple.
+pub fn read_envelope(reply: &str) -> Result<Option<Envelope<'_>>, DecodeError> {
+    if reply.starts_with('(') { Ok(None) } else { Envelope::read_odd(reply).map(Some) }
+}
+
+/// Reads the payload of an accepted reply.
+///
+/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names. Values of
+/// other keys may be [odd](Envelope::read_odd).
+///
+/// # Errors
+/// A field is missing, comes twice or does not fit its type.
+pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
+    read_message(&as_object(command, reply))
+}
+
+/// The reply as a JSON object, also where it is a bare Python tuple.
+fn as_object<'r>(command: &CommandInfo, reply: &'r str) -> Cow<'r, str> {
+    let Some(key) = command.bare_reply.filter(|_| reply.trim_start().starts_with('(')) else {
+        return Cow::Borrowed(reply);
+    };
+    let mut wrapped = Writer::new();
+    wrapped.raw("{");
+    wrapped.text(key);
+    wrapped.raw(":");
+    wrapped.text(reply.trim());
+    wrapped.raw("}");
+    Cow::Owned(wrapped.into_string())
+}
+
+/// Writes the reply to an accepted command, as a controller does.
+pub fn write_reply(command: &CommandInfo, reply: &impl Fields, out: &mut Writer) {
+    write_envelope(Some(command.name), ErrorCode(0), "", out);
+    reply.write_fields(out);
+    out.raw("}");
+}
+
+/// Writes the reply to a refused command, as a controller does; without `cmdName` if `command` is `None`.
+pub fn write_refusal(command: Option<&str>, code: ErrorCode, message: &str, out: &mut Writer) {
+    write_envelope(command, code, message, out);
+    out.raw("}");
+}
+
+fn write_envelope(command: Option<&str>, code: ErrorCode, message: &str, out: &mut Writer) {
+    out.raw("{\"errorCode\":");
+    code.encode(out);
+    out.raw(",\"errorMsg\":");
+    out.text(message);
+    if let Some(command) = command {
+        out.raw(",\"cmdName\":");
+        out.text(command);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::read_accepted;
+    use crate::messages::kinematics::GetJointPosReply;
+
+    #[test]
+    fn replies_in_their_usual_form_take_one_pass() {
+        for keys in [
+            r#""errorCode": "0", "errorMsg": "", "joint_pos": [1, 2, 3, 4, 5, 6.5], "cmdName": "get_joint_pos""#,
+            r#""errorCode":"0","errorMsg":"","joint_pos":[1,2,3,4,5,6.5],"cmdName":"get_joint_pos""#,
+            r#""cmdName": "get_joint_pos", "joint_pos": [1, 2, 3, 4, 5, 6.5], "new": [{"errorCode": 7}], "errorCode": 0"#,
+        ] {
+            let text = format!("{{{keys}}}");
+            let reply = read_accepted::<GetJointPosReply>(&text).expect(keys);
+            let envelope = reply.envelope.expect("it has one");
+            assert_eq!((envelope.command.as_deref(), &*envelope.message), (Some("get_joint_pos"), ""), "{keys}");
+            let joints = reply.payload.expect("it is accepted").expect("it decodes").joint_position;
+            assert_eq!(joints, [1.0, 2.0, 3.0, 4.0, 5.0, 6.5].into(), "{keys}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_as_usual_is_left_to_two_passes() {
+        for text in [
+            r#"{"errorCode": "1", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "errorCode": "0", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "errorMsg": "a\n", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "errorMsg": null, "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode" : "0", "joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+            r#"{"errorCode": "0", "joint_pos": [1, 2, 3, 4, 5]}"#,
+            r#"{"errorCode": "0", "joint_pos": [1, 2, 3, 4, 5, 6]} x"#,
+            r#"{"joint_pos": [1, 2, 3, 4, 5, 6]}"#,
+        ] {
+            assert!(read_accepted::<GetJointPosReply>(text).is_none(), "{text}");
+        }
+    }
+}
