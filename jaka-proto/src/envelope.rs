@@ -12,6 +12,11 @@ const CODE: &str = "errorCode";
 const MESSAGE: &str = "errorMsg";
 const ENVELOPE: [&str; 3] = [COMMAND, CODE, MESSAGE];
 
+/// The same with their quotes and colons.
+pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
+pub(crate) const QUOTED_CODE: &str = "\"errorCode\":";
+pub(crate) const QUOTED_MESSAGE: &str = "\"errorMsg\":";
+
 /// The part of a reply that says whose it is and whether the command was accepted.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Envelope<'a> {
@@ -79,6 +84,11 @@ impl<'a> Envelope<'a> {
     /// Whether the reply says that the command was accepted.
     pub(crate) fn is_accepted(&self) -> bool {
         self.code.as_ref().is_ok_and(|code| code.is_success())
+    }
+
+    /// Whether the reply says that the command was refused.
+    pub(crate) fn is_refusal(&self) -> bool {
+        self.code.as_ref().is_ok_and(|code| !code.is_success())
     }
 
     /// The refusal that the reply holds, if it holds one.

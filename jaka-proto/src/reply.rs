@@ -3,12 +3,9 @@
 use std::borrow::Cow;
 
 use crate::command::CommandInfo;
-use crate::envelope::{Envelope, code};
+use crate::envelope::{Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, code};
 use crate::error_code::ErrorCode;
 use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, read_message};
-
-/// The keys of an envelope in their usual order, with quotes and colons.
-const KEYS: [&str; 3] = ["\"errorCode\":", "\"errorMsg\":", "\"cmdName\":"];
 
 /// A reply: whose it is, whether the command was accepted, and its payload.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,28 +45,36 @@ pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Resul
 
 /// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
 fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
-    let mut reader = Reader::capturing(text, &KEYS);
+    let mut reader = Reader::capturing(text, take_envelope);
     let payload = R::read_fields(&mut reader).ok()?;
     reader.end().ok()?;
     let [code, message, command] = reader.captured();
-    let code = usual_code(code?).filter(|code| code.is_success())?;
-    let command = command.map(|raw| unquoted(raw).ok_or(())).transpose().ok()?;
-    let message = message.map_or(Some(""), unquoted)?;
-    let command = command.map(|command| command.trim().into());
-    Some(Reply {
-        envelope: Some(Envelope { command, code: Ok(code), message: message.into() }),
-        payload: Some(Ok(payload)),
-    })
+    let is_accepted = code.is_some_and(|raw| raw == SUCCESS || self::code(raw).is_ok_and(ErrorCode::is_success));
+    let envelope = is_accepted.then(|| Envelope {
+        command: command.map(|command| command.trim().into()),
+        code: Ok(ErrorCode(0)),
+        message: message.unwrap_or_default().into(),
+    })?;
+    Some(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) })
 }
 
-/// The code of nearly all replies at once.
-fn usual_code(raw: &str) -> Option<ErrorCode> {
-    if raw == "\"0\"" { Some(ErrorCode(0)) } else { code(raw).ok() }
-}
+/// The code of nearly all replies.
+const SUCCESS: &str = "\"0\"";
 
-/// The text of a string without escapes.
-fn unquoted(raw: &str) -> Option<&str> {
-    raw.strip_prefix('"')?.strip_suffix('"')
+/// Takes a key of the envelope, and its value where that is in its usual form.
+fn take_envelope(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
+    if reader.eat_key(QUOTED_CODE) {
+        let code = if reader.eat(SUCCESS) { Some(SUCCESS) } else { reader.usual_scalar() };
+        reader.keep(0, code)
+    } else if reader.eat_key(QUOTED_MESSAGE) {
+        let message = reader.usual_text();
+        reader.keep(1, message)
+    } else if reader.eat_key(QUOTED_COMMAND) {
+        let command = reader.usual_text();
+        reader.keep(2, command)
+    } else {
+        Ok(false)
+    }
 }
 
 /// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.

@@ -22,6 +22,12 @@ impl Request {
 }
 
 impl Request {
+    /// The name of the command that may be answered by a bare Python tuple, which names no command: for
+    /// [`Exchange::new`](crate::exchange::Exchange::new).
+    pub fn bare_reply_command() -> Option<&'static str> {
+        Self::COMMANDS.iter().find(|info| info.bare_reply.is_some()).map(|info| info.name)
+    }
+
     /// What the spec says about the command.
     pub fn info(&self) -> &'static CommandInfo {
         struct Info;

@@ -38,6 +38,11 @@ pub trait Fields: Sized {
     /// A field is missing or does not fit its type, or the text is no JSON object.
     fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
 
+    /// The value without any field; `None` if a field is required.
+    fn without_fields() -> Option<Self> {
+        Self::read_fields(&mut Reader::new("{}")).ok()
+    }
+
     /// Reads the whole object over another one, whose memory is used again. After an error, what is there means nothing.
     ///
     /// # Errors

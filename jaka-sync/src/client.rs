@@ -8,15 +8,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::check::{InvalidArgument, Rules};
+use jaka_proto::exchange::{ReadReply, TextOnly, TypedReply};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::link::{Gate, Link, Posting};
-use crate::reply::{Payload, TextAlone, Typed};
-use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connection, reply};
+use crate::link::{Gate, Link, Outgoing, Posting, unexpected};
+use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connection};
 
 /// A connection to a controller's command port.
 ///
@@ -87,15 +87,40 @@ impl Client {
         timeout: Duration,
     ) -> Result<C::Reply, Error> {
         command.check(self.rules())?;
-        self.exchange(Request { info: C::INFO, gate, write: &mut |out| command.write_request(out), timeout })
+        let outgoing = Outgoing::of(C::INFO, timeout).through(gate);
+        self.call_as(C::INFO, &outgoing, &mut |out| command.write_request(out))
     }
 
+    /// Sends a request and waits for its reply, of this type.
+    ///
     /// Generic over the reply alone, which many commands have in common.
-    fn exchange<R: Fields>(&mut self, request: Request<'_>) -> Result<R, Error> {
-        let info = request.info;
-        let mut payload = Typed::new(info);
-        let reply = exchange(&self.link, request, &mut self.reply, &mut payload)?;
-        payload.take(reply).map_err(|source| self.link.attach(reply::unexpected(info.name, source)))
+    fn call_as<R: Fields>(
+        &mut self,
+        info: &'static CommandInfo,
+        outgoing: &Outgoing<'_>,
+        write: &mut dyn FnMut(&mut Writer),
+    ) -> Result<R, Error> {
+        let mut reader = TypedReply::new(info);
+        match self.exchange(info, outgoing, write, &mut reader) {
+            Ok(()) => reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source))),
+            Err(error) if is_success_without_reply(info, &error) => R::without_fields().ok_or(error),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Not generic: a copy for each type of reply would be most of what this crate takes to compile.
+    fn exchange(
+        &mut self,
+        info: &'static CommandInfo,
+        outgoing: &Outgoing<'_>,
+        write: &mut dyn FnMut(&mut Writer),
+        reader: &mut dyn ReadReply,
+    ) -> Result<(), Error> {
+        self.link.call(outgoing, write, &mut self.reply, reader)?;
+        if info.ends_session {
+            self.link.end(info);
+        }
+        Ok(())
     }
 
     /// How long the reply to a command may take.
@@ -159,8 +184,8 @@ impl Client {
     pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
         let text = self.call(&GetVersion)?.version;
         let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
-        let unexpected = |_| self.link.attach(reply::unexpected(GetVersion::INFO.name, unfit()));
-        let firmware = text.parse().map_err(unexpected)?;
+        let no_version = |_| self.link.attach(unexpected(GetVersion::INFO.name, unfit()));
+        let firmware = text.parse().map_err(no_version)?;
         self.firmware = Some(firmware);
         Ok(firmware)
     }
@@ -193,13 +218,11 @@ impl Client {
     /// key comes twice in it.
     pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
         let request = raw_request(command, parameters)?;
-        let timeout = self.config.reply_timeout;
-        let owed = Cow::Owned(command.trim().to_owned());
-        let sent = self.link.send(command, owed, timeout, None, &mut |out| out.raw(&request))?;
-        self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
+        let outgoing = Outgoing::named(command, Cow::Owned(command.trim().to_owned()), self.config.reply_timeout);
+        self.link.call(&outgoing, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
         let mut reader = Reader::new(&self.reply);
         let found = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
-        found.map_err(|source| self.link.attach(reply::unexpected(command, source)))
+        found.map_err(|source| self.link.attach(unexpected(command, source)))
     }
 
     /// Sends a request as it stands, byte for byte, and gives back the text of its reply, with `\udcNN` for each byte that is no
@@ -219,9 +242,8 @@ impl Client {
                 InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
             );
         };
-        let owed = Cow::Owned(command.to_owned());
-        let sent = self.link.send(command, owed, timeout, None, &mut |out| out.raw(request))?;
-        self.link.wait(&sent, &mut self.reply, &mut TextAlone)?;
+        let outgoing = Outgoing::named(command, Cow::Owned(command.to_owned()), timeout);
+        self.link.call(&outgoing, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
         Ok(&self.reply)
     }
 
@@ -263,35 +285,9 @@ impl Drop for Client {
     }
 }
 
-/// A request on its way out.
-struct Request<'r> {
-    info: &'static CommandInfo,
-    gate: Gate<'r>,
-    write: &'r mut dyn FnMut(&mut Writer),
-    timeout: Duration,
-}
-
-/// Sends a request and waits for its reply, whose text it gives back.
-///
-/// Not generic: 82 copies of it would be most of what this crate takes to compile.
-fn exchange<'t>(
-    link: &Link,
-    request: Request<'_>,
-    text: &'t mut String,
-    payload: &mut dyn Payload,
-) -> Result<&'t str, Error> {
-    let Request { info, gate, write, timeout } = request;
-    let sent = link.send(info.name, Cow::Borrowed(info.name), timeout, gate, write)?;
-    match link.wait(&sent, text, payload) {
-        Ok(()) => {}
-        // Such a command has a reply without fields.
-        Err(error) if !info.reply_certain && closed(&error) => return Ok("{}"),
-        Err(error) => return Err(error),
-    }
-    if info.ends_session {
-        link.end(info);
-    }
-    Ok(text)
+/// True if a controller that carries out this command may close the connection instead of replying, and has done so.
+fn is_success_without_reply(info: &CommandInfo, error: &Error) -> bool {
+    !info.reply_certain && closed(error)
 }
 
 /// True if the controller closed the connection, as it does when it goes down.

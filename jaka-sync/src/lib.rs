@@ -14,7 +14,6 @@ mod pipeline;
 mod ports;
 mod receive;
 mod recorder;
-mod reply;
 mod resync;
 mod robot;
 mod servo_session;

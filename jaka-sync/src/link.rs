@@ -1,15 +1,18 @@
 //! The command connection, shared between a client and its stop handles.
 //!
-//! One thread at a time has the turn to send, and enters what it sends into the ledger before: so the ledger's order is the wire's.
-//! Whoever waits for a reply reads the socket for all, or sleeps while another does. Neither holds the state's lock meanwhile.
+//! One thread at a time has the turn to send, and enters what it sends into the exchange before: so the exchange has the order of the
+//! wire. The first thread that waits for a reply reads the socket for all; others sleep meanwhile. No thread holds the state's lock
+//! while the socket may keep it waiting.
 
-mod answer;
+mod failure;
 mod inbound;
 mod outbound;
+mod outgoing;
 mod posted;
 mod question;
 mod reset;
 mod state;
+mod turn;
 mod wait;
 
 use std::borrow::Cow;
@@ -19,21 +22,33 @@ use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
+use jaka_proto::exchange::{ReadReply, RequestId};
 use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo, Ticket};
+use jaka_proto::{Command, CommandInfo};
 
-use self::answer::{Progress, disconnected};
+pub(crate) use self::failure::unexpected;
+use self::failure::{Progress, disconnected};
 use self::inbound::Inbound;
-use self::outbound::Dispatch;
-pub(crate) use self::outbound::Right;
-pub(crate) use self::posted::{Answers, MOST_OWED};
+pub(crate) use self::outgoing::{Gate, Outgoing, Right};
+pub(crate) use self::posted::{Answers, MOST_OUTSTANDING};
 pub(crate) use self::question::Question;
 use self::state::{Mode, State};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.
+///
+/// # Order of locks
+/// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread waiting. The
+///    gate of [`Outgoing`] runs under it: it may take 2, and must not use the connection.
+/// 2. The state of a monitor's board (`Board` in `monitor.rs`) or the latch of a robot (`robot.rs`), never both at once. A thread that
+///    holds one of these must not take 1.
+/// 3. What the recorder has: the state of a connection (`recorder/tap.rs`), then its sampler (`recorder/track.rs`), then the queue
+///    (`recorder/queue.rs`). These take no other lock.
+///
+/// `turned` goes with `state`. The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
+/// a thread takes out of the state and puts back.
 #[derive(Debug)]
 pub(crate) struct Link {
     tap: Tap,
@@ -42,7 +57,7 @@ pub(crate) struct Link {
     state: Mutex<State>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
     stops: AtomicUsize,
-    /// Signalled when an answer was put aside, the reader's place or the turn to send became free, or the connection broke.
+    /// Signalled when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
     turned: Condvar,
 }
 
@@ -50,16 +65,10 @@ pub(crate) struct Link {
 const FRAME_COMMANDS: [&str; 4] =
     [SetToolId::INFO.name, SetUserId::INFO.name, SetToolOffsets::INFO.name, SetUserOffsets::INFO.name];
 
-/// Asked by the thread whose turn it is to send, as the last thing before a command goes out: an error keeps it back. What another
-/// thread sends meanwhile goes out behind it, or has gone out before.
-///
-/// It must not use the connection.
-pub(crate) type Gate<'g> = Option<&'g dyn Fn() -> Result<(), Error>>;
-
 /// A command on its way: what is needed to wait for its reply.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sent<'c> {
-    ticket: Ticket,
+    request: RequestId,
     command: &'c str,
     since: Instant,
     timeout: Duration,
@@ -72,12 +81,6 @@ pub(crate) struct Posting {
     pub(crate) sent: usize,
     /// How many posted commands are outstanding.
     pub(crate) outstanding: usize,
-}
-
-impl Sent<'_> {
-    fn left(&self) -> Duration {
-        self.timeout.saturating_sub(self.since.elapsed())
-    }
 }
 
 impl Link {
@@ -123,36 +126,30 @@ impl Link {
         self.tap.attach(error)
     }
 
-    /// Sends a command, and enters it as owed a reply. Sending counts towards the timeout.
+    /// Sends a command and waits for its reply, puts the reply's text into `text`, and has `reader` read it. A refusal is an error.
+    pub(crate) fn call(
+        &self,
+        outgoing: &Outgoing<'_>,
+        write: &mut dyn FnMut(&mut Writer),
+        text: &mut String,
+        reader: &mut dyn ReadReply,
+    ) -> Result<(), Error> {
+        let sent = self.send(outgoing, write)?;
+        self.wait(&sent, text, reader)
+    }
+
+    /// Sends a command.
     pub(crate) fn send<'c>(
         &self,
-        command: &'c str,
-        owed: Cow<'static, str>,
-        timeout: Duration,
-        gate: Gate<'_>,
+        outgoing: &Outgoing<'c>,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
-        self.send_by(Right::Usual, command, owed, timeout, gate, write)
+        let request = self.transmit(outgoing, 1, &mut |_, out| write(out))?.last;
+        Ok(Sent { request, command: outgoing.command, since: outgoing.since, timeout: outgoing.timeout })
     }
 
-    /// The same by the right of way that is given.
-    pub(crate) fn send_by<'c>(
-        &self,
-        right: Right,
-        command: &'c str,
-        owed: Cow<'static, str>,
-        timeout: Duration,
-        gate: Gate<'_>,
-        write: &mut dyn FnMut(&mut Writer),
-    ) -> Result<Sent<'c>, Error> {
-        let since = Instant::now();
-        let dispatch = Dispatch { command, owed, since, timeout, right, is_posted: false };
-        let ticket = self.transmit(&dispatch, gate, 1, &mut |_, out| write(out))?.last;
-        Ok(Sent { ticket, command, since, timeout })
-    }
-
-    /// Sends some of so many commands of one name in one write, at least one, and says how many, and of how many posted commands
-    /// the replies are outstanding, which are counted. `write` writes the request with an index.
+    /// Sends some of so many commands of one name in one write, at least one, and says how many, and how many posted commands
+    /// are outstanding. `write` writes the request with an index.
     pub(crate) fn post(
         &self,
         command: &'static str,
@@ -161,9 +158,8 @@ impl Link {
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Posting, Error> {
-        let owed = Cow::Borrowed(command);
-        let dispatch = Dispatch { command, owed, since: Instant::now(), timeout, right: Right::Usual, is_posted: true };
-        let dispatched = self.transmit(&dispatch, gate, count, write)?;
+        let outgoing = Outgoing::named(command, Cow::Borrowed(command), timeout).through(gate).posted();
+        let dispatched = self.transmit(&outgoing, count, write)?;
         Ok(Posting { sent: dispatched.count, outstanding: dispatched.posted })
     }
 
@@ -194,7 +190,7 @@ impl Link {
         if state.broken.is_none() {
             // Bytes that nobody has read would turn the end into a reset. A logger's panic must not meet another one here.
             if !std::thread::panicking() {
-                let _ = self.settle_arrived(&mut state);
+                let _ = self.attribute_arrived(&mut state);
             }
             self.tap.left();
             self.break_off(&mut state, Disconnect::ClientDropped);

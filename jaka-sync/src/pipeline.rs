@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use jaka_proto::Command;
 
-use crate::link::MOST_OWED;
+use crate::link::MOST_OUTSTANDING;
 use crate::{Client, Error};
 
 /// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
@@ -50,7 +50,7 @@ impl<'c> Pipeline<'c> {
     pub(crate) fn new(client: &'c mut Client, window: usize) -> Self {
         Self {
             client,
-            window: window.clamp(1, MOST_OWED),
+            window: window.clamp(1, MOST_OUTSTANDING),
             outstanding: 0,
             sent: 0,
             accepted: 0,

@@ -1,15 +1,14 @@
 //! Stopping from another thread.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Command;
+use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::program::StopProgram;
 
 use crate::Error;
-use crate::link::{Link, Right};
-use crate::reply::TextAlone;
+use crate::link::{Link, Outgoing, Right};
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
 ///
@@ -47,9 +46,8 @@ impl StopHandle {
     /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
     /// the client was dropped. Unless the call succeeds, expect the robot to move on.
     pub fn stop(&self) -> Result<(), Error> {
-        let info = StopProgram::INFO;
+        let outgoing = Outgoing::of(StopProgram::INFO, self.timeout).by(Right::Stop);
         let write = &mut |out: &mut _| StopProgram.write_request(out);
-        let sent = self.link.send_by(Right::Stop, info.name, Cow::Borrowed(info.name), self.timeout, None, write)?;
-        self.link.wait(&sent, &mut String::new(), &mut TextAlone)
+        self.link.call(&outgoing, write, &mut String::new(), &mut TextOnly)
     }
 }

@@ -294,7 +294,7 @@ fn a_late_reply_that_was_read_before_leaves_no_doubt_about_the_next_command_of_i
 #[test]
 fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_its_name() {
     let (_server, mut client, _stop) = read_ahead(&reply_to(GetJointPos::INFO));
-    let error = client.get_joint_pos().expect_err("nobody is owed the copy");
+    let error = client.get_joint_pos().expect_err("no request is outstanding");
     assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
 }
 

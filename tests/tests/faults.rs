@@ -3,7 +3,7 @@
 use std::net::TcpListener;
 use std::time::{Duration, Instant};
 
-use jaka_proto::Mistrust;
+use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_sim::{Controller, Fault};
 use jaka_sync::{Client, Config, Disconnect, Error, ErrorCode, ErrorKind};
@@ -200,7 +200,7 @@ fn reply_to_another_command() {
     let (controller, mut client) = patient(Fault::Renamed("get_payload".to_owned()));
     let error = client.get_joint_pos().expect_err("the reply is to another command");
     assert!(cause_of(error).contains("Unasked"));
-    assert_broken(&controller, &mut client, "a reply to `get_payload` came that nobody is owed");
+    assert_broken(&controller, &mut client, "a reply to `get_payload` came, but no such request is outstanding");
 }
 
 #[test]
@@ -209,7 +209,7 @@ fn unasked_reply_before_the_own() {
     let (controller, mut client) = patient(Fault::Before(unasked.to_vec()));
     let error = client.get_joint_pos().expect_err("nobody jogged");
     assert!(cause_of(error).contains("Unasked"));
-    assert_broken(&controller, &mut client, "a reply to `jog` came that nobody is owed");
+    assert_broken(&controller, &mut client, "a reply to `jog` came, but no such request is outstanding");
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn reply_that_comes_twice() {
     client.get_version().expect("the first copy is the reply");
     // Usually the copy has been read already, and nothing is sent; it may also come only now.
     assert!(client.get_joint_pos().expect_err("the second copy is unasked").is_disconnected());
-    assert_broken(&controller, &mut client, "a reply to `get_version` came that nobody is owed");
+    assert_broken(&controller, &mut client, "a reply to `get_version` came, but no such request is outstanding");
 }
 
 #[test]
@@ -365,6 +365,6 @@ fn a_controller_that_never_reads() {
 }
 
 #[test]
-fn mistrust_is_told_apart() {
-    assert_eq!(Mistrust::Nameless.to_string(), "a reply came that names no command");
+fn what_is_out_of_sync_is_told_apart() {
+    assert_eq!(OutOfSync::Nameless.to_string(), "a reply came that names no command");
 }

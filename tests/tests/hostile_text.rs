@@ -5,10 +5,11 @@ use std::error::Error as StdError;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::Framer;
 use jaka_proto::text::is_visible;
 use jaka_proto::wire::DecodeError;
-use jaka_proto::{ErrorCode, FirmwareVersion, Mistrust, Refusal};
+use jaka_proto::{ErrorCode, FirmwareVersion, Refusal};
 use jaka_sim::{Controller, Fault};
 use jaka_sync::{Client, Config, Disconnect, Error, ErrorKind, Explanation, Outcome, Recorder, StatusStream};
 
@@ -37,7 +38,7 @@ fn no_error_shows_a_controller_s_text_raw() {
     let causes = [
         Disconnect::Frame(garbage),
         Disconnect::NotJson(unfit()),
-        Disconnect::Mistrust(Mistrust::Unasked { command: HOSTILE.into() }),
+        Disconnect::OutOfSync(OutOfSync::Unsolicited { command: HOSTILE.into() }),
         Disconnect::Ended { by: HOSTILE.to_owned() },
     ]
     .map(Arc::new);

@@ -149,7 +149,7 @@ fn a_name_that_is_odd_is_none() {
         let before = r#"{"errorCode": "0", "joint_pos": [6, 5, 4, 3, 2, 1], "cmdName": "#;
         let error = client(reply(before, &name, "}")).get_joint_pos().expect_err("it may be anybody's");
         let ErrorKind::Disconnected { cause, .. } = error.kind() else { panic!("{error:?}") };
-        assert!(matches!(**cause, Disconnect::Mistrust(_)), "{error:?}");
+        assert!(matches!(**cause, Disconnect::OutOfSync(_)), "{error:?}");
     }
 }
 

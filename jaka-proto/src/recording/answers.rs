@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 use super::{Ending, Event, Message, Port, Recording};
-use crate::{Arrival, Envelope, Ledger, Ticket};
+use crate::exchange::RequestId;
+use crate::exchange::sent::{Recipient, SentRequests};
+use crate::{Envelope, Request};
 
 /// A recorded request, and what came of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,7 +43,7 @@ pub enum Answer {
 impl Recording {
     /// The requests of all command connections, in their order, each with the reply that belongs to it.
     ///
-    /// Replies that belong to no request, and messages behind which replies can no longer be told apart, are left out.
+    /// Replies that belong to no request, and messages after which replies can no longer be told apart, are left out.
     pub fn answers(&self) -> Vec<Answered> {
         let mut pairs = Pairs::default();
         for entry in self.entries.iter().filter(|entry| entry.port == Port::Command) {
@@ -62,27 +64,33 @@ struct Pairs {
     connections: HashMap<u32, Connection>,
 }
 
-/// What one connection is owed.
-#[derive(Debug, Default)]
+/// The requests of one connection that have no reply yet.
+#[derive(Debug)]
 struct Connection {
-    ledger: Ledger,
-    /// The places of the requests that have no reply yet.
-    open: Vec<(Ticket, usize)>,
+    sent: SentRequests,
+    /// Their places in the recording.
+    open: Vec<(RequestId, usize)>,
+}
+
+impl Default for Connection {
+    fn default() -> Self {
+        Self { sent: SentRequests::new(Request::bare_reply_command()), open: Vec::new() }
+    }
 }
 
 impl Pairs {
     fn sent(&mut self, connection: u32, request: &Message, sent: Duration) {
         let name = request.text().and_then(|text| Envelope::read(text).ok()?.command).unwrap_or_default();
         let connection = self.connections.entry(connection).or_default();
-        let ticket = connection.ledger.sent(name.into_owned().into());
-        connection.open.push((ticket, self.all.len()));
+        let id = connection.sent.push(name.into_owned().into(), Recipient::Waiter);
+        connection.open.push((id, self.all.len()));
         self.all.push(Answered { request: request.clone(), sent, answer: Answer::Nothing });
     }
 
     fn received(&mut self, connection: u32, reply: &Message, time: Duration) {
         let Some(connection) = self.connections.get_mut(&connection) else { return };
-        let Some(ticket) = arrived(&mut connection.ledger, reply).map(|arrival| arrival.ticket) else { return };
-        let Some(place) = connection.open.iter().position(|(owner, _)| *owner == ticket) else { return };
+        let Some(id) = completed_by(&mut connection.sent, reply) else { return };
+        let Some(place) = connection.open.iter().position(|(owner, _)| *owner == id) else { return };
         let (_, place) = connection.open.swap_remove(place);
         let after = time.saturating_sub(self.all[place].sent);
         self.all[place].answer = Answer::Reply { reply: reply.clone(), after };
@@ -97,8 +105,8 @@ impl Pairs {
     }
 }
 
-fn arrived(ledger: &mut Ledger, reply: &Message) -> Option<Arrival> {
+fn completed_by(sent: &mut SentRequests, reply: &Message) -> Option<RequestId> {
     let text = reply.text()?;
     let envelope = if text.starts_with('(') { None } else { Some(Envelope::read(text).ok()?) };
-    ledger.arrived_reply(envelope.as_ref()).ok()
+    sent.complete_by(envelope.as_ref(), drop).ok().map(|request| request.id)
 }

@@ -273,7 +273,7 @@ impl<'a> Reader<'a> {
 
     /// Reads a string without escapes and control characters, if that is the next value.
     #[inline]
-    fn usual_text(&mut self) -> Option<&'a str> {
+    pub(crate) fn usual_text(&mut self) -> Option<&'a str> {
         self.peek();
         let (b'"', text) = self.rest().split_first()? else { return None };
         let start = self.at + 1;

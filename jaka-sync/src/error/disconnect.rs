@@ -4,7 +4,7 @@ use std::error::Error as StdError;
 use std::fmt::{self, Write};
 use std::io;
 
-use jaka_proto::Mistrust;
+use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
@@ -26,8 +26,8 @@ pub enum Disconnect {
     Frame(FrameError),
     /// A message came that is no JSON object by its quotes and brackets.
     NotJson(DecodeError),
-    /// A reply came, or failed to come, in a way that leaves in doubt whose the next ones are.
-    Mistrust(Mistrust),
+    /// Replies can no longer be attributed to their requests.
+    OutOfSync(OutOfSync),
     /// This side reset the connection, so that the system does not send what it had queued: set-points of a servo session and the
     /// end of servo mode were not answered.
     Reset {
@@ -73,7 +73,7 @@ impl fmt::Display for Disconnect {
                 "the connection was reset: {unanswered} set-points and the end of servo mode were not answered, \
                  and those that the system had not sent yet are discarded; others may still move the arm"
             ),
-            Self::Mistrust(mistrust) => write!(f, "{mistrust}"),
+            Self::OutOfSync(out_of_sync) => write!(f, "{out_of_sync}"),
             Self::Panicked => f.write_str("a panic in this program kept a reply from being attributed"),
             Self::ClientDropped => f.write_str("the client was dropped, and with it the connection"),
             Self::StatusPort => {

@@ -5,15 +5,19 @@ use std::net::TcpStream;
 use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
-use jaka_proto::Mistrust;
+use jaka_proto::exchange::{Delivery, Exchange, OutOfSync, Waiter};
 use jaka_proto::framing::{self, Framer};
+use jaka_proto::wire::DecodeError;
+use jaka_proto::{Envelope, read_envelope};
 
 use super::Link;
-use super::answer::Caller;
 use super::state::{Mode, State};
 use crate::receive::{self, Chunk, Rest};
 use crate::recorder::Tap;
 use crate::{Disconnect, ports};
+
+/// What a panic leaves.
+type Panic = Box<dyn Any + Send>;
 
 /// The receiving half: the reading thread takes it out of the state.
 #[derive(Debug)]
@@ -21,7 +25,7 @@ pub(super) struct Inbound {
     framer: Framer,
     timeout: receive::Timeout,
     /// A panic of a logger, or of what reads a reply for its caller. It goes on once the receiving half is back in its place.
-    panic: Option<Box<dyn Any + Send>>,
+    panic: Option<Panic>,
 }
 
 impl Inbound {
@@ -33,19 +37,19 @@ impl Inbound {
         receive::chunk(stream, tap, &mut self.framer, &mut self.timeout, left)
     }
 
-    /// Settles the debts of all messages that have been read, up to the caller's own, and says how many there were.
-    pub(super) fn settle(
+    /// Attributes all messages that have been read, up to the waiter's own reply, and says how many there were.
+    pub(super) fn attribute(
         &mut self,
         tap: &Tap,
-        state: &mut State,
-        caller: &mut Caller<'_, '_>,
+        exchange: &mut Exchange,
+        waiter: &mut Waiter<'_>,
     ) -> Result<usize, Disconnect> {
         let mut count = 0;
-        while caller.outcome.is_none() && self.panic.is_none() {
+        while !waiter.is_done() && self.panic.is_none() {
             let Some(frame) = self.framer.next_frame().map_err(Disconnect::Frame)? else { break };
             tap.received(frame);
             let text = framing::text(frame);
-            self.panic = settle_whole(state, &text, caller).map_err(|cause| explained(cause, &text))?;
+            self.panic = receive_one(exchange, &text, waiter).map_err(|cause| explained(cause, &text))?;
             count += 1;
         }
         Ok(count)
@@ -57,34 +61,42 @@ impl Inbound {
     }
 }
 
-/// Settles a reply, also where a logger, or what reads it for its caller, panics: whose it is has nothing to do with them.
-fn settle_whole(
-    state: &mut State,
-    text: &str,
-    caller: &mut Caller<'_, '_>,
-) -> Result<Option<Box<dyn Any + Send>>, Disconnect> {
-    let owed = state.ledger.outstanding();
-    let settled = panic::catch_unwind(AssertUnwindSafe(|| {
+/// Attributes a reply, also where a logger, or what reads the reply for its waiter, panics: whose it is has nothing to do with them.
+fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> Result<Option<Panic>, Disconnect> {
+    let read = panic::catch_unwind(AssertUnwindSafe(|| {
         log::trace!(target: "jaka_sync::wire", "<- {text}");
-        state.settle(text, caller)
+        waiter.read(text)
     }));
-    let payload = match settled {
-        Ok(settled) => return settled.map(|()| None),
-        Err(payload) => payload,
-    };
-    if state.ledger.outstanding() == owed {
-        let again = panic::catch_unwind(AssertUnwindSafe(|| state.settle(text, &mut Caller::nobody())));
-        // A second panic is the logger's, behind all that matters, unless the account shows that nothing was settled.
-        again.unwrap_or_else(|_| if state.ledger.outstanding() < owed { Ok(()) } else { Err(Disconnect::Panicked) })?;
-        // Its caller is gone.
-        caller.ticket().and_then(|ticket| state.take(ticket));
+    match read {
+        Ok(envelope) => attribute(exchange, text, envelope, waiter),
+        Err(payload) => {
+            attribute(exchange, text, read_envelope(text), &mut Waiter::nobody())?;
+            // The waiter is gone.
+            waiter.request().into_iter().for_each(|request| exchange.discard_pending(request));
+            Ok(Some(payload))
+        }
     }
-    Ok(Some(payload))
+}
+
+fn attribute(
+    exchange: &mut Exchange,
+    text: &str,
+    envelope: Result<Option<Envelope<'_>>, DecodeError>,
+    waiter: &mut Waiter<'_>,
+) -> Result<Option<Panic>, Disconnect> {
+    let envelope = envelope.map_err(Disconnect::NotJson)?;
+    let received = exchange.receive(text, envelope, waiter).map_err(Disconnect::OutOfSync)?;
+    if received.delivery != Delivery::Discarded {
+        return Ok(None);
+    }
+    let command = &received.command;
+    let log = || log::debug!(target: "jaka_sync::wire", "late reply to `{command}` dropped");
+    Ok(panic::catch_unwind(AssertUnwindSafe(log)).err())
 }
 
 /// The same cause, unless what came shows that this is another port.
 fn explained(cause: Disconnect, text: &str) -> Disconnect {
-    if matches!(cause, Disconnect::Mistrust(Mistrust::Nameless)) && ports::is_status(text) {
+    if matches!(cause, Disconnect::OutOfSync(OutOfSync::Nameless)) && ports::is_status(text) {
         return Disconnect::StatusPort;
     }
     cause
@@ -101,23 +113,23 @@ impl Link {
         }
     }
 
-    /// Settles what has been read and not looked at. Where another thread reads, it looks at all that it has read.
-    pub(super) fn settle_read(&self, state: &mut State) -> Result<(), Disconnect> {
-        self.with_inbound(state, |inbound, state| inbound.settle(&self.tap, state, &mut Caller::nobody()).map(drop))
+    /// Attributes what has been read and not attributed. Where another thread reads, it attributes all that it has read.
+    pub(super) fn attribute_read(&self, state: &mut State) -> Result<(), Disconnect> {
+        self.with_inbound(state, |inbound, state| self.attribute_all(inbound, state))
     }
 
-    /// Reads what has come, without waiting, and settles it.
-    pub(super) fn settle_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
+    /// Reads what has come, without waiting, and attributes it.
+    pub(super) fn attribute_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
-            // Nobody else reads. One who sends may be waiting in the socket, which must block then: what was read has to do.
+            // Nobody else reads. A thread that sends may be waiting in the socket, which must block then: what was read has to do.
             if state.mode == Mode::Blocking && state.outbound.is_none() {
-                return inbound.settle(&self.tap, state, &mut Caller::nobody()).map(drop);
+                return self.attribute_all(inbound, state);
             }
             Self::switch(state, Mode::Nonblocking).map_err(Disconnect::Read)?;
             let Some(stream) = state.stream.clone() else { return Ok(()) };
             loop {
                 let rest = receive::arrived(&stream, &self.tap, &mut inbound.framer);
-                inbound.settle(&self.tap, state, &mut Caller::nobody())?;
+                self.attribute_all(inbound, state)?;
                 if rest? == Rest::Nothing {
                     return Ok(());
                 }
@@ -125,11 +137,15 @@ impl Link {
         })
     }
 
+    fn attribute_all(&self, inbound: &mut Inbound, state: &mut State) -> Result<(), Disconnect> {
+        inbound.attribute(&self.tap, &mut state.exchange, &mut Waiter::nobody()).map(drop)
+    }
+
     /// Does something with the receiving half, unless a thread reads or nobody will any more.
     fn with_inbound(
         &self,
         state: &mut State,
-        settle: impl FnOnce(&mut Inbound, &mut State) -> Result<(), Disconnect>,
+        act: impl FnOnce(&mut Inbound, &mut State) -> Result<(), Disconnect>,
     ) -> Result<(), Disconnect> {
         if state.broken.is_some() {
             return Ok(());
@@ -137,11 +153,11 @@ impl Link {
         let Some(mut inbound) = state.inbound.take() else {
             return Ok(());
         };
-        let settled = settle(&mut inbound, state);
-        if settled.is_err() {
+        let done = act(&mut inbound, state);
+        if done.is_err() {
             self.tap.stray(inbound.partial());
         }
         self.put_back(state, inbound);
-        settled
+        done
     }
 }

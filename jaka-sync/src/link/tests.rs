@@ -56,8 +56,18 @@ fn reply(name: &str, code: u8, message: &str) -> String {
     format!("{{\"errorCode\":\"{code}\",\"errorMsg\":\"{message}\",\"cmdName\":\"{name}\"}}")
 }
 
-/// How many replies are owed, and how many of them to posted commands.
-fn owed(link: &Link) -> (usize, usize) {
+/// How many requests are outstanding, and how many of them are posted.
+fn outstanding(link: &Link) -> (usize, usize) {
     let state = link.lock();
-    (state.ledger.outstanding(), state.posted.outstanding())
+    (state.exchange.outstanding(), state.exchange.posted_outstanding())
+}
+
+/// Sends a command.
+fn send_named(
+    link: &Link,
+    name: &'static str,
+    timeout: Duration,
+    write: &mut dyn FnMut(&mut Writer),
+) -> Result<Sent<'static>, Error> {
+    link.send(&Outgoing::named(name, Cow::Borrowed(name), timeout), write)
 }

@@ -1,39 +1,48 @@
 //! Waiting for replies.
 
 use std::sync::MutexGuard;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use super::answer::{Caller, Progress, disconnected};
-use super::posted::time_up;
+use jaka_proto::exchange::{ReadReply, Waiter};
+
+use super::failure::{Progress, disconnected, failed, timed_out};
 use super::state::{Mode, State};
 use super::{Link, Sent};
-use crate::reply::Payload;
 use crate::{Disconnect, Error};
 
 impl Link {
-    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `payload` read it. A refusal is an
+    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `reader` read it. A refusal is an
     /// error.
-    pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, payload: &mut dyn Payload) -> Result<(), Error> {
-        self.answer(sent, Caller::new(sent.ticket, sent.command, text, payload)).map_err(|error| self.attach(error))
+    pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, reader: &mut dyn ReadReply) -> Result<(), Error> {
+        let mut waiter = Waiter::new(sent.request, text, reader);
+        let (mut state, outcome) = self.outcome(self.lock(), sent.command, &mut waiter, sent.since, sent.timeout);
+        let outcome = outcome.unwrap_or_else(|| Err(self.give_up(&mut state, sent)));
+        drop(state);
+        outcome.map_err(|error| self.attach(error))
     }
 
-    fn answer(&self, sent: &Sent<'_>, mut caller: Caller<'_, '_>) -> Result<(), Error> {
-        let mut state = self.lock();
+    /// What became of the request that a waiter waits for; `None` if nothing has within `timeout`.
+    pub(super) fn outcome<'l>(
+        &'l self,
+        mut state: MutexGuard<'l, State>,
+        command: &str,
+        waiter: &mut Waiter<'_>,
+        since: Instant,
+        timeout: Duration,
+    ) -> (MutexGuard<'l, State>, Option<Result<(), Error>>) {
         loop {
-            if let Some(answer) = state.take(sent.ticket) {
-                caller.take(answer);
-            }
-            if let Some(outcome) = caller.outcome {
-                return outcome;
+            state.exchange.take_pending(waiter);
+            if let Some(outcome) = waiter.take_outcome() {
+                return (state, Some(outcome.map_err(|failure| failed(command, failure))));
             }
             if let Some(cause) = state.broken.clone() {
-                return Err(disconnected(sent.command, Progress::Sent, cause));
+                return (state, Some(Err(disconnected(command, Progress::Sent, cause))));
             }
-            let left = sent.left();
+            let left = timeout.saturating_sub(since.elapsed());
             if left.is_zero() {
-                return Err(self.give_up(&mut state, sent));
+                return (state, None);
             }
-            state = self.turn(state, left, &mut caller);
+            state = self.turn(state, left, waiter);
         }
     }
 
@@ -42,7 +51,7 @@ impl Link {
         &'l self,
         mut state: MutexGuard<'l, State>,
         left: Duration,
-        caller: &mut Caller<'_, '_>,
+        waiter: &mut Waiter<'_>,
     ) -> MutexGuard<'l, State> {
         let Some(stream) = state.stream.clone() else { return state };
         let Some(mut inbound) = state.inbound.take() else {
@@ -50,19 +59,20 @@ impl Link {
             return self.sleep(state, left);
         };
         // What has been read before comes first: it may be all that anybody waits for.
-        let mut settled = inbound.settle(&self.tap, &mut state, caller);
-        if matches!(settled, Ok(0)) {
-            settled = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
+        let mut attributed = inbound.attribute(&self.tap, &mut state.exchange, waiter);
+        if matches!(attributed, Ok(0)) {
+            attributed = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
         }
-        if matches!(settled, Ok(0)) {
+        if matches!(attributed, Ok(0)) {
             drop(state);
             let read = inbound.read(&stream, &self.tap, left);
             // Before the lock: after a reset this closes the socket.
             drop(stream);
             state = self.lock();
-            settled = inbound.settle(&self.tap, &mut state, caller).and_then(|count| read.map(|_| count));
+            let count = inbound.attribute(&self.tap, &mut state.exchange, waiter);
+            attributed = count.and_then(|count| read.map(|_| count));
         }
-        if let Err(cause) = settled {
+        if let Err(cause) = attributed {
             self.tap.stray(inbound.partial());
             self.break_off(&mut state, cause);
         }
@@ -81,10 +91,10 @@ impl Link {
     }
 
     fn give_up(&self, state: &mut State, sent: &Sent<'_>) -> Error {
-        match state.ledger.give_up(sent.ticket) {
-            Ok(()) => time_up(sent.command, sent.timeout),
-            Err(mistrust) => {
-                let cause = self.break_off(state, Disconnect::Mistrust(mistrust));
+        match state.exchange.give_up(sent.request) {
+            Ok(()) => timed_out(sent.command, sent.timeout),
+            Err(out_of_sync) => {
+                let cause = self.break_off(state, Disconnect::OutOfSync(out_of_sync));
                 disconnected(sent.command, Progress::Sent, cause)
             }
         }

@@ -6,6 +6,7 @@
 
 use std::time::{Duration, Instant};
 
+use jaka_proto::exchange::TypedReply;
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos, GetTcpPosReply};
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
@@ -13,8 +14,7 @@ use jaka_proto::{Command, CommandInfo};
 use super::Robot;
 use super::target::{Place, Quantity};
 use super::wait::QUERY_PERIOD;
-use crate::link::Question;
-use crate::reply::{self, Typed};
+use crate::link::{Question, unexpected};
 use crate::{Error, ErrorKind};
 
 /// A query whose answer has not been taken.
@@ -74,11 +74,11 @@ impl Robot {
         place: impl Fn(R) -> Place,
     ) -> Result<Option<Place>, Error> {
         let link = self.client.link();
-        let (mut text, mut payload) = (String::new(), Typed::new(info));
-        if !link.poll(question, time, &mut text, &mut payload)? {
+        let (mut text, mut reader) = (String::new(), TypedReply::new(info));
+        if !link.poll(question, time, &mut text, &mut reader)? {
             return Ok(None);
         }
-        let reply = payload.take(&text).map_err(|source| link.attach(reply::unexpected(info.name, source)))?;
+        let reply = reader.take(&text).map_err(|source| link.attach(unexpected(info.name, source)))?;
         Ok(Some(place(reply)))
     }
 

@@ -3,13 +3,13 @@
 use std::time::{Duration, Instant};
 
 use jaka_proto::Command;
+use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove};
 use jaka_proto::messages::types::Switch;
 
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
 use crate::link::Question;
-use crate::reply::TextAlone;
 use crate::{Disconnect, Error, ErrorKind, Explanation};
 
 /// How long the last answers may take, and the end of servo mode behind set-points that are not answered.
@@ -105,7 +105,7 @@ impl ServoSession<'_> {
 
     /// The command was refused, or was acknowledged and not carried out.
     fn still_in_servo_mode(&mut self, off: &Question) -> Error {
-        let answer = self.robot.client().link().poll(off, Duration::ZERO, &mut String::new(), &mut TextAlone);
+        let answer = self.robot.client().link().poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
         answer.err().unwrap_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use jaka_proto::Mistrust;
+use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_sync::{Disconnect, Error, ErrorKind};
 
@@ -83,9 +83,9 @@ impl Cause {
             Disconnect::Frame(FrameError::Garbage { .. }) => Self::Garbage,
             Disconnect::Frame(FrameError::TooLong { .. }) => Self::TooLong,
             Disconnect::NotJson(_) => Self::NotJson,
-            Disconnect::Mistrust(Mistrust::Unasked { .. }) => Self::Unasked,
-            Disconnect::Mistrust(Mistrust::Nameless) => Self::Nameless,
-            Disconnect::Mistrust(Mistrust::Ambiguous { .. }) => Self::Ambiguous,
+            Disconnect::OutOfSync(OutOfSync::Unsolicited { .. }) => Self::Unasked,
+            Disconnect::OutOfSync(OutOfSync::Nameless) => Self::Nameless,
+            Disconnect::OutOfSync(OutOfSync::Ambiguous { .. }) => Self::Ambiguous,
             Disconnect::Reset { .. } => Self::Reset,
             other => panic!("no fault may lead to {other:?}"),
         }

@@ -93,7 +93,7 @@ fn unanswered(error: &Error) -> Outcome {
     match error.kind() {
         ErrorKind::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),
         ErrorKind::Disconnected { cause, .. } => match &**cause {
-            Disconnect::Frame(_) | Disconnect::NotJson(_) | Disconnect::Mistrust(_) => {
+            Disconnect::Frame(_) | Disconnect::NotJson(_) | Disconnect::OutOfSync(_) => {
                 Outcome::Unreadable(chain(&**cause))
             }
             _ => Outcome::NoReply(chain(&**cause)),

@@ -98,7 +98,7 @@ impl Reader<'_> {
                 keys.found = guess;
                 return Ok(Some(guess));
             }
-            if keys.captures && self.capture_value()? {
+            if keys.captures && (self.capture.take)(self)? {
                 continue;
             }
             if let Some(place) = keys.place_of_usual(self.rest()) {
@@ -338,7 +338,7 @@ impl Reader<'_> {
 
 /// Whether `text` begins with a quoted key; the byte behind the quote spares most comparisons.
 #[inline]
-pub(super) fn begins_with(text: &[u8], key: &str) -> bool {
+fn begins_with(text: &[u8], key: &str) -> bool {
     text.get(1) == key.as_bytes().get(1) && text.starts_with(key.as_bytes())
 }
 

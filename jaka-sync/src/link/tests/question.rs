@@ -3,11 +3,11 @@
 use std::io::Write as _;
 
 use jaka_proto::Command;
+use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::kinematics::GetJointPos;
 use jaka_proto::messages::program::StopProgram;
 
 use super::*;
-use crate::reply::TextAlone;
 
 fn ask(link: &Link) -> Question {
     link.ask(GetJointPos::INFO, &mut |out| GetJointPos.write_request(out)).expect("it goes out")
@@ -16,7 +16,7 @@ fn ask(link: &Link) -> Question {
 /// Polls as a loop does that looks at other things between.
 fn poll(link: &Link, question: &Question) -> Result<String, Error> {
     let (since, mut text) = (Instant::now(), String::new());
-    while !link.poll(question, Duration::from_millis(1), &mut text, &mut TextAlone)? {
+    while !link.poll(question, Duration::from_millis(1), &mut text, &mut TextOnly)? {
         assert!(since.elapsed() < LONG);
     }
     Ok(text)
@@ -29,22 +29,22 @@ fn a_slice_that_ends_gives_nothing_up() {
     let mut text = String::new();
     for _ in 0..5 {
         let slice = Duration::from_millis(1);
-        assert!(!link.poll(&question, slice, &mut text, &mut TextAlone).expect("it is not answered yet"));
+        assert!(!link.poll(&question, slice, &mut text, &mut TextOnly).expect("it is not answered yet"));
     }
     let expected = reply(GetJointPos::INFO.name, 0, "late");
     server.write_all(expected.as_bytes()).expect("the link reads");
     assert_eq!(poll(&link, &question).expect("it is answered"), expected);
     // Without waiting at all.
     let question = ask(&link);
-    assert!(!link.poll(&question, Duration::ZERO, &mut text, &mut TextAlone).expect("it is not answered yet"));
+    assert!(!link.poll(&question, Duration::ZERO, &mut text, &mut TextOnly).expect("it is not answered yet"));
     server.write_all(expected.as_bytes()).expect("the link reads");
     let since = Instant::now();
-    while !link.poll(&question, Duration::ZERO, &mut text, &mut TextAlone).expect("it is answered") {
+    while !link.poll(&question, Duration::ZERO, &mut text, &mut TextOnly).expect("it is answered") {
         assert!(since.elapsed() < LONG);
     }
     // Its successor of the same name has its own reply, or none.
     let next = ask(&link);
-    assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextAlone).expect("it is not answered yet"));
+    assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextOnly).expect("it is not answered yet"));
     link.forget(&next);
     // Nobody is given what comes for it, and it breaks nothing.
     server.write_all(expected.as_bytes()).expect("the link reads");
@@ -59,19 +59,18 @@ fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
     let (link, mut server) = connection(Mode::Blocking);
     let question = ask(&link);
     let stop = |link: &Link| {
-        let info = StopProgram::INFO;
         let write = &mut |out: &mut Writer| StopProgram.write_request(out);
-        link.send(info.name, Cow::Borrowed(info.name), LONG, None, write).expect("it goes out")
+        link.send(&Outgoing::of(StopProgram::INFO, LONG), write).expect("it goes out")
     };
     let sent = stop(&link);
     let replies = [reply(GetJointPos::INFO.name, 2, "busy"), reply(StopProgram::INFO.name, 0, "")].concat();
     server.write_all(replies.as_bytes()).expect("the link reads");
-    link.wait(&sent, &mut String::new(), &mut TextAlone).expect("the stop is accepted");
+    link.wait(&sent, &mut String::new(), &mut TextOnly).expect("the stop is accepted");
     assert!(poll(&link, &question).expect_err("the query is refused").is_refused());
     // One that is never answered is told by a later reply.
     let (question, sent) = (ask(&link), stop(&link));
     server.write_all(reply(StopProgram::INFO.name, 0, "").as_bytes()).expect("the link reads");
-    link.wait(&sent, &mut String::new(), &mut TextAlone).expect("the stop is accepted");
+    link.wait(&sent, &mut String::new(), &mut TextOnly).expect("the stop is accepted");
     assert!(poll(&link, &question).is_err_and(|error| matches!(error.kind(), ErrorKind::ReplyLost { .. })));
     assert!(link.broken().is_none());
 }

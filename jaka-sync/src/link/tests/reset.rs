@@ -3,9 +3,10 @@
 use std::io::Read;
 use std::sync::Arc;
 
+use jaka_proto::exchange::TextOnly;
+
 use super::*;
 use crate::StopHandle;
-use crate::reply::TextAlone;
 
 /// How much is queued for sending, in commands of some 4 KB.
 const QUEUED: usize = 40;
@@ -67,8 +68,8 @@ fn a_reset_discards_what_is_queued_beside_a_thread_that_reads() {
     let reading = {
         let link = Arc::clone(&link);
         thread::spawn(move || {
-            let sent = link.send("y", Cow::Borrowed("y"), LONG, None, &mut |out| out.raw("{\"cmdName\":\"y\"}"))?;
-            link.wait(&sent, &mut String::new(), &mut TextAlone)
+            let sent = send_named(&link, "y", LONG, &mut |out| out.raw("{\"cmdName\":\"y\"}"))?;
+            link.wait(&sent, &mut String::new(), &mut TextOnly)
         })
     };
     let since = Instant::now();

@@ -27,7 +27,7 @@ fn cause<T: std::fmt::Debug>(sent: Result<T, Error>) -> io::ErrorKind {
 fn send(link: &Link, timeout: Duration, len: usize) -> Result<Sent<'static>, Error> {
     let pad = "x".repeat(len);
     let write = &mut |out: &mut Writer| out.raw(&format!("{{\"cmdName\":\"y\",\"pad\":\"{pad}\"}}"));
-    link.send("y", Cow::Borrowed("y"), timeout, None, write)
+    send_named(link, "y", timeout, write)
 }
 
 /// Fills what is between the two ends, behind the link's back.
@@ -82,12 +82,12 @@ fn a_command_of_which_nothing_was_sent_by_its_deadline_did_not_run_and_the_conne
         let error = post(&link, SHORT, 3).expect_err("nobody reads");
         assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
         assert!(since.elapsed() > SHORT * 3 / 2, "{:?}", since.elapsed());
-        assert_eq!(owed(&link), (0, 0));
+        assert_eq!(outstanding(&link), (0, 0));
         server.read_exact(&mut vec![0; filled]).expect("the link writes");
         let sent = send(&link, LONG, 10).expect("there is room");
         server.read_exact(&mut [0; 34]).expect("the link writes");
         server.write_all(reply("y", 0, "").as_bytes()).expect("the link reads");
-        link.wait(&sent, &mut String::new(), &mut crate::reply::TextAlone).expect("it is answered");
+        link.wait(&sent, &mut String::new(), &mut jaka_proto::exchange::TextOnly).expect("it is answered");
     }
 }
 

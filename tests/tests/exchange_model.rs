@@ -1,10 +1,10 @@
-//! Who may receive which reply: random runs of the ledger, without I/O. The model knows whose each reply is, the ledger only
+//! Who may receive which reply: random runs of the exchange, without I/O. The model knows whose each reply is, the exchange only
 //! its name.
 
 use std::collections::{HashSet, VecDeque};
 use std::time::{Duration, Instant};
 
-use jaka_proto::{Arrival, Envelope, Ledger, Mistrust, Ticket};
+use jaka_proto::exchange::{Delivery, Exchange, Failure, OutOfSync, RequestId, TextOnly, Waiter};
 use proptest::prelude::*;
 
 /// Names of commands. Few, so that equal ones meet.
@@ -20,7 +20,7 @@ enum Premise {
     OneOfAName,
     /// Several commands of a name are waited for at once: stop handles in several threads, servo set-points.
     SeveralOfAName,
-    /// As the first, and replies come that nobody is owed: copies, and replies to what was not sent.
+    /// As the first, and replies come to no outstanding request: copies, and replies to what was not sent.
     Surplus,
 }
 
@@ -39,9 +39,9 @@ enum Step {
     DeliverNameless,
     /// It arrives without a name and is no refusal.
     DeliverAnonymous,
-    /// A reply that nobody is owed, under this name.
+    /// A reply to no outstanding request, under this name.
     Surplus(usize),
-    /// A refusal without a name that nobody is owed.
+    /// A refusal without a name, to no outstanding request.
     SurplusNameless,
 }
 
@@ -79,29 +79,42 @@ enum Reply {
 #[derive(Debug)]
 struct Sent {
     name: usize,
-    ticket: Ticket,
+    request: RequestId,
     outcome: Outcome,
     reply: Reply,
-    /// A reply has settled its debt, or a later reply has written it off.
-    settled: bool,
+    /// A reply has completed it, or a later reply has shown that its own is lost.
+    completed: bool,
 }
 
-/// A ledger, and the truth about it.
+/// A reply was attributed.
+#[derive(Debug)]
+struct Arrival {
+    /// The request that it completes.
+    request: RequestId,
+    /// Whether its waiter was given the reply.
+    awaited: bool,
+    /// The requests whose waiters were told that their replies are lost.
+    lost: Vec<RequestId>,
+}
+
+/// An exchange, and the truth about it.
 #[derive(Debug)]
 struct World {
     premise: Premise,
-    ledger: Ledger,
+    exchange: Exchange,
+    /// How many replies have come.
+    arrivals: usize,
     sent: Vec<Sent>,
     on_their_way: VecDeque<usize>,
     /// Names of which a reply was given to nobody.
     dropped: HashSet<usize>,
     /// Names of which a reply was lost.
     lost: HashSet<usize>,
-    /// Names whose replies may be mistaken, since one that nobody was owed came while one was.
+    /// Names whose replies may be mistaken, since a surplus one came while a request of the name was outstanding.
     mistakable: HashSet<usize>,
 }
 
-/// The run is over: the connection is broken, and rightly so; or the ledger has done wrong.
+/// The run is over: the connection is broken, and rightly so; or the exchange has done wrong.
 enum End {
     Broken,
     Wrong(String),
@@ -117,7 +130,8 @@ impl World {
     fn new(premise: Premise) -> Self {
         Self {
             premise,
-            ledger: Ledger::new(),
+            exchange: Exchange::default(),
+            arrivals: 0,
             sent: Vec::new(),
             on_their_way: VecDeque::new(),
             dropped: HashSet::new(),
@@ -154,10 +168,10 @@ impl World {
         if self.premise != Premise::SeveralOfAName && self.sent.iter().any(waits) {
             return;
         }
-        let ticket = self.ledger.sent(NAMES[name].into());
+        let request = self.exchange.send(NAMES[name].into());
         self.on_their_way.push_back(self.sent.len());
         let (outcome, reply) = (Outcome::Waiting, Reply::OnItsWay);
-        self.sent.push(Sent { name, ticket, outcome, reply, settled: false });
+        self.sent.push(Sent { name, request, outcome, reply, completed: false });
     }
 
     fn lose(&mut self) {
@@ -171,11 +185,11 @@ impl World {
         (0..self.sent.len()).filter(|place| self.sent[*place].outcome == Outcome::Waiting).nth(which)
     }
 
-    /// Nothing is missed: it cannot break the connection. What its reply, or the lack of it, does to others is the ledger's to know.
+    /// Nothing is missed: it cannot break the connection. What its reply, or the lack of it, does to others is the exchange's to know.
     fn abandon(&mut self, which: usize) {
         if let Some(place) = self.waiting(which) {
             self.sent[place].outcome = Outcome::GaveUp;
-            self.ledger.abandon(self.sent[place].ticket);
+            self.exchange.abandon(self.sent[place].request);
         }
     }
 
@@ -186,12 +200,12 @@ impl World {
         let sent = &mut self.sent[place];
         let has_come = sent.reply == Reply::Delivered;
         sent.outcome = Outcome::GaveUp;
-        match self.ledger.give_up(sent.ticket) {
+        match self.exchange.give_up(sent.request) {
             Ok(()) => {
                 let sent = format!("{sent:?}");
                 holds(!has_come || mistakable, || format!("the reply to {sent} has come and is not missed"))
             }
-            Err(Mistrust::Ambiguous { .. }) => {
+            Err(OutOfSync::Ambiguous { .. }) => {
                 holds(self.dropped.contains(&sent.name), || format!("nothing makes {sent:?} doubtful"))?;
                 Err(End::Broken)
             }
@@ -205,66 +219,96 @@ impl World {
         self.sent[serial].reply = Reply::Delivered;
         let text = text(self.sent[serial].name);
         match self.arrive(&text) {
-            Ok(arrival) => self.settle(&arrival, Some(serial)),
-            Err(mistrust) => {
-                let owed = self.owed().count();
-                let right = match mistrust {
-                    Mistrust::Nameless => !text.contains("cmdName") && (owed != 1 || !text.contains("\"1\"")),
-                    Mistrust::Unasked { .. } => self.is_mistakable(self.sent[serial].name),
+            Ok(arrival) => self.complete(&arrival, Some(serial)),
+            Err(out_of_sync) => {
+                let outstanding = self.outstanding().count();
+                let right = match out_of_sync {
+                    OutOfSync::Nameless => !text.contains("cmdName") && (outstanding != 1 || !text.contains("\"1\"")),
+                    OutOfSync::Unsolicited { .. } => self.is_mistakable(self.sent[serial].name),
                     _ => false,
                 };
-                holds(right, || format!("the reply to {:?} led to {mistrust:?}", self.sent[serial]))?;
+                holds(right, || format!("the reply to {:?} led to {out_of_sync:?}", self.sent[serial]))?;
                 Err(End::Broken)
             }
         }
     }
 
-    /// A reply arrives that nobody is owed: where it can be told, the connection must be broken.
+    /// A reply to no outstanding request arrives: where it can be told, the connection must be broken.
     fn surplus(&mut self, text: &str) -> Progress {
         if self.premise != Premise::Surplus {
             return Ok(());
         }
         let name = NAMES.iter().position(|name| *text == named(name));
-        let takers = self.owed().filter(|sent| name.is_none_or(|name| sent.name == name)).count();
+        let takers = self.outstanding().filter(|sent| name.is_none_or(|name| sent.name == name)).count();
         let undetectable = if name.is_some() { takers > 0 } else { takers == 1 };
         match self.arrive(text) {
             Ok(arrival) => {
-                holds(undetectable, || format!("{arrival:?} was taken from a reply that nobody is owed"))?;
-                self.settle(&arrival, None)
+                holds(undetectable, || format!("{arrival:?} was taken from a surplus reply"))?;
+                self.complete(&arrival, None)
             }
-            Err(mistrust) => {
-                holds(!undetectable, || format!("{text} led to {mistrust:?}"))?;
+            Err(out_of_sync) => {
+                holds(!undetectable, || format!("{text} led to {out_of_sync:?}"))?;
                 Err(End::Broken)
             }
         }
     }
 
-    fn arrive(&mut self, text: &str) -> Result<Arrival, Mistrust> {
-        let envelope = Envelope::read(text).expect("the text is JSON");
-        self.ledger.arrived_reply(Some(&envelope))
+    /// A reply arrives, and is read by one of those who wait, or by nobody. Then all ask what became of their commands.
+    fn arrive(&mut self, text: &str) -> Result<Arrival, OutOfSync> {
+        self.arrivals += 1;
+        let reader = self.waiting(self.arrivals % 3).map(|place| self.sent[place].request);
+        let (mut got, mut only) = (String::new(), TextOnly);
+        let mut waiter = reader.map_or_else(Waiter::nobody, |own| Waiter::new(own, &mut got, &mut only));
+        let envelope = waiter.read(text).expect("the text is JSON");
+        let received = self.exchange.receive(text, envelope, &mut waiter)?;
+        let mut outcomes = vec![(reader, waiter.take_outcome(), got)];
+        for sent in &self.sent {
+            let mut got = String::new();
+            let mut waiter = Waiter::new(sent.request, &mut got, &mut only);
+            self.exchange.take_pending(&mut waiter);
+            outcomes.push((Some(sent.request), waiter.take_outcome(), got));
+        }
+        let mut arrival = Arrival { request: received.request, awaited: false, lost: Vec::new() };
+        for (request, outcome, got) in outcomes {
+            match (request, outcome) {
+                (_, None) => {}
+                (Some(request), Some(Err(Failure::Lost))) => arrival.lost.push(request),
+                (request, Some(_)) => {
+                    assert_eq!((request, &*got, arrival.awaited), (Some(received.request), text, false));
+                    arrival.awaited = true;
+                }
+            }
+        }
+        let expected = match (arrival.awaited, reader == Some(received.request)) {
+            (true, true) => Delivery::Waiter,
+            (true, false) => Delivery::Pending,
+            (false, _) => Delivery::Discarded,
+        };
+        assert_eq!(received.delivery, expected);
+        Ok(arrival)
     }
 
-    fn owed(&self) -> impl Iterator<Item = &Sent> {
-        self.sent.iter().filter(|sent| !sent.settled)
+    fn outstanding(&self) -> impl Iterator<Item = &Sent> {
+        self.sent.iter().filter(|sent| !sent.completed)
     }
 
-    /// The ledger gives a reply, the true one of `serial` if of any, to a command.
-    fn settle(&mut self, arrival: &Arrival, serial: Option<usize>) -> Progress {
-        let taker = self.sent.iter().position(|sent| sent.ticket == arrival.ticket);
-        let taker = taker.ok_or_else(|| End::Wrong(format!("{arrival:?} settles what was never sent")))?;
-        holds(!self.sent[taker].settled, || format!("{arrival:?} settles for the second time"))?;
+    /// The exchange gives a reply, the true one of `serial` if of any, to a command.
+    fn complete(&mut self, arrival: &Arrival, serial: Option<usize>) -> Progress {
+        let taker = self.sent.iter().position(|sent| sent.request == arrival.request);
+        let taker = taker.ok_or_else(|| End::Wrong(format!("{arrival:?} completes what was never sent")))?;
+        holds(!self.sent[taker].completed, || format!("{arrival:?} completes it for the second time"))?;
         let mistaken = |serial: usize| {
             let names = [self.sent[serial].name, self.sent[taker].name];
             serial != taker && names.iter().any(|name| self.mistakable.contains(name))
         };
         if serial.is_none_or(mistaken) {
             // A mistake spreads to what is written off by it.
-            self.mistakable.extend(self.sent[..=taker].iter().filter(|sent| !sent.settled).map(|sent| sent.name));
+            self.mistakable.extend(self.sent[..=taker].iter().filter(|sent| !sent.completed).map(|sent| sent.name));
         }
         for place in 0..taker {
             self.write_off(place, arrival)?;
         }
-        self.sent[taker].settled = true;
+        self.sent[taker].completed = true;
         let expected = if arrival.awaited { Outcome::Waiting } else { Outcome::GaveUp };
         holds(self.sent[taker].outcome == expected, || format!("{arrival:?}, but {:?}", self.sent[taker]))?;
         if !arrival.awaited {
@@ -280,16 +324,16 @@ impl World {
     fn write_off(&mut self, place: usize, arrival: &Arrival) -> Progress {
         let mistakable = self.is_mistakable(self.sent[place].name);
         let sent = &mut self.sent[place];
-        let told = arrival.lost.contains(&sent.ticket);
-        if sent.settled {
-            return holds(!told, || format!("{arrival:?} loses what was settled: {sent:?}"));
+        let told = arrival.lost.contains(&sent.request);
+        if sent.completed {
+            return holds(!told, || format!("{arrival:?} loses what was completed: {sent:?}"));
         }
-        sent.settled = true;
+        sent.completed = true;
         holds(told == (sent.outcome == Outcome::Waiting), || format!("{arrival:?} does not tell {sent:?}"))?;
         if told {
             sent.outcome = Outcome::Lost;
         }
-        // What has come settled an older debt of its name.
+        // What has come completed an older request of its name.
         let gone = sent.reply == Reply::Lost || self.lost.contains(&sent.name);
         holds(gone || mistakable, || format!("{arrival:?} loses what is on its way: {sent:?}"))
     }
@@ -354,7 +398,7 @@ fn with_several_commands_of_a_name_a_lost_reply_alone_can_be_mistaken() {
 }
 
 #[test]
-fn a_reply_that_nobody_is_owed_is_noticed_unless_one_of_its_name_is_owed() {
+fn a_surplus_reply_is_noticed_unless_a_request_of_its_name_is_outstanding() {
     check(Premise::Surplus);
 }
 
@@ -363,18 +407,30 @@ fn a_reply_that_nobody_is_owed_is_noticed_unless_one_of_its_name_is_owed() {
 fn the_time_of_a_step_does_not_grow_with_what_is_outstanding() {
     const COUNT: usize = 500_000;
     let since = Instant::now();
-    let mut ledger = Ledger::new();
-    let send = |ledger: &mut Ledger| -> Vec<Ticket> { (0..COUNT).map(|_| ledger.sent("a".into())).collect() };
-    let dropped = send(&mut ledger);
-    for ticket in dropped {
-        ledger.abandon(ticket);
+    let mut exchange = Exchange::default();
+    let send = |exchange: &mut Exchange| -> Vec<RequestId> { (0..COUNT).map(|_| exchange.send("a".into())).collect() };
+    let dropped = send(&mut exchange);
+    for request in dropped {
+        exchange.abandon(request);
     }
-    let awaited = send(&mut ledger);
-    assert!(awaited.iter().all(|ticket| ledger.awaits(*ticket)));
-    for number in 0..2 * COUNT {
-        let arrival = ledger.arrived("a").expect("it is owed");
-        assert_eq!((arrival.awaited, arrival.lost.len()), (number >= COUNT, 0));
+    let awaited = send(&mut exchange);
+    for _ in 0..COUNT {
+        exchange.post("a", since);
     }
-    assert_eq!(ledger.outstanding(), 0);
+    let reply = named("a");
+    for number in 0..3 * COUNT {
+        let mut nobody = Waiter::nobody();
+        let envelope = nobody.read(&reply).expect("the text is JSON");
+        let delivery = exchange.receive(&reply, envelope, &mut nobody).expect("it is outstanding").delivery;
+        assert_eq!(delivery, [Delivery::Discarded, Delivery::Pending, Delivery::Counted][number / COUNT]);
+    }
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (0, 0));
+    assert_eq!(exchange.take_posted_outcomes().accepted, COUNT as u64);
+    let (mut text, mut reader) = (String::new(), TextOnly);
+    for request in awaited {
+        let mut waiter = Waiter::new(request, &mut text, &mut reader);
+        exchange.take_pending(&mut waiter);
+        assert_eq!(waiter.take_outcome(), Some(Ok(())));
+    }
     assert!(since.elapsed() < Duration::from_secs(300), "{:?}", since.elapsed());
 }

@@ -1,0 +1,230 @@
+//! The exchange on one command connection, without I/O and without a clock.
+//!
+//! Replies carry no sequence number, only (usually) the name of their command, in the order of the requests. An [`Exchange`] is
+//! told what is sent, what comes and whose time is up. It knows which requests are outstanding, whose a reply is, and what became
+//! of each request; and it finds out when replies can no longer be attributed: then the connection is [out of sync](OutOfSync), and
+//! must be closed.
+//!
+//! A request is *sent* ([`Exchange::send`]): a thread waits for its reply, as a [`Waiter`]. Or it is *posted* ([`Exchange::post`]):
+//! nobody waits for its reply in particular, and the outcome is counted. A reply is read once, by the thread that reads the socket,
+//! as the type that this thread waits for. If it belongs to another thread, it is pending until that thread asks for it.
+//!
+//! ```
+//! use jaka_proto::exchange::{Delivery, Exchange, TextOnly, Waiter};
+//!
+//! let mut exchange = Exchange::default();
+//! let first = exchange.send("get_version".into());
+//! let second = exchange.send("get_robot_state".into());
+//!
+//! // The thread that sent the second request reads both replies.
+//! let (mut text, mut reader) = (String::new(), TextOnly);
+//! let mut waiter = Waiter::new(second, &mut text, &mut reader);
+//! let replies = [r#"{"errorCode": "0", "cmdName": "get_version"}"#, r#"{"errorCode": "0", "cmdName": "get_robot_state"}"#];
+//! for (reply, delivery) in replies.into_iter().zip([Delivery::Pending, Delivery::Waiter]) {
+//!     let envelope = waiter.read(reply)?;
+//!     assert_eq!(exchange.receive(reply, envelope, &mut waiter)?.delivery, delivery);
+//! }
+//! assert_eq!(waiter.take_outcome(), Some(Ok(())));
+//! assert_eq!(text, replies[1]);
+//!
+//! // The other thread finds its reply.
+//! let mut waiter = Waiter::new(first, &mut text, &mut reader);
+//! exchange.take_pending(&mut waiter);
+//! assert_eq!(waiter.take_outcome(), Some(Ok(())));
+//! assert_eq!(text, replies[0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod out_of_sync;
+mod pending;
+mod posted;
+pub(crate) mod sent;
+mod waiter;
+
+use std::borrow::Cow;
+use std::time::{Duration, Instant};
+
+pub use self::out_of_sync::OutOfSync;
+use self::pending::{Pending, PendingReplies};
+use self::posted::Posted;
+pub use self::posted::{PostedOutcomes, PostedRequest};
+pub use self::sent::RequestId;
+use self::sent::{Recipient, SentRequest, SentRequests};
+pub use self::waiter::{Failure, ReadReply, TextOnly, TypedReply, Waiter};
+use crate::envelope::Envelope;
+
+/// The requests of one command connection, and what became of them.
+///
+/// No step's time grows with the number of requests that are outstanding.
+#[derive(Debug, Default)]
+pub struct Exchange {
+    sent: SentRequests,
+    posted: Posted,
+    pending: PendingReplies,
+}
+
+/// A reply that was attributed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Received {
+    /// The request that it completes.
+    pub request: RequestId,
+    /// `cmdName` of the request.
+    pub command: Cow<'static, str>,
+    /// Where the reply has gone.
+    pub delivery: Delivery,
+}
+
+/// Where a reply has gone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Delivery {
+    /// To the waiter that read it.
+    Waiter,
+    /// It is pending for another waiter.
+    Pending,
+    /// The request was posted: its outcome is counted.
+    Counted,
+    /// The request was given up or abandoned: the reply is discarded.
+    Discarded,
+}
+
+impl Exchange {
+    /// No request is outstanding. `bare_reply` names the command that may be answered by a bare Python tuple, which names none.
+    pub fn new(bare_reply: Option<&'static str>) -> Self {
+        Self { sent: SentRequests::new(bare_reply), ..Self::default() }
+    }
+
+    /// How many requests are outstanding, with those that were given up or abandoned.
+    pub fn outstanding(&self) -> usize {
+        self.sent.outstanding()
+    }
+
+    /// How many posted requests are outstanding, without those that were given up or abandoned.
+    pub fn posted_outstanding(&self) -> usize {
+        self.posted.outstanding()
+    }
+
+    /// The oldest of the posted requests that are outstanding.
+    pub fn oldest_posted(&self) -> Option<PostedRequest> {
+        self.posted.oldest()
+    }
+
+    /// Enters a request that goes out next. A [`Waiter`] will ask for its reply, or [`give_up`](Self::give_up) or
+    /// [`abandon`](Self::abandon) will be called.
+    pub fn send(&mut self, command: Cow<'static, str>) -> RequestId {
+        self.sent.push(command, Recipient::Waiter)
+    }
+
+    /// Enters a request that goes out next and whose outcome is counted; `now` is the time.
+    pub fn post(&mut self, command: &'static str, now: Instant) -> RequestId {
+        let id = self.sent.push(command.into(), Recipient::Counted);
+        self.posted.push(PostedRequest { id, command, sent_at: now });
+        id
+    }
+
+    /// Takes back the newest request, of which nothing was sent after all.
+    ///
+    /// # Errors
+    /// It is not outstanding any more: a reply has come to what was not sent. Or it is not the newest.
+    pub fn withdraw(&mut self, request: RequestId) -> Result<(), OutOfSync> {
+        self.sent.withdraw(request)?;
+        self.posted.withdraw(request);
+        Ok(())
+    }
+
+    /// Attributes a reply, and gives it to whom it belongs. `waiter` is the thread that has read it, by [`Waiter::read`], which
+    /// told its envelope.
+    ///
+    /// Requests before the one that is answered have lost their replies, and fail with [`Failure::Lost`].
+    ///
+    /// # Errors
+    /// The reply belongs to no outstanding request, or it cannot be told to which.
+    pub fn receive(
+        &mut self,
+        text: &str,
+        envelope: Option<Envelope<'_>>,
+        waiter: &mut Waiter<'_>,
+    ) -> Result<Received, OutOfSync> {
+        let Self { sent, posted, pending } = self;
+        let lost = |request: SentRequest| match request.recipient {
+            Recipient::Waiter if waiter.is_for(request.id) => waiter.fail(Failure::Lost),
+            Recipient::Waiter => pending.push(request.id, Pending::Lost),
+            Recipient::Counted => posted.finish(request.id, Err(Failure::Lost)),
+            Recipient::Nobody => {}
+        };
+        let SentRequest { id, command, recipient } = sent.complete_by(envelope.as_ref(), lost)?;
+        let delivery = match recipient {
+            Recipient::Waiter if waiter.is_for(id) => {
+                waiter.complete(text, envelope);
+                Delivery::Waiter
+            }
+            Recipient::Waiter => {
+                pending.push(id, Pending::Reply(text.to_owned()));
+                Delivery::Pending
+            }
+            Recipient::Counted => {
+                posted.finish(id, waiter::accepted(envelope));
+                Delivery::Counted
+            }
+            Recipient::Nobody => Delivery::Discarded,
+        };
+        Ok(Received { request: id, command, delivery })
+    }
+
+    /// Gives a waiter what is pending for it, if something is.
+    pub fn take_pending(&mut self, waiter: &mut Waiter<'_>) {
+        if let Some(pending) = waiter.request().and_then(|request| self.pending.take(request)) {
+            waiter.take(pending);
+        }
+    }
+
+    /// Drops what is pending for a request, if something is: the thread that waited for it has ended.
+    pub fn discard_pending(&mut self, request: RequestId) {
+        self.pending.take(request);
+    }
+
+    /// The deadline of a request that was sent has passed. Its reply, if it comes, will be discarded. What is pending for it must
+    /// have been taken before.
+    ///
+    /// # Errors
+    /// The reply may have come already, and been taken for that to an older request of the same name: whatever comes now may be
+    /// one behind.
+    pub fn give_up(&mut self, request: RequestId) -> Result<(), OutOfSync> {
+        self.sent.give_up(request)
+    }
+
+    /// The deadline of the oldest posted request has passed, `after` it was sent. It fails with [`Failure::TimedOut`].
+    ///
+    /// # Errors
+    /// As [`give_up`](Self::give_up).
+    pub fn give_up_oldest_posted(&mut self, after: Duration) -> Result<(), OutOfSync> {
+        let Some(oldest) = self.posted.oldest() else { return Ok(()) };
+        self.sent.give_up(oldest.id)?;
+        self.posted.finish(oldest.id, Err(Failure::TimedOut { after }));
+        Ok(())
+    }
+
+    /// Nobody wants the reply to a request any more, though there was time for it: it will be discarded, or is if it is pending.
+    ///
+    /// This does not suggest that a reply is lost. Where it is in doubt whose a reply was, that still matters to those whose deadline passes.
+    pub fn abandon(&mut self, request: RequestId) {
+        if self.pending.take(request).is_none() {
+            self.sent.abandon(request);
+        }
+    }
+
+    /// Abandons all posted requests that are outstanding, and says how many those were.
+    pub fn abandon_posted(&mut self) -> u64 {
+        let mut count = 0;
+        while let Some(request) = self.posted.abandon_oldest() {
+            self.sent.abandon(request);
+            count += 1;
+        }
+        count
+    }
+
+    /// What became of posted requests since this was last asked.
+    pub fn take_posted_outcomes(&mut self) -> PostedOutcomes {
+        self.posted.take_outcomes()
+    }
+}

@@ -1,0 +1,164 @@
+//! Whose reply is it: the requests that were sent and have no reply yet.
+
+use std::borrow::Cow;
+use std::collections::VecDeque;
+
+use super::OutOfSync;
+use crate::envelope::Envelope;
+
+/// One request of an exchange. The default is one that no exchange gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct RequestId(u64);
+
+/// A request that is outstanding.
+#[derive(Debug)]
+pub(crate) struct SentRequest {
+    pub(crate) id: RequestId,
+    pub(crate) command: Cow<'static, str>,
+    pub(crate) recipient: Recipient,
+}
+
+/// Where the reply to a request is to go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Recipient {
+    /// To the thread that waits for it.
+    Waiter,
+    /// Into the count of posted requests.
+    Counted,
+    /// Nowhere: the request was given up or abandoned.
+    Nobody,
+}
+
+/// The requests that are outstanding, in the order in which they were sent.
+#[derive(Debug, Default)]
+pub(crate) struct SentRequests {
+    /// In the order of their ids.
+    outstanding: VecDeque<SentRequest>,
+    /// The names of what is outstanding, each once.
+    names: Vec<Name>,
+    count: u64,
+    bare_reply: Option<&'static str>,
+}
+
+/// The outstanding requests of one name.
+#[derive(Debug)]
+struct Name {
+    command: Cow<'static, str>,
+    outstanding: usize,
+    /// A reply of this name completed a request that had been given up; it may have been meant for one that is outstanding now. As
+    /// long as one of these is, this holds for those that are sent after it, too.
+    doubtful: bool,
+}
+
+impl SentRequests {
+    /// No request is outstanding. `bare_reply` names the command that may be answered by a bare Python tuple.
+    pub(crate) fn new(bare_reply: Option<&'static str>) -> Self {
+        Self { bare_reply, ..Self::default() }
+    }
+
+    pub(super) fn outstanding(&self) -> usize {
+        self.outstanding.len()
+    }
+
+    /// Enters a request that goes out next.
+    pub(crate) fn push(&mut self, command: Cow<'static, str>, recipient: Recipient) -> RequestId {
+        self.count += 1;
+        let id = RequestId(self.count);
+        match self.names.iter_mut().find(|name| name.command == command) {
+            Some(name) => name.outstanding += 1,
+            None => self.names.push(Name { command: command.clone(), outstanding: 1, doubtful: false }),
+        }
+        self.outstanding.push_back(SentRequest { id, command, recipient });
+        id
+    }
+
+    /// Takes back the newest request.
+    pub(super) fn withdraw(&mut self, id: RequestId) -> Result<(), OutOfSync> {
+        if self.outstanding.back().is_none_or(|newest| newest.id != id) {
+            return Err(OutOfSync::BeforeSent);
+        }
+        if let Some(newest) = self.outstanding.pop_back() {
+            self.count_off(&newest.command);
+        }
+        Ok(())
+    }
+
+    /// The request that is completed by the reply with this envelope, or without one. `lost` is told each request before it.
+    pub(crate) fn complete_by(
+        &mut self,
+        envelope: Option<&Envelope<'_>>,
+        lost: impl FnMut(SentRequest),
+    ) -> Result<SentRequest, OutOfSync> {
+        let Some(envelope) = envelope else {
+            return self.complete(self.bare_reply.unwrap_or_default(), lost);
+        };
+        match &envelope.command {
+            Some(command) => self.complete(command, lost),
+            None if envelope.is_refusal() => self.complete_only(lost),
+            None => Err(OutOfSync::Nameless),
+        }
+    }
+
+    /// The oldest request of this name, which a reply has completed.
+    fn complete(&mut self, command: &str, mut lost: impl FnMut(SentRequest)) -> Result<SentRequest, OutOfSync> {
+        let unsolicited = || OutOfSync::Unsolicited { command: command.to_owned() };
+        if !self.names.iter().any(|name| name.command == command) {
+            return Err(unsolicited());
+        }
+        while let Some(request) = self.outstanding.pop_front() {
+            let others = self.count_off(&request.command);
+            if request.command == command {
+                if let Some(name) = others.filter(|_| request.recipient == Recipient::Nobody) {
+                    name.doubtful = true;
+                }
+                return Ok(request);
+            }
+            lost(request);
+        }
+        Err(unsolicited())
+    }
+
+    /// The only request that is outstanding: a refusal without a name, as controllers send for a command they do not know, is its reply.
+    fn complete_only(&mut self, lost: impl FnMut(SentRequest)) -> Result<SentRequest, OutOfSync> {
+        match self.outstanding.front() {
+            Some(only) if self.outstanding.len() == 1 => {
+                let command = only.command.clone();
+                self.complete(&command, lost)
+            }
+            _ => Err(OutOfSync::Nameless),
+        }
+    }
+
+    /// Counts a request off those of its name; what is left of the name.
+    fn count_off(&mut self, command: &str) -> Option<&mut Name> {
+        let place = self.names.iter().position(|name| name.command == command)?;
+        self.names[place].outstanding -= 1;
+        if self.names[place].outstanding == 0 {
+            self.names.swap_remove(place);
+            return None;
+        }
+        Some(&mut self.names[place])
+    }
+
+    fn place(&self, id: RequestId) -> Option<usize> {
+        self.outstanding.binary_search_by_key(&id, |request| request.id).ok()
+    }
+
+    /// A deadline has passed.
+    pub(super) fn give_up(&mut self, id: RequestId) -> Result<(), OutOfSync> {
+        let Some(place) = self.place(id) else { return Ok(()) };
+        let command = &self.outstanding[place].command;
+        if self.names.iter().any(|name| name.doubtful && name.command == *command) {
+            return Err(OutOfSync::Ambiguous { command: command.clone().into_owned() });
+        }
+        self.outstanding[place].recipient = Recipient::Nobody;
+        Ok(())
+    }
+
+    /// A reply is not wanted any more.
+    pub(super) fn abandon(&mut self, id: RequestId) {
+        if let Some(place) = self.place(id) {
+            self.outstanding[place].recipient = Recipient::Nobody;
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! Who may receive which reply, and what becomes of requests.
+
+mod naive;
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::Request;
+use jaka_proto::exchange::{Delivery, Exchange, Failure, OutOfSync, ReadReply, Received, RequestId, TextOnly, Waiter};
+
+fn send(exchange: &mut Exchange, command: &'static str) -> RequestId {
+    exchange.send(command.into())
+}
+
+fn named(command: &str) -> String {
+    format!(r#"{{"errorCode": "0", "cmdName": "{command}"}}"#)
+}
+
+/// A reply comes, and is read by a thread that waits for nothing.
+fn receive(exchange: &mut Exchange, text: &str) -> Result<Received, OutOfSync> {
+    let envelope = TextOnly.read(text).expect("it is an object or a tuple");
+    exchange.receive(text, envelope, &mut Waiter::nobody())
+}
+
+fn answer(exchange: &mut Exchange, command: &str) -> Result<Received, OutOfSync> {
+    receive(exchange, &named(command))
+}
+
+/// What is pending for a request.
+fn pending(exchange: &mut Exchange, request: RequestId) -> Option<Result<String, Failure>> {
+    let (mut text, mut reader) = (String::new(), TextOnly);
+    let mut waiter = Waiter::new(request, &mut text, &mut reader);
+    exchange.take_pending(&mut waiter);
+    let outcome = waiter.take_outcome();
+    outcome.map(|outcome| outcome.map(|()| text))
+}
+
+fn unsolicited<T>(command: &str) -> Result<T, OutOfSync> {
+    Err(OutOfSync::Unsolicited { command: command.to_owned() })
+}
+
+fn ambiguous<T>(command: &str) -> Result<T, OutOfSync> {
+    Err(OutOfSync::Ambiguous { command: command.to_owned() })
+}
+
+#[test]
+fn replies_in_order_complete_their_requests() {
+    let mut exchange = Exchange::default();
+    let (a, b) = (send(&mut exchange, "a"), send(&mut exchange, "b"));
+    let first = answer(&mut exchange, "a").expect("it is outstanding");
+    assert_eq!((first.request, &*first.command, first.delivery), (a, "a", Delivery::Pending));
+    assert_eq!(answer(&mut exchange, "b").expect("it is outstanding").request, b);
+    assert_eq!(exchange.outstanding(), 0);
+    assert_eq!(pending(&mut exchange, b), Some(Ok(named("b"))));
+    assert_eq!(pending(&mut exchange, a), Some(Ok(named("a"))));
+    assert_eq!(pending(&mut exchange, a), None);
+}
+
+#[test]
+fn a_waiter_is_given_its_own_reply_as_it_reads_it() {
+    let mut exchange = Exchange::default();
+    let (a, b) = (send(&mut exchange, "a"), send(&mut exchange, "b"));
+    let (mut text, mut reader) = (String::new(), TextOnly);
+    let mut waiter = Waiter::new(b, &mut text, &mut reader);
+    for (reply, delivery) in [(named("a"), Delivery::Pending), (named("b"), Delivery::Waiter)] {
+        assert!(!waiter.is_done());
+        let envelope = waiter.read(&reply).expect("it is an object");
+        assert_eq!(exchange.receive(&reply, envelope, &mut waiter).expect("it is outstanding").delivery, delivery);
+    }
+    assert!(waiter.is_done());
+    assert_eq!(waiter.take_outcome(), Some(Ok(())));
+    assert_eq!(text, named("b"));
+    assert_eq!(pending(&mut exchange, b), None);
+    assert_eq!(pending(&mut exchange, a), Some(Ok(named("a"))));
+}
+
+#[test]
+fn a_waiter_that_reads_the_reply_to_a_later_request_has_lost_its_own() {
+    let mut exchange = Exchange::default();
+    let (a, b) = (send(&mut exchange, "a"), send(&mut exchange, "b"));
+    let (mut text, mut reader) = (String::new(), TextOnly);
+    let mut waiter = Waiter::new(a, &mut text, &mut reader);
+    let reply = named("b");
+    let envelope = waiter.read(&reply).expect("it is an object");
+    assert_eq!(exchange.receive(&reply, envelope, &mut waiter).expect("it is outstanding").delivery, Delivery::Pending);
+    assert_eq!(waiter.take_outcome(), Some(Err(Failure::Lost)));
+    assert_eq!(pending(&mut exchange, b), Some(Ok(reply)));
+}
+
+#[test]
+fn a_reply_to_a_later_command_means_that_the_earlier_ones_are_lost() {
+    let mut exchange = Exchange::default();
+    let (a, b) = (send(&mut exchange, "a"), send(&mut exchange, "b"));
+    assert_eq!(answer(&mut exchange, "b").expect("it is outstanding").request, b);
+    assert_eq!(pending(&mut exchange, a), Some(Err(Failure::Lost)));
+    assert_eq!(answer(&mut exchange, "a"), unsolicited("a"));
+}
+
+#[test]
+fn a_late_reply_is_discarded() {
+    let mut exchange = Exchange::default();
+    let a = send(&mut exchange, "a");
+    exchange.give_up(a).expect("nothing has come");
+    let b = send(&mut exchange, "b");
+    let late = answer(&mut exchange, "a").expect("it is outstanding");
+    assert_eq!((late.request, late.delivery), (a, Delivery::Discarded));
+    assert_eq!(answer(&mut exchange, "b").expect("it is outstanding").request, b);
+    assert_eq!(pending(&mut exchange, a), None);
+}
+
+#[test]
+fn a_lost_reply_is_forgotten_when_a_later_command_is_answered() {
+    let mut exchange = Exchange::default();
+    let a = send(&mut exchange, "a");
+    exchange.give_up(a).expect("nothing has come");
+    let b = send(&mut exchange, "b");
+    assert_eq!(answer(&mut exchange, "b").expect("it is outstanding").request, b);
+    assert_eq!(pending(&mut exchange, a), None);
+    assert_eq!(exchange.outstanding(), 0);
+}
+
+#[test]
+fn with_equal_names_the_first_reply_completes_the_older_request() {
+    let mut exchange = Exchange::default();
+    let older = send(&mut exchange, "a");
+    exchange.give_up(older).expect("nothing has come");
+    let newer = send(&mut exchange, "a");
+    assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").request, older);
+    assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").request, newer);
+    // Both replies came: nothing is in doubt any more.
+    let next = send(&mut exchange, "a");
+    assert_eq!(exchange.give_up(next), Ok(()));
+}
+
+#[test]
+fn with_equal_names_a_second_reply_that_does_not_come_leaves_all_in_doubt() {
+    let mut exchange = Exchange::default();
+    let older = send(&mut exchange, "a");
+    exchange.give_up(older).expect("nothing has come");
+    let newer = send(&mut exchange, "a");
+    answer(&mut exchange, "a").expect("it is outstanding");
+    assert_eq!(exchange.give_up(newer), ambiguous("a"));
+}
+
+#[test]
+fn a_command_sent_after_a_doubtful_one_is_doubtful_too() {
+    let mut exchange = Exchange::default();
+    let older = send(&mut exchange, "a");
+    exchange.give_up(older).expect("nothing has come");
+    send(&mut exchange, "a");
+    answer(&mut exchange, "a").expect("it is outstanding");
+    let third = send(&mut exchange, "a");
+    let other = send(&mut exchange, "b");
+    assert_eq!(exchange.give_up(other), Ok(()));
+    assert!(exchange.give_up(third).is_err());
+}
+
+#[test]
+fn when_nothing_at_all_came_a_second_timeout_leaves_nothing_in_doubt() {
+    let mut exchange = Exchange::default();
+    for _ in 0..3 {
+        let request = send(&mut exchange, "a");
+        assert_eq!(exchange.give_up(request), Ok(()));
+    }
+    assert_eq!(exchange.outstanding(), 3);
+}
+
+#[test]
+fn a_reply_to_no_outstanding_request() {
+    let mut exchange = Exchange::default();
+    assert_eq!(answer(&mut exchange, "a"), unsolicited("a"));
+    let a = send(&mut exchange, "a");
+    assert_eq!(answer(&mut exchange, "b"), unsolicited("b"));
+    // The request stays outstanding: its waiter learns that the connection is broken, not that a reply is lost.
+    assert_eq!((exchange.outstanding(), pending(&mut exchange, a)), (1, None));
+}
+
+#[test]
+fn a_reply_without_a_name_is_attributed_only_if_it_is_the_refusal_of_the_only_request() {
+    let refusal = r#"{"errorCode": "1", "errorMsg": "no"}"#;
+    let mut exchange = Exchange::default();
+    assert_eq!(receive(&mut exchange, refusal), Err(OutOfSync::Nameless));
+    let a = send(&mut exchange, "a");
+    assert_eq!(receive(&mut exchange, r#"{"errorCode": "0"}"#), Err(OutOfSync::Nameless));
+    assert_eq!(receive(&mut exchange, r#"{"errorCode": "fine"}"#), Err(OutOfSync::Nameless));
+    assert_eq!(receive(&mut exchange, refusal).expect("only one is outstanding").request, a);
+    assert!(matches!(pending(&mut exchange, a), Some(Err(Failure::Refused(refusal))) if refusal.message == "no"));
+    let b = send(&mut exchange, "b");
+    let reply = r#"{"errorCode": "0", "cmdName": " b"}"#;
+    assert_eq!(receive(&mut exchange, reply).expect("it is outstanding").request, b);
+    send(&mut exchange, "a");
+    send(&mut exchange, "b");
+    assert_eq!(receive(&mut exchange, refusal), Err(OutOfSync::Nameless));
+}
+
+#[test]
+fn a_bare_tuple_is_the_reply_of_the_one_command_that_is_answered_so() {
+    let mut exchange = Exchange::new(Request::bare_reply_command());
+    send(&mut exchange, "a");
+    assert_eq!(receive(&mut exchange, "(0, [])"), unsolicited("get_extio_status"));
+    let status = send(&mut exchange, "get_extio_status");
+    assert_eq!(receive(&mut exchange, "(0, [])").expect("it is outstanding").request, status);
+    assert_eq!(pending(&mut exchange, status), Some(Ok("(0, [])".to_owned())));
+}
+
+#[test]
+fn a_request_that_did_not_go_out_is_withdrawn() {
+    let mut exchange = Exchange::default();
+    let (a, b) = (send(&mut exchange, "a"), exchange.post("a", Instant::now()));
+    assert_eq!(exchange.withdraw(a), Err(OutOfSync::BeforeSent));
+    assert_eq!(exchange.withdraw(b), Ok(()));
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (1, 0));
+    answer(&mut exchange, "a").expect("it is outstanding");
+    assert_eq!(exchange.withdraw(a), Err(OutOfSync::BeforeSent));
+    assert_eq!(answer(&mut exchange, "a"), unsolicited("a"));
+}
+
+#[test]
+fn outcomes_of_posted_requests_are_counted() {
+    let (mut exchange, now) = (Exchange::default(), Instant::now());
+    let later = now + Duration::from_secs(1);
+    let [first, second] = [now, later].map(|now| exchange.post("a", now));
+    exchange.post("b", later);
+    let oldest = exchange.oldest_posted().expect("they are outstanding");
+    assert_eq!((oldest.id, oldest.command, oldest.sent_at), (first, "a", now));
+    assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Counted);
+    assert_eq!(exchange.oldest_posted().map(|oldest| oldest.id), Some(second));
+    receive(&mut exchange, r#"{"errorCode": "7", "cmdName": "a"}"#).expect("it is outstanding");
+    exchange.post("c", later);
+    answer(&mut exchange, "c").expect("it is outstanding");
+    let outcomes = exchange.take_posted_outcomes();
+    assert_eq!(outcomes.accepted, 2);
+    let [("a", Failure::Refused(refusal)), ("b", Failure::Lost)] = &*outcomes.failed else { panic!("{outcomes:?}") };
+    assert_eq!(refusal.code.0, 7);
+    let again = exchange.take_posted_outcomes();
+    assert_eq!((again.accepted, again.failed.len(), exchange.posted_outstanding()), (0, 0, 0));
+}
+
+#[test]
+fn posted_requests_are_given_up_from_the_oldest() {
+    let (mut exchange, now, after) = (Exchange::default(), Instant::now(), Duration::from_secs(5));
+    for _ in 0..3 {
+        exchange.post("a", now);
+    }
+    assert_eq!(exchange.give_up_oldest_posted(after), Ok(()));
+    assert_eq!(exchange.take_posted_outcomes().failed, [("a", Failure::TimedOut { after })]);
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (3, 2));
+    assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Discarded);
+    // The reply may have been the second's.
+    assert_eq!(exchange.give_up_oldest_posted(after), ambiguous("a"));
+    assert_eq!(exchange.abandon_posted(), 2);
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (2, 0));
+    assert_eq!(exchange.give_up_oldest_posted(after), Ok(()));
+    assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Discarded);
+    let outcomes = exchange.take_posted_outcomes();
+    assert_eq!((outcomes.accepted, outcomes.failed), (0, vec![]));
+}
+
+#[test]
+fn what_is_pending_for_nobody_is_dropped() {
+    let mut exchange = Exchange::default();
+    for drop in [Exchange::abandon, Exchange::discard_pending] {
+        let a = send(&mut exchange, "a");
+        answer(&mut exchange, "a").expect("it is outstanding");
+        drop(&mut exchange, a);
+        assert_eq!(pending(&mut exchange, a), None);
+    }
+    // What is still outstanding is not pending.
+    let a = send(&mut exchange, "a");
+    exchange.discard_pending(a);
+    assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Pending);
+}
+
+#[test]
+fn what_is_out_of_sync_names_the_command() {
+    let command = || "jog".to_owned();
+    let told = [
+        OutOfSync::Unsolicited { command: command() },
+        OutOfSync::BeforeSent,
+        OutOfSync::Nameless,
+        OutOfSync::Ambiguous { command: command() },
+    ];
+    assert_eq!(
+        told.map(|out_of_sync| out_of_sync.to_string()),
+        [
+            "a reply to `jog` came, but no such request is outstanding",
+            "a reply came to a request before any of it was sent",
+            "a reply came that names no command",
+            "one of two replies to `jog` is lost, and it cannot be told which",
+        ]
+    );
+}
