@@ -6,6 +6,7 @@
 //! ends before anything else happens.
 
 mod drops;
+mod machine;
 mod model;
 mod run;
 mod step;
@@ -15,14 +16,26 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
 use self::run::run;
-use self::step::{Handles, any_step};
+use self::step::{Handles, Step, any_step};
 
 /// How many runs, times `JAKA_RELIABILITY`.
 const RUNS: u32 = 300;
 
+/// How many without sockets, where a run takes microseconds.
+const RUNS_OF_THE_MACHINE: u32 = 30_000;
+
 #[test]
 fn the_client_does_what_the_model_says() {
-    let cases = RUNS * jaka_tests::reliability_times();
+    check(RUNS, run);
+}
+
+#[test]
+fn the_exchange_without_sockets_does_what_the_model_says() {
+    check(RUNS_OF_THE_MACHINE, machine::run);
+}
+
+fn check(runs: u32, run: fn(Handles, &[Step]) -> Result<(), String>) {
+    let cases = runs * jaka_tests::reliability_times();
     let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
     let handles = prop_oneof![3 => Just(Handles::Patient), 1 => Just(Handles::Hasty)];
     let runs = (handles, proptest::collection::vec(any_step(), 0..40));
