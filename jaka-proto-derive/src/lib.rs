@@ -54,6 +54,16 @@ pub fn status_subset(input: TokenStream) -> TokenStream {
     expanded.unwrap_or_else(syn::Error::into_compile_error).into()
 }
 
+/// The pattern of the characters that nobody sees and that are no control characters, for `jaka_proto::text`.
+#[proc_macro]
+pub fn hidden_characters(_input: TokenStream) -> TokenStream {
+    let ranges = jaka_spec::prose::HIDDEN.iter().map(|range| {
+        let (first, last) = (range.start(), range.end());
+        quote!(#first..=#last)
+    });
+    quote!(#(#ranges)|*).into()
+}
+
 fn expand(input: TokenStream, render: fn(&jaka_spec::Spec) -> proc_macro2::TokenStream) -> TokenStream {
     if let Err(error) = syn::parse::<Nothing>(input) {
         return error.into_compile_error().into();

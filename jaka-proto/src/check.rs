@@ -7,7 +7,7 @@ use crate::wire::Typed;
 
 /// What a field may hold, and which firmware has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct Limits<'u> {
     /// Least value allowed.
     pub min: Option<f64>,
     /// Greatest value allowed.
@@ -17,12 +17,12 @@ pub struct Limits {
     /// True for text that may hold printable ASCII only.
     pub ascii: bool,
     /// Unit of the limits.
-    pub unit: &'static str,
+    pub unit: &'u str,
     /// The firmware that has the field.
     pub firmware: FirmwareRange,
 }
 
-impl Limits {
+impl Limits<'_> {
     /// Any finite number, any text, in any firmware.
     pub const NONE: Self =
         Self { min: None, max: None, advisory: false, ascii: false, unit: "", firmware: FirmwareRange::ALL };
@@ -41,13 +41,25 @@ impl Limits {
         self
     }
 
-    fn allows(&self, value: f64) -> bool {
+    /// True for a number within the range.
+    pub fn allow(&self, value: f64) -> bool {
         self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
+    }
+
+    /// True for a number that may be sent: one within the range, or any number where newer firmware takes more and that is left to
+    /// the controller.
+    pub fn permit(&self, value: f64, ranges: AdvisoryRanges) -> bool {
+        self.allow(value) || self.advisory && ranges == AdvisoryRanges::Ignored
+    }
+
+    /// True for text that may be sent.
+    pub fn allow_text(&self, text: &str) -> bool {
+        !self.ascii || text.bytes().all(|b| b == b' ' || b.is_ascii_graphic())
     }
 }
 
 /// In words, such as `0 to 1` or `at least 0 deg/s`.
-impl fmt::Display for Limits {
+impl fmt::Display for Limits<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.min, self.max) {
             (Some(min), Some(max)) => write!(f, "{min} to {max}")?,
@@ -175,7 +187,7 @@ impl<'p> Place<'p> {
     /// # Errors
     /// The field holds what the spec forbids, or holds something and the controller's firmware does not have it.
     // Not generic, or each type of a field would compile a copy.
-    pub fn check(&'p self, name: &'static str, value: &dyn Validate, limits: &Limits) -> Result<(), NotSent> {
+    pub fn check(&'p self, name: &'static str, value: &dyn Validate, limits: &Limits<'_>) -> Result<(), NotSent> {
         let place = self.inner(PlaceName::Field(name));
         if value.is_present() {
             place.exists(&limits.firmware)?;
@@ -210,11 +222,11 @@ impl<'p> Place<'p> {
         NotSent::InvalidArgument(InvalidArgument::new(self.command, self.path(), value, allowed, advisory))
     }
 
-    fn number(&self, value: f64, limits: &Limits) -> Result<(), NotSent> {
+    fn number(&self, value: f64, limits: &Limits<'_>) -> Result<(), NotSent> {
         if !value.is_finite() {
             return Err(self.invalid(value.to_string(), limits.to_string(), false));
         }
-        if limits.allows(value) || (limits.advisory && self.rules.ranges == AdvisoryRanges::Ignored) {
+        if limits.permit(value, self.rules.ranges) {
             return Ok(());
         }
         Err(self.invalid(value.to_string(), limits.to_string(), limits.advisory))
@@ -262,7 +274,7 @@ pub trait Validate {
     ///
     /// # Errors
     /// The spec forbids the value, or the controller's firmware does not have a field of it.
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent>;
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent>;
 
     /// False for an optional value that is left out.
     fn is_present(&self) -> bool {
@@ -271,28 +283,27 @@ pub trait Validate {
 }
 
 impl Validate for f64 {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         place.number(*self, limits)
     }
 }
 
 impl Validate for i64 {
     #[expect(clippy::cast_precision_loss, reason = "limits are small whole numbers; rounding moves none across them")]
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         place.number(*self as f64, limits)
     }
 }
 
 impl Validate for bool {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
         Ok(())
     }
 }
 
 impl Validate for String {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
-        let printable = self.bytes().all(|b| b == b' ' || b.is_ascii_graphic());
-        if limits.ascii && !printable {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+        if !limits.allow_text(self) {
             return Err(place.invalid(format!("`{self}`"), "printable ASCII", limits.advisory));
         }
         Ok(())
@@ -300,20 +311,20 @@ impl Validate for String {
 }
 
 impl Validate for serde_json::Value {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
         Ok(())
     }
 }
 
 /// What is given as raw JSON is not checked.
 impl<T: Validate> Validate for Typed<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         self.known().map_or(Ok(()), |value| value.validate(place, limits))
     }
 }
 
 impl<T: Validate> Validate for Option<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         self.as_ref().map_or(Ok(()), |value| value.validate(place, limits))
     }
 
@@ -323,20 +334,20 @@ impl<T: Validate> Validate for Option<T> {
 }
 
 impl<T: Validate> Validate for [T] {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         let each = |(index, item): (usize, &T)| item.validate(&place.inner(PlaceName::Element(index)), limits);
         self.iter().enumerate().try_for_each(each)
     }
 }
 
 impl<T: Validate> Validate for Vec<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         self.as_slice().validate(place, limits)
     }
 }
 
 impl<T: Validate, const N: usize> Validate for [T; N] {
-    fn validate(&self, place: &Place<'_>, limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         self.as_slice().validate(place, limits)
     }
 }

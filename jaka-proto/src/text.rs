@@ -17,16 +17,7 @@ use std::fmt::{self, Write};
 /// Whether a character is shown as it is: no control character, nothing that directs the text around it without being seen, and no
 /// separator of lines or paragraphs. These are the general categories Cc, Cf, Zl and Zp of Unicode.
 pub fn is_visible(c: char) -> bool {
-    !c.is_control() && !is_format(c)
-}
-
-/// The general categories Cf, Zl and Zp.
-fn is_format(c: char) -> bool {
-    matches!(c,
-        '\u{ad}' | '\u{600}'..='\u{605}' | '\u{61c}' | '\u{6dd}' | '\u{70f}' | '\u{890}'..='\u{891}' | '\u{8e2}' | '\u{180e}'
-        | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}'
-        | '\u{110bd}' | '\u{110cd}' | '\u{13430}'..='\u{1343f}' | '\u{1bca0}'..='\u{1bca3}' | '\u{1d173}'..='\u{1d17a}'
-        | '\u{e0001}' | '\u{e0020}'..='\u{e007f}')
+    !c.is_control() && !matches!(c, jaka_proto_derive::hidden_characters!())
 }
 
 /// Text in one line: displays every character that is not [visible](is_visible) as an escape, such as `\u{1b}` or `\n`.
@@ -72,6 +63,14 @@ pub fn visible_json(text: &str) -> Cow<'_, str> {
 /// The same in one line: line ends and tabs between the parts become blanks.
 pub fn visible_json_line(text: &str) -> Cow<'_, str> {
     escaped_json(text, |_| ' ')
+}
+
+/// The first 60 characters of a text, with `…` in place of the rest.
+pub fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
 }
 
 fn escaped(text: &str, stays: impl Fn(char) -> bool) -> Cow<'_, str> {

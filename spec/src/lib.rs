@@ -3,8 +3,6 @@
 mod builtin;
 mod envelope;
 mod item;
-#[cfg(feature = "json")]
-pub mod json;
 mod model;
 mod names;
 mod pack;
@@ -21,7 +19,7 @@ mod version;
 pub mod words;
 
 pub use builtin::{BUILTIN, builtin};
-pub use envelope::{COMMAND_NAME, ENVELOPE};
+pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeKind, Variant,
@@ -29,7 +27,7 @@ pub use model::{
 pub use names::{to_camel, to_screaming};
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
-pub use shape::is_floats;
+pub use shape::{Shape, is_floats};
 pub use version::{Version, Versions};
 
 /// A TOML file: the path that errors name, and its text.

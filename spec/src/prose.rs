@@ -5,6 +5,7 @@
 //! loses its meaning by a backslash. Nothing is indented so far that it would be code, and characters that nobody sees are escapes.
 
 use std::fmt::Write;
+use std::ops::RangeInclusive;
 
 /// The most blanks at the beginning of a line: with one more it would be code.
 const MOST_INDENT: usize = 3;
@@ -49,15 +50,34 @@ pub(crate) fn shown(line: &str) -> String {
     out
 }
 
-/// The general categories Cc, Cf, Zl and Zp of Unicode: as `jaka_proto::text::is_visible`, which stands in a crate that does not
-/// depend on this one.
-pub fn is_hidden(c: char) -> bool {
-    c.is_control()
-        || matches!(c,
-            '\u{ad}' | '\u{600}'..='\u{605}' | '\u{61c}' | '\u{6dd}' | '\u{70f}' | '\u{890}'..='\u{891}' | '\u{8e2}'
-            | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}'
-            | '\u{fff9}'..='\u{fffb}' | '\u{110bd}' | '\u{110cd}' | '\u{13430}'..='\u{1343f}' | '\u{1bca0}'..='\u{1bca3}'
-            | '\u{1d173}'..='\u{1d17a}' | '\u{e0001}' | '\u{e0020}'..='\u{e007f}')
+/// The general categories Cf, Zl and Zp of Unicode: characters that direct the text around them without being seen, and separators
+/// of lines and paragraphs. `jaka_proto::text` has them from here.
+pub const HIDDEN: &[RangeInclusive<char>] = &[
+    '\u{ad}'..='\u{ad}',
+    '\u{600}'..='\u{605}',
+    '\u{61c}'..='\u{61c}',
+    '\u{6dd}'..='\u{6dd}',
+    '\u{70f}'..='\u{70f}',
+    '\u{890}'..='\u{891}',
+    '\u{8e2}'..='\u{8e2}',
+    '\u{180e}'..='\u{180e}',
+    '\u{200b}'..='\u{200f}',
+    '\u{2028}'..='\u{202e}',
+    '\u{2060}'..='\u{206f}',
+    '\u{feff}'..='\u{feff}',
+    '\u{fff9}'..='\u{fffb}',
+    '\u{110bd}'..='\u{110bd}',
+    '\u{110cd}'..='\u{110cd}',
+    '\u{13430}'..='\u{1343f}',
+    '\u{1bca0}'..='\u{1bca3}',
+    '\u{1d173}'..='\u{1d17a}',
+    '\u{e0001}'..='\u{e0001}',
+    '\u{e0020}'..='\u{e007f}',
+];
+
+/// True for control characters, and for those of [`HIDDEN`].
+pub(crate) fn is_hidden(c: char) -> bool {
+    c.is_control() || HIDDEN.iter().any(|range| range.contains(&c))
 }
 
 fn prose_line(line: &str) -> String {

@@ -1,20 +1,86 @@
-//! What the generated Rust types can do, which whoever generates them and whoever compares two specs must see alike.
+//! Types with their names looked up: what they are on the wire, and what the generated Rust types can do.
 
-use crate::model::{Field, Spec, Type, TypeKind};
+use crate::model::{Choice, EnumValue, Field, Spec, Type, TypeKind};
+
+/// What a type is on the wire: named types are looked up, and wrappers taken off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape<'s> {
+    /// A truth value, with the JSON texts that stand for false and true.
+    Bool {
+        /// JSON text of false.
+        off: &'s str,
+        /// JSON text of true.
+        on: &'s str,
+    },
+    /// A whole number.
+    Int,
+    /// A floating-point number.
+    Float,
+    /// A string.
+    Text,
+    /// Any JSON.
+    Json,
+    /// A string that holds a Python literal of this type.
+    Python(&'s Type),
+    /// An array of elements of one type, and its length where the protocol fixes it.
+    List(&'s Type, Option<usize>),
+    /// An object with these keys.
+    Object(&'s [Field]),
+    /// An array with an element for each field.
+    Tuple {
+        /// The elements, in order.
+        fields: &'s [Field],
+        /// True where an array with further elements is an error; otherwise they are ignored.
+        exact: bool,
+    },
+    /// One of some whole numbers, or another one.
+    IntEnum(&'s [EnumValue<i64>]),
+    /// One of some strings, or another one.
+    TextEnum(&'s [EnumValue<String>]),
+    /// An array that begins with the tag of a variant.
+    Choice(&'s Choice),
+}
 
 impl Spec {
+    /// What the type is on the wire.
+    pub fn shape<'s>(&'s self, ty: &'s Type) -> Shape<'s> {
+        match ty {
+            Type::Bool { off, on } => Shape::Bool { off, on },
+            Type::Int => Shape::Int,
+            Type::Float => Shape::Float,
+            Type::Text => Shape::Text,
+            Type::Json => Shape::Json,
+            Type::Python(inner) => Shape::Python(inner),
+            Type::List(element) => Shape::List(element, None),
+            Type::Array(element, len) => Shape::List(element, Some(*len)),
+            Type::Named(name) => match self.type_def(name).map(|def| &def.kind) {
+                Some(TypeKind::Object(fields)) => Shape::Object(fields),
+                Some(TypeKind::Array { fields, exact }) => Shape::Tuple { fields, exact: *exact },
+                Some(TypeKind::IntEnum(values)) => Shape::IntEnum(values),
+                Some(TypeKind::TextEnum(values)) => Shape::TextEnum(values),
+                Some(TypeKind::Choice(choice)) => Shape::Choice(choice),
+                Some(TypeKind::Wrapper(ty, _)) => self.shape(ty),
+                None => Shape::Json,
+            },
+        }
+    }
+
+    /// The unit of the wrapper that the type is, if it is one and has a unit.
+    pub fn unit<'s>(&'s self, ty: &'s Type) -> Option<&'s str> {
+        let Type::Named(name) = ty else { return None };
+        match &self.type_def(name)?.kind {
+            TypeKind::Wrapper(ty, unit) => unit.as_deref().or_else(|| self.unit(ty)),
+            _ => None,
+        }
+    }
+
     /// True if the type can be `Copy`.
     pub fn is_copy(&self, ty: &Type) -> bool {
-        match ty {
-            Type::Bool { .. } | Type::Int | Type::Float => true,
-            Type::Text | Type::Json | Type::List(_) => false,
-            Type::Array(inner, _) | Type::Python(inner) => self.is_copy(inner),
-            Type::Named(name) => self.type_def(name).is_some_and(|def| match &def.kind {
-                TypeKind::IntEnum(_) => true,
-                TypeKind::TextEnum(_) | TypeKind::Choice(_) => false,
-                TypeKind::Wrapper(ty, _) => self.is_copy(ty),
-                TypeKind::Object(fields) | TypeKind::Array { fields, .. } => self.all_copy(fields),
-            }),
+        match self.shape(ty) {
+            Shape::Bool { .. } | Shape::Int | Shape::Float | Shape::IntEnum(_) => true,
+            Shape::Text | Shape::Json | Shape::List(_, None) | Shape::TextEnum(_) | Shape::Choice(_) => false,
+            Shape::List(inner, Some(_)) | Shape::Python(inner) => self.is_copy(inner),
+            Shape::Object(fields) | Shape::Tuple { fields, .. } => self.all_copy(fields),
         }
     }
 

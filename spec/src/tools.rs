@@ -1,5 +1,4 @@
-//! What can be made from a spec beside code: a comparison with another spec, a reference to read, a JSON Schema, a
-//! check of its examples.
+//! What can be made from a spec beside code: a comparison with another spec, a reference to read, a JSON Schema.
 //!
 //! With the feature `tools`.
 //!
@@ -14,11 +13,9 @@
 //! ```
 
 mod diff;
-mod examples;
 mod reference;
 mod schema;
 
 pub use diff::{Change, Impact, diff, impact, summary};
-pub use examples::{Misfit, misfits};
 pub use reference::reference;
 pub use schema::schema;

@@ -3,6 +3,5 @@
 mod errors;
 mod events;
 mod lookup;
-mod mutations;
 mod packs;
 mod unfit;

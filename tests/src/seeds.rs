@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use jaka_sim::{Controller, Firmware};
-use jaka_spec::json;
 use jaka_sync::StatusStream;
 
 use crate::{printed, spec};
@@ -67,7 +66,7 @@ fn streams() -> Vec<String> {
 fn typed() -> Vec<String> {
     let spec = spec();
     let of_command = |command: &jaka_spec::Command| {
-        let lines = json::arguments(&spec, command).into_iter().map(|argument| {
+        let lines = jaka_dynamic::arguments(&spec, command).into_iter().map(|argument| {
             let value = argument.values.first().map_or(argument.hint.clone(), |value| value.name.clone());
             format!("{}\n{}\n{}", command.wire, argument.name, value.replace("NUMBER", "1.5"))
         });
@@ -174,7 +173,7 @@ fn packs() -> Vec<String> {
         include_str!("../data/fan.toml"),
         include_str!("../pack-user/changed.toml"),
         include_str!("../pack-user/newer.toml"),
-        include_str!("../tests/spec_json/pack.toml"),
+        include_str!("../tests/dynamic/pack.toml"),
     ];
     let readme = include_str!("../../spec/README.md");
     let of_readme = readme.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());

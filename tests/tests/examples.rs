@@ -3,7 +3,7 @@
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
 use expect_test::expect;
-use jaka_spec::tools::{Misfit, misfits};
+use jaka_dynamic::{Misfit, misfits};
 use jaka_spec::{Source, load_pack};
 use jaka_tests::spec;
 

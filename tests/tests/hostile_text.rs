@@ -22,13 +22,6 @@ fn assert_visible(what: &str, text: &str) {
 }
 
 #[test]
-fn what_is_hidden_in_docs_is_what_is_hidden_in_errors() {
-    for c in '\0'..=char::MAX {
-        assert_eq!(jaka_spec::prose::is_hidden(c), !is_visible(c), "{c:?}");
-    }
-}
-
-#[test]
 fn no_error_shows_a_controller_s_text_raw() {
     let refusal = || Refusal::new(HOSTILE, ErrorCode(2), HOSTILE);
     let unfit = || DecodeError::unfit("a number", HOSTILE).in_field(HOSTILE);

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use expect_test::expect;
+use jaka_dynamic::Reading;
 use jaka_pack_user::strange::{self, StrangeCommands as _};
 use jaka_proto::check::{AdvisoryRanges, NotSent};
 use jaka_proto::wire::{Reader, Writer};
 use jaka_proto::{Command, CommandInfo, read_payload};
 use jaka_sim::{Controller, Delays};
-use jaka_spec::json::{self, Reading};
 use jaka_spec::{Source, Spec, tools};
 use jaka_sync::{Client, Severity};
 use jaka_tests::{any_object, any_request_of, same, spec};
@@ -86,10 +86,10 @@ fn model(info: &CommandInfo) -> &'static jaka_spec::Command {
     SPEC.command(info.name).unwrap_or_else(|| panic!("{} is in the pack", info.name))
 }
 
-fn by_model(info: &CommandInfo, message: &Value) -> Result<String, Vec<json::Problem>> {
+fn by_model(info: &CommandInfo, message: &Value) -> Result<String, Vec<jaka_dynamic::Problem>> {
     let mut fields = message.as_object().expect("a request is an object").clone();
     fields.remove("cmdName");
-    json::request(&SPEC, model(info), &fields, json::AdvisoryRanges::Enforced)
+    jaka_dynamic::request(&SPEC, model(info), &fields, AdvisoryRanges::Enforced)
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn replies_are_read_and_written_again() {
         let mut runner = TestRunner::new(ProptestConfig::with_cases(100));
         let round_trip = |fields: Map<String, Value>| {
             let message = success(info, fields);
-            let departures = json::departures(&SPEC, model(info), &message);
+            let departures = jaka_dynamic::departures(&SPEC, model(info), &message);
             let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
             prop_assert!(is_readable, "{departures:?}");
             prop_assert!(SCHEMA.is_valid(&message), "{message}");

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use jaka_dynamic::{Argument, arguments};
+use jaka_spec::COMMAND_NAME;
 use jaka_spec::Spec;
-use jaka_spec::json::{Argument, COMMAND_NAME, arguments};
 use jaka_tests::{compact, printed, spec};
 use serde_json::{Map, Value};
 

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use crate::text::VisibleWriter;
+use crate::text::{VisibleWriter, excerpt};
 
 /// A message, or a field of one, that does not fit its type.
 #[derive(Clone, PartialEq, Eq)]
@@ -87,14 +87,6 @@ impl DecodeError {
     /// True if the text is no JSON at all, rather than JSON of another shape.
     pub fn is_malformed(&self) -> bool {
         matches!(self.0.kind, Kind::Malformed { .. })
-    }
-}
-
-/// At most 60 characters of `text`.
-pub(crate) fn excerpt(text: &str) -> String {
-    match text.char_indices().nth(60) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
     }
 }
 

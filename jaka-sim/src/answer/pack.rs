@@ -2,25 +2,25 @@
 
 use jaka_proto::wire::Writer;
 use jaka_proto::{Envelope, ErrorCode};
-use jaka_spec::{Command, Spec, json};
+use jaka_spec::{Command, Spec};
 use serde_json::{Map, Value};
 
 /// True if the spec allows the request.
 pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     let message: Result<Map<_, _>, _> = serde_json::from_str(request);
-    message.is_ok_and(|message| json::check_request(spec, command, &message).is_empty())
+    message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
 }
 
 /// Writes a reply with the spec's example, or with zeros.
 pub(super) fn sample(spec: &Spec, command: &Command, out: &mut Writer) {
-    write(&command.wire, &json::sample_reply(spec, command), out);
+    write(&command.wire, &jaka_dynamic::sample_reply(spec, command), out);
 }
 
 /// Gives a reply the shape that the pack says and the simulator does not know.
 pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
     let Some(mut reply) = accepted(out.as_str()) else { return };
     let before = reply.clone();
-    json::complete_reply(spec, command, &mut reply);
+    jaka_dynamic::complete_reply(spec, command, &mut reply);
     if reply != before {
         rewrite(&reply, out);
     }

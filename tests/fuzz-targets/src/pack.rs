@@ -1,6 +1,6 @@
 //! Packs upon the built-in spec.
 
-use jaka_spec::{Source, json, load_pack, tools};
+use jaka_spec::{Source, load_pack, tools};
 use serde_json::json;
 
 use crate::builtin::SPEC;
@@ -21,10 +21,10 @@ pub fn pack(data: &[u8]) {
     tools::diff(&SPEC, &pack.spec);
     tools::reference(&pack.spec);
     for command in pack.spec.commands() {
-        json::arguments(&pack.spec, command);
-        let mut reply = json::sample_reply(&pack.spec, command);
+        jaka_dynamic::arguments(&pack.spec, command);
+        let mut reply = jaka_dynamic::sample_reply(&pack.spec, command);
         reply.extend([("errorCode".to_owned(), json!("0")), ("cmdName".to_owned(), command.wire.clone().into())]);
-        json::departures(&pack.spec, command, &reply.into());
+        jaka_dynamic::departures(&pack.spec, command, &reply.into());
     }
     if let Err(errors) = load_pack(&pack.spec, source) {
         panic!("upon its own result: {errors}");

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use jaka_dynamic::{Reading, status_departures};
 use jaka_proto::framing;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Encode, Reader, Value, Writer};
 use jaka_spec::TypeKind;
-use jaka_spec::json::{Reading, status_departures};
 
 use crate::builtin::SPEC;
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_spec::json::{Reading, departures};
+use jaka_dynamic::{Reading, departures};
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::text::visible_json_line;

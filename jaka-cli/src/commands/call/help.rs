@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use jaka_spec::json::{Argument, arguments};
+use jaka_dynamic::{Argument, arguments};
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Effect, Request, Requirement, Spec};
 use jaka_sync::proto::text::{visible, visible_lines};

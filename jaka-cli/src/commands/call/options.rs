@@ -1,7 +1,7 @@
 //! The options that `jaka call` has for every command.
 
 use clap::{Args, ValueEnum};
-use jaka_spec::json::AdvisoryRanges;
+use jaka_dynamic::AdvisoryRanges;
 
 use crate::packs::SpecArgs;
 use crate::target::RobotArgs;

@@ -6,7 +6,7 @@ use std::iter;
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches};
-use jaka_spec::json::{Argument, arguments};
+use jaka_dynamic::{Argument, arguments};
 use jaka_spec::{Command, Spec};
 use serde_json::{Map, Value};
 
@@ -29,7 +29,7 @@ pub(super) struct Parser<'s> {
 #[derive(Debug)]
 pub(super) struct CommandLine {
     pub(super) options: Options,
-    /// The fields that are given, as [`jaka_spec::json::request`] takes them.
+    /// The fields that are given, as [`jaka_dynamic::request`] takes them.
     pub(super) fields: Map<String, Value>,
 }
 
@@ -157,7 +157,7 @@ struct Listed(Vec<PossibleValue>);
 
 impl Listed {
     fn of(argument: &Argument) -> Self {
-        let possible = |value: &jaka_spec::json::PossibleValue| {
+        let possible = |value: &jaka_dynamic::PossibleValue| {
             PossibleValue::new(value.name.clone()).help(format!(
                 "{} ({})",
                 value.help.trim_end_matches('.'),

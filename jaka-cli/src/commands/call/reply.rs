@@ -1,7 +1,7 @@
 //! Replies as a table: the fields by their names in Rust, with units.
 
-use jaka_spec::json::{ENVELOPE, value as read};
-use jaka_spec::{Choice, Command, EnumValue, Field, Spec, Type, TypeKind};
+use jaka_dynamic::value as read;
+use jaka_spec::{Choice, Command, ENVELOPE, EnumValue, Field, Spec, Type, TypeKind};
 use jaka_sync::proto::python;
 use jaka_sync::proto::text::{visible, visible_json};
 use jaka_sync::proto::wire::{Decode, Reader};

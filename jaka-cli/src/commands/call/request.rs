@@ -2,8 +2,8 @@
 
 use std::{fs, io};
 
-use jaka_spec::json::{self, COMMAND_NAME, Problem};
-use jaka_spec::{Command, Spec};
+use jaka_dynamic::Problem;
+use jaka_spec::{COMMAND_NAME, Command, Spec};
 use serde_json::{Map, Value};
 
 use super::parser::CommandLine;
@@ -41,7 +41,7 @@ impl<'s> Request<'s> {
             (Some(command), None) => (command, line.fields.clone()),
             (None, None) => return Ok(None),
         };
-        let text = json::request(spec, command, &fields, options.advisory_ranges.into())
+        let text = jaka_dynamic::request(spec, command, &fields, options.advisory_ranges.into())
             .map_err(|problems| forbidden(command, &problems))?;
         Ok(Some(Self { command: Some(command), name: command.wire.clone(), text }))
     }

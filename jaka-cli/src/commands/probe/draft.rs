@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use jaka_spec::json::{Departure, DepartureKind, Reading, notation};
+use jaka_dynamic::{Departure, DepartureKind, Reading, notation};
 use jaka_spec::{Source, Spec, TypeKind, load_pack};
 use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;

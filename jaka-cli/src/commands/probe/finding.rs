@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use jaka_spec::json::{Departure, Reading};
+use jaka_dynamic::{Departure, Reading};
 use jaka_sync::power::GetVersion;
 use jaka_sync::proto::read_payload;
 use jaka_sync::{Command, ErrorCode};

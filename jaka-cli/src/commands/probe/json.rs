@@ -1,6 +1,6 @@
 //! The report as JSON.
 
-use jaka_spec::json::{Departure, DepartureKind, Reading};
+use jaka_dynamic::{Departure, DepartureKind, Reading};
 use serde_json::{Value, json};
 
 use super::finding::{Finding, Findings, Outcome};

@@ -1,6 +1,6 @@
 //! The queries of the command port.
 
-use jaka_spec::json::{self, AdvisoryRanges, Argument, departures};
+use jaka_dynamic::{AdvisoryRanges, Argument, departures};
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::Map;
@@ -36,11 +36,11 @@ impl Connection<'_> {
         let name = command.wire.as_str();
         let not_probed = |why| Finding::without(name, Outcome::NotProbed(why));
         let required: Vec<_> =
-            json::arguments(spec, command).into_iter().filter(|argument| argument.required).collect();
+            jaka_dynamic::arguments(spec, command).into_iter().filter(|argument| argument.required).collect();
         if !required.is_empty() {
             return not_probed(format!("it needs {}", names(&required)));
         }
-        let Ok(request) = json::request(spec, command, &Map::new(), AdvisoryRanges::Enforced) else {
+        let Ok(request) = jaka_dynamic::request(spec, command, &Map::new(), AdvisoryRanges::Enforced) else {
             return not_probed("the spec does not allow it without arguments".to_owned());
         };
         let client = match &mut self.client {

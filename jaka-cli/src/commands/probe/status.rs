@@ -1,7 +1,7 @@
 //! Packets of the status port.
 
+use jaka_dynamic::{Departure, status_departures};
 use jaka_spec::Spec;
-use jaka_spec::json::{Departure, status_departures};
 use jaka_sync::{ErrorKind, StatusStream};
 
 use super::finding::{Finding, Outcome};

@@ -59,7 +59,7 @@ impl ErrorCount {
 
     /// Holds the examples of the commands of a file against their fields.
     fn examples(&mut self, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
-        let mut misfits = commands.iter().flat_map(|command| tools::misfits(spec, command));
+        let mut misfits = commands.iter().flat_map(|command| jaka_dynamic::misfits(spec, command));
         misfits.try_for_each(|misfit| {
             let error = error(&misfit, source);
             if misfit.is_lenient { note(&error) } else { self.errors([&error]) }
@@ -73,7 +73,7 @@ fn note(Error { path, line, column, message }: &Error) -> Result<(), Failure> {
 }
 
 /// A misfit at the place of its example.
-fn error(misfit: &tools::Misfit, source: Source<'_>) -> Error {
+fn error(misfit: &jaka_dynamic::Misfit, source: Source<'_>) -> Error {
     // Its text stands there as it is where it needs no escapes, as between single quotes.
     let place = source.text.find(&misfit.message).or_else(|| source.text.find(&misfit.command));
     source.error(place.unwrap_or_default(), misfit.to_string())

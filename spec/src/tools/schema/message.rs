@@ -4,12 +4,8 @@ use serde_json::{Value, json};
 
 use super::defs::{Defs, Form, reference, with};
 use super::{describe, lenient};
+use crate::envelope::{COMMAND_NAME as NAME, ERROR_CODE as CODE, ERROR_MESSAGE as MESSAGE};
 use crate::{Command, Field, Request};
-
-/// The keys that the exchange itself has: the command's name, the code and the message.
-const NAME: &str = "cmdName";
-const CODE: &str = "errorCode";
-const MESSAGE: &str = "errorMsg";
 
 /// A request, in the form in which the client sends it.
 pub(super) fn request(defs: &mut Defs<'_>, command: &Command) -> Value {

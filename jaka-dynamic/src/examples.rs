@@ -4,8 +4,8 @@ use std::fmt;
 
 use serde_json::{Map, Value};
 
-use crate::json::{self, AdvisoryRanges, COMMAND_NAME, Departure, DepartureKind, Reading};
-use crate::{Command, Example, Spec};
+use super::{AdvisoryRanges, Departure, DepartureKind, Reading};
+use jaka_spec::{COMMAND_NAME, Command, Example, Spec};
 
 /// An example of a command that is not as the command's fields have it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -70,9 +70,9 @@ fn of_request(spec: &Spec, command: &Command, request: &str) -> Vec<String> {
     if fields.remove(COMMAND_NAME).as_ref().and_then(Value::as_str) != Some(&command.wire) {
         return vec![format!("its `{COMMAND_NAME}` is not that of the command")];
     }
-    let problems = match json::request(spec, command, &fields, AdvisoryRanges::Ignored) {
+    let problems = match super::request(spec, command, &fields, AdvisoryRanges::Ignored) {
         // Names that are not those of the wire can be written, but not read.
-        Ok(_) => json::check_request(spec, command, &message),
+        Ok(_) => super::check_request(spec, command, &message),
         Err(problems) => problems,
     };
     problems.iter().map(ToString::to_string).collect()
@@ -84,7 +84,7 @@ fn of_reply(spec: &Spec, command: &Command, reply: &str) -> Vec<(String, bool)> 
         // A bare Python tuple, perhaps.
         Err(_) => Value::String(reply.to_owned()),
     };
-    json::departures(spec, command, &message).iter().map(misfit).collect()
+    super::departures(spec, command, &message).iter().map(misfit).collect()
 }
 
 /// What departs, and whether that is lenient: a key that the spec does not know is skipped, but belongs to no example.

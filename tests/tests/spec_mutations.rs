@@ -2,16 +2,18 @@
 
 use std::sync::LazyLock;
 
-use jaka_spec::{BUILTIN, Errors, Source, Spec, load, load_pack};
+use jaka_dynamic::AdvisoryRanges;
+use jaka_spec::{BUILTIN, Errors, Source, Spec, load, load_pack, tools};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
+use serde_json::{Map, Value};
 
 static SPEC: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the built-in spec is correct"));
 
 const PACKS: &[Source<'_>] = &[
-    Source { path: "newer.toml", text: include_str!("../../tests/pack-user/newer.toml") },
-    Source { path: "changed.toml", text: include_str!("../../tests/pack-user/changed.toml") },
-    Source { path: "strange.toml", text: include_str!("../../tests/pack-user/strange.toml") },
+    Source { path: "newer.toml", text: include_str!("../pack-user/newer.toml") },
+    Source { path: "changed.toml", text: include_str!("../pack-user/changed.toml") },
+    Source { path: "strange.toml", text: include_str!("../pack-user/strange.toml") },
 ];
 
 /// What stands behind the equals sign in some lines of some files, and what makes no sense there.
@@ -170,33 +172,22 @@ proptest! {
 }
 
 /// What others do with a spec that loaded.
-#[cfg(not(feature = "tools"))]
-#[expect(clippy::unnecessary_wraps, reason = "as with the feature")]
-fn used(_spec: &Spec) -> Result<(), TestCaseError> {
-    Ok(())
-}
-
-/// What others do with a spec that loaded.
-#[cfg(feature = "tools")]
 fn used(spec: &Spec) -> Result<(), TestCaseError> {
-    use jaka_spec::json::{self, AdvisoryRanges};
-    use jaka_spec::tools;
-    use serde_json::{Map, Value};
-
     for command in spec.commands() {
-        let mut reply = json::sample_reply(spec, command);
+        let mut reply = jaka_dynamic::sample_reply(spec, command);
         reply.extend([("errorCode".to_owned(), "0".into()), ("cmdName".to_owned(), command.wire.clone().into())]);
-        let departures = json::departures(spec, command, &reply.into());
-        let is_readable = departures.iter().all(|departure| departure.reading == json::Reading::Lenient);
+        let departures = jaka_dynamic::departures(spec, command, &reply.into());
+        let is_readable = departures.iter().all(|departure| departure.reading == jaka_dynamic::Reading::Lenient);
         prop_assert!(is_readable, "{}: {departures:?}", command.wire);
-        let fields = json::arguments(spec, command).iter().map(|argument| (argument.field.clone(), 1.into())).collect();
-        let _ = json::request(spec, command, &fields, AdvisoryRanges::Enforced);
-        let _ = json::check_request(spec, command, &Map::new());
+        let fields =
+            jaka_dynamic::arguments(spec, command).iter().map(|argument| (argument.field.clone(), 1.into())).collect();
+        let _ = jaka_dynamic::request(spec, command, &fields, AdvisoryRanges::Enforced);
+        let _ = jaka_dynamic::check_request(spec, command, &Map::new());
         for field in command.fields() {
-            let _ = json::value(spec, &field.ty, "[1, \"a\"]");
+            let _ = jaka_dynamic::value(spec, &field.ty, "[1, \"a\"]");
         }
     }
-    let _ = json::status_departures(spec, &Value::Null);
+    let _ = jaka_dynamic::status_departures(spec, &Value::Null);
     let _ = tools::diff(&SPEC, spec);
     let _ = tools::reference(spec);
     let _ = tools::schema(spec);

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use jaka_proto::text::excerpt;
 use serde_json::Value;
 
 /// One thing in a request that the spec forbids.
@@ -36,7 +37,7 @@ pub enum ProblemKind {
 
 impl Problem {
     pub(super) fn new(field: &str, kind: ProblemKind, value: &Value, allowed: String) -> Self {
-        let value = if kind == ProblemKind::Missing { String::new() } else { excerpt(value) };
+        let value = if kind == ProblemKind::Missing { String::new() } else { shown(value) };
         Self { field: field.to_owned(), kind, value, allowed, advisory: false }
     }
 }
@@ -57,13 +58,9 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
-/// The JSON of a value, at most 60 characters of it.
-pub(super) fn excerpt(value: &Value) -> String {
-    let text = value.to_string();
-    match text.char_indices().nth(60) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text,
-    }
+/// The JSON of a value, or the beginning of it.
+pub(super) fn shown(value: &Value) -> String {
+    excerpt(&value.to_string())
 }
 
 /// The path of a field inside what stands at `outer`.

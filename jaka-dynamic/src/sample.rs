@@ -4,12 +4,10 @@ use std::slice;
 
 use serde_json::{Map, Value};
 
-use super::ENVELOPE;
 use super::decode::Decoder;
 use super::departure::Reading;
 use super::envelope::is_success;
-use super::python;
-use crate::{Command, EnumValue, Field, Spec, Type, TypeKind};
+use jaka_spec::{Command, ENVELOPE, EnumValue, Field, Shape, Spec, Type, Variant};
 
 /// The fields of a successful reply, without the three keys that every reply has.
 ///
@@ -59,36 +57,33 @@ fn member(spec: &Spec, field: &Field) -> Value {
 }
 
 fn of_type(spec: &Spec, ty: &Type) -> Value {
-    match ty {
-        Type::Bool { off, .. } => serde_json::from_str(off).unwrap_or_default(),
-        Type::Int | Type::Float => 0.into(),
-        Type::Text => "".into(),
-        Type::Json => Map::new().into(),
-        Type::List(_) => Value::Array(Vec::new()),
-        Type::Array(element, len) => vec![of_type(spec, element); *len].into(),
-        Type::Python(inner) => python::write(&of_type(spec, inner)).into(),
-        Type::Named(name) => spec.type_def(name).map(|def| of_kind(spec, &def.kind)).unwrap_or_default(),
-    }
-}
-
-fn of_kind(spec: &Spec, kind: &TypeKind) -> Value {
-    match kind {
-        TypeKind::Object(fields) => {
+    match spec.shape(ty) {
+        Shape::Bool { off, .. } => serde_json::from_str(off).unwrap_or_default(),
+        Shape::Int | Shape::Float => 0.into(),
+        Shape::Text => "".into(),
+        Shape::Json => Map::new().into(),
+        Shape::List(element, len) => vec![of_type(spec, element); len.unwrap_or_default()].into(),
+        Shape::Python(inner) => literal(&of_type(spec, inner)),
+        Shape::Object(fields) => {
             let mut object = Map::new();
             complete(spec, fields, &mut object);
             object.into()
         }
-        TypeKind::Array { fields, .. } => elements(spec, fields).collect(),
-        TypeKind::IntEnum(values) => first(values, |value| value.wire.into()),
-        TypeKind::TextEnum(values) => first(values, |value| value.wire.clone().into()),
-        TypeKind::Choice(choice) => {
-            let tagged = |variant: &crate::Variant| {
+        Shape::Tuple { fields, .. } => elements(spec, fields).collect(),
+        Shape::IntEnum(values) => first(values, |value| value.wire.into()),
+        Shape::TextEnum(values) => first(values, |value| value.wire.clone().into()),
+        Shape::Choice(choice) => {
+            let tagged = |variant: &Variant| {
                 std::iter::once(variant.wire.into()).chain(elements(spec, &variant.fields)).collect()
             };
             choice.variants.first().map(tagged).unwrap_or_default()
         }
-        TypeKind::Wrapper(ty, _) => of_type(spec, ty),
     }
+}
+
+/// The value as a Python literal in a string.
+fn literal(value: &Value) -> Value {
+    jaka_proto::python::from_json(&value.to_string()).unwrap_or_default().into()
 }
 
 fn elements(spec: &Spec, fields: &[Field]) -> impl Iterator<Item = Value> {
@@ -104,14 +99,14 @@ mod tests {
     use serde_json::json;
 
     use super::sample_reply;
-    use crate::{Source, load_pack};
+    use jaka_spec::{Source, load_pack};
 
     /// A field of a reply: its type and what else is said of it, with what is answered.
     fn check(field: &str, expected: &serde_json::Value) {
         let text = format!(
             "title = 'T'\n[[command]]\nwire = 'c'\neffect = 'query'\ndoc = 'D.'\n[[command.reply]]\nwire = 'f'\ndoc = 'D.'\n{field}"
         );
-        let base = crate::builtin().expect("the spec is correct");
+        let base = jaka_spec::builtin().expect("the spec is correct");
         let pack = load_pack(&base, Source { path: "t.toml", text: &text }).expect("the pack is correct");
         let reply = sample_reply(&pack.spec, pack.spec.command("c").expect("it is added"));
         assert_eq!(reply["f"].to_string(), expected.to_string(), "{field}");

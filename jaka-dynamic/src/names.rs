@@ -1,6 +1,7 @@
 //! Names as people type them: in kebab-case, in any case, or misspelt.
 
-use crate::Field;
+use jaka_spec::Field;
+use jaka_spec::words::distance;
 
 /// `jog_mode`, `jogMode` and `JogMode` become `jog-mode`.
 pub(super) fn kebab(name: &str) -> String {
@@ -21,7 +22,7 @@ pub(super) fn same(a: &str, b: &str) -> bool {
     bare(a) == bare(b)
 }
 
-fn bare(name: &str) -> Vec<char> {
+fn bare(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
@@ -36,7 +37,7 @@ pub(super) fn suggestion<'k>(name: &str, known: impl Iterator<Item = [&'k str; 2
     let known: Vec<_> = known.collect();
     let near = |spelling: &str| {
         let (spelling, name) = (bare(spelling), bare(name));
-        distance(&spelling, &name) <= spelling.len().max(name.len()) / 3
+        distance(&spelling, &name) <= spelling.chars().count().max(name.chars().count()) / 3
     };
     let nearest: Vec<_> = known.iter().filter(|names| names.iter().any(|name| near(name))).map(quoted).collect();
     match (nearest.is_empty(), known.is_empty()) {
@@ -48,21 +49,6 @@ pub(super) fn suggestion<'k>(name: &str, known: impl Iterator<Item = [&'k str; 2
 
 fn quoted(names: &[&str; 2]) -> String {
     format!("`{}`", names[0])
-}
-
-/// How many characters must be put in, taken out or replaced to get from one to the other.
-fn distance(a: &[char], b: &[char]) -> usize {
-    let mut row: Vec<_> = (0..=b.len()).collect();
-    for (i, from) in a.iter().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, to) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(from != to);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]

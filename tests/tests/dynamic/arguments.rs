@@ -1,10 +1,10 @@
 //! Commands as command lines.
 
 use expect_test::{Expect, expect};
+use jaka_dynamic::{AdvisoryRanges, Argument};
 use jaka_proto::Request;
 use jaka_proto::wire::Writer;
 use jaka_spec::Type;
-use jaka_spec::json::{self, AdvisoryRanges, Argument};
 use serde_json::{Map, Value};
 
 use super::{SPEC, command, object, pack};
@@ -17,7 +17,7 @@ fn check_arguments(wire: &str, expected: &Expect) {
             values.iter().map(|value| format!("\n    {} = {}: {}", value.name, value.wire, value.help)).collect();
         format!("--{name} {hint}{flags} [{wire}, {field}] {variants:?}\n  {help}{}\n", values.concat())
     };
-    let text: String = json::arguments(&SPEC, command(wire)).iter().map(line).collect();
+    let text: String = jaka_dynamic::arguments(&SPEC, command(wire)).iter().map(line).collect();
     expected.assert_eq(&text);
 }
 
@@ -137,7 +137,7 @@ fn a_tag_says_which_arguments_there_are() {
 #[test]
 fn fields_of_variants_with_one_name_and_two_types_are_two_arguments() {
     let pack = pack();
-    let arguments = json::arguments(&pack, pack.command("choose").expect("the pack has it"));
+    let arguments = jaka_dynamic::arguments(&pack, pack.command("choose").expect("the pack has it"));
     let names: Vec<_> = arguments.iter().map(|argument| (argument.name.as_str(), argument.hint.as_str())).collect();
     assert_eq!(names, [("kind", "first|second"), ("size", "INTEGER"), ("second-size", "TEXT")]);
     let tag = |text| arguments[0].value(&pack, text);
@@ -149,7 +149,8 @@ fn fields_of_variants_with_one_name_and_two_types_are_two_arguments() {
 #[test]
 fn names_of_arguments_are_unique() {
     for command in SPEC.commands() {
-        let mut names: Vec<_> = json::arguments(&SPEC, command).into_iter().map(|argument| argument.name).collect();
+        let mut names: Vec<_> =
+            jaka_dynamic::arguments(&SPEC, command).into_iter().map(|argument| argument.name).collect();
         let len = names.len();
         names.sort();
         names.dedup();
@@ -171,7 +172,7 @@ fn typed(argument: &Argument, message: &Map<String, Value>) -> Option<String> {
 #[test]
 fn the_examples_can_be_typed() {
     for command in SPEC.commands() {
-        let arguments = json::arguments(&SPEC, command);
+        let arguments = jaka_dynamic::arguments(&SPEC, command);
         for text in command.examples.iter().filter_map(|example| example.request.as_ref()) {
             let message = object(serde_json::from_str(text).expect("the examples are JSON"));
             let tag = arguments.first().and_then(|tag| typed(tag, &message));
@@ -187,7 +188,7 @@ fn the_examples_can_be_typed() {
             }
             let mut out = Writer::new();
             Request::read(text).expect("the examples decode").write(&mut out);
-            let request = json::request(&SPEC, command, &fields, AdvisoryRanges::Enforced);
+            let request = jaka_dynamic::request(&SPEC, command, &fields, AdvisoryRanges::Enforced);
             assert_eq!(request.as_deref(), Ok(out.as_str()));
         }
     }
@@ -235,7 +236,7 @@ fn values_are_read_by_their_types() {
         (named("Size"), "{\"a\": [1, 2, 3]}"),
         (named("Size"), "1,2,3"),
     ];
-    let lines = read.map(|(ty, text)| match json::value(&spec, &ty, text) {
+    let lines = read.map(|(ty, text)| match jaka_dynamic::value(&spec, &ty, text) {
         Ok(value) => format!("{text:?} is {value}\n"),
         Err(error) => format!("error: {error}\n"),
     });

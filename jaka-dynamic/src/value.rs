@@ -1,11 +1,11 @@
 //! Values as they are typed on a command line.
 
+use jaka_spec::{Shape, Spec, Type};
 use serde_json::Value;
 
-use super::limits::{Limits, Slot};
 use super::names::same;
-use super::scalar::{finite, truth_word, whole};
-use crate::{Spec, Type, TypeKind};
+use super::scalar;
+use super::slot::Slot;
 
 /// Reads a value of a type from what was typed on a command line, for [`request`](super::request).
 ///
@@ -17,12 +17,12 @@ use crate::{Spec, Type, TypeKind};
 /// Ranges and lengths are left to [`request`](super::request).
 ///
 /// # Errors
-/// The text is no value of the type; the message says what is.
+/// The text is not a value of the type; the message says what is.
 pub fn value(spec: &Spec, ty: &Type, text: &str) -> Result<Value, String> {
     read(spec, ty, text).ok_or_else(|| {
-        let expected = match ty {
-            Type::Bool { .. } => "on or off".to_owned(),
-            ty => Slot { place: "", ty, limits: Limits::default() }.words(spec),
+        let expected = match spec.shape(ty) {
+            Shape::Bool { .. } => "on or off".to_owned(),
+            _ => Slot::of_type(spec, ty).words(),
         };
         format!("`{text}` is not {expected}")
     })
@@ -30,40 +30,33 @@ pub fn value(spec: &Spec, ty: &Type, text: &str) -> Result<Value, String> {
 
 fn read(spec: &Spec, ty: &Type, text: &str) -> Option<Value> {
     let word = text.trim();
-    match ty {
-        Type::Bool { off, on } => match word.to_ascii_lowercase().as_str() {
+    // Scalars are read as if a controller had sent them as strings.
+    let string = || Value::from(word);
+    match spec.shape(ty) {
+        Shape::Bool { off, on } => match word.to_ascii_lowercase().as_str() {
             "on" => Some(true.into()),
             "off" => Some(false.into()),
-            _ => truth_word(word, off, on).map(Value::from),
+            _ => scalar::truth(&string(), off, on).map(|(is_on, _)| is_on.into()),
         },
-        Type::Int => whole(word).map(Value::from),
-        Type::Float => finite(word).map(Value::from),
-        Type::Text | Type::Python(_) => Some(text.into()),
-        Type::Json => Some(serde_json::from_str(text).unwrap_or_else(|_| text.into())),
-        Type::List(element) | Type::Array(element, _) => list(text, |_, part| read(spec, element, part)),
-        Type::Named(name) => named(spec, name, text),
-    }
-}
-
-fn named(spec: &Spec, name: &str, text: &str) -> Option<Value> {
-    let word = text.trim();
-    let Some(def) = spec.type_def(name) else { return read(spec, &Type::Json, text) };
-    match &def.kind {
-        TypeKind::Object(_) | TypeKind::Choice(_) => serde_json::from_str(text).ok(),
-        TypeKind::Array { fields, .. } => list(text, |index, part| match fields.get(index) {
+        Shape::Int => scalar::int(&string()).map(|(int, _)| int.into()),
+        Shape::Float => scalar::float(&string()).map(|(float, _)| float.into()),
+        Shape::Text | Shape::Python(_) => Some(text.into()),
+        Shape::Json => Some(serde_json::from_str(text).unwrap_or_else(|_| text.into())),
+        Shape::List(element, _) => list(text, |_, part| read(spec, element, part)),
+        Shape::Object(_) | Shape::Choice(_) => serde_json::from_str(text).ok(),
+        Shape::Tuple { fields, .. } => list(text, |index, part| match fields.get(index) {
             Some(field) => read(spec, &field.ty, part),
             // One too many, which `request` refuses.
             None => Some(part.into()),
         }),
-        TypeKind::IntEnum(values) => {
-            let listed = values.iter().find(|listed| same(&listed.name, word));
-            listed.map(|listed| listed.wire).or_else(|| whole(word)).map(Value::from)
+        Shape::IntEnum(values) => {
+            let listed = values.iter().find(|listed| same(&listed.name, word)).map(|listed| listed.wire);
+            listed.or_else(|| scalar::int(&string()).map(|(int, _)| int)).map(Value::from)
         }
-        TypeKind::TextEnum(values) => {
+        Shape::TextEnum(values) => {
             let listed = values.iter().find(|listed| listed.wire != word && same(&listed.name, word));
             Some(listed.map_or(word, |listed| &listed.wire).into())
         }
-        TypeKind::Wrapper(ty, _) => read(spec, ty, text),
     }
 }
 

@@ -1,13 +1,13 @@
 //! What is wrong with requests, in words.
 
 use expect_test::{Expect, expect};
-use jaka_spec::json::{self, AdvisoryRanges};
+use jaka_dynamic::AdvisoryRanges;
 use serde_json::{Value, json};
 
 use super::{SPEC, command, lines, object};
 
 fn check_problems(wire: &str, fields: Value, expected: &Expect) {
-    let problems = json::request(&SPEC, command(wire), &object(fields), AdvisoryRanges::Enforced);
+    let problems = jaka_dynamic::request(&SPEC, command(wire), &object(fields), AdvisoryRanges::Enforced);
     expected.assert_eq(&lines(&problems.expect_err("the request has problems")));
 }
 
@@ -149,7 +149,7 @@ fn what_newer_firmware_takes_can_be_let_through() {
         field `kind` is "relay"; allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension); newer firmware may take it
     "#]],
     );
-    let text = json::request(&SPEC, command("set_digital_output"), &object(fields), AdvisoryRanges::Ignored);
+    let text = jaka_dynamic::request(&SPEC, command("set_digital_output"), &object(fields), AdvisoryRanges::Ignored);
     assert_eq!(text.as_deref(), Ok(r#"{"cmdName":"set_digital_output","type":3,"index":0,"value":1}"#));
 }
 

@@ -1,12 +1,12 @@
 //! Replies and status packets held against the spec.
 
+use jaka_proto::ErrorCode;
 use serde_json::{Map, Value};
 
 use super::decode::Decoder;
 use super::departure::{Departure, DepartureKind, Reading};
-use super::scalar::{self, Form};
-use crate::envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
-use crate::{Command, Spec, TypeKind};
+use super::scalar::{Form, error_code};
+use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Spec, TypeKind};
 
 /// The type of the packets of port 10000.
 const STATUS_TYPE: &str = "RobotStatus";
@@ -88,14 +88,5 @@ fn envelope(decoder: &mut Decoder<'_>, command: &Command, found: &Map<String, Va
 
 /// True for the reply to a command that was carried out.
 pub(super) fn is_success(reply: &Map<String, Value>) -> bool {
-    reply.get(ERROR_CODE).and_then(error_code) == Some(0)
-}
-
-/// The number in `errorCode`: also in a string, and there also in hexadecimal.
-fn error_code(code: &Value) -> Option<i64> {
-    let digits = code.as_str().map(str::trim).and_then(|text| text.strip_prefix("0x").or(text.strip_prefix("0X")));
-    match digits.map(|digits| i64::from_str_radix(digits, 16)) {
-        Some(Ok(code)) => Some(code),
-        _ => scalar::int(code).map(|(code, _)| code),
-    }
+    reply.get(ERROR_CODE).and_then(error_code).is_some_and(ErrorCode::is_success)
 }

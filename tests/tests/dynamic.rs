@@ -37,7 +37,7 @@ fn lines<T: ToString>(items: &[T]) -> String {
 
 /// A spec with commands and types that the built-in one has none of.
 fn pack() -> Spec {
-    let source = Source { path: "pack.toml", text: include_str!("spec_json/pack.toml") };
+    let source = Source { path: "pack.toml", text: include_str!("dynamic/pack.toml") };
     jaka_spec::load(&[source]).expect("the pack is correct")
 }
 

@@ -2,11 +2,10 @@
 
 use serde_json::{Map, Value};
 
-use super::COMMAND_NAME;
 use super::decode::Decoder;
 use super::departure::{Departure, DepartureKind, Reading};
 use super::problem::{Problem, ProblemKind};
-use crate::{Command, Request, Spec};
+use jaka_spec::{COMMAND_NAME, Command, Request, Spec};
 
 /// What a controller must refuse in a request that came off the wire, `cmdName` and all.
 ///

@@ -1,7 +1,6 @@
 //! Replies and status packets, held against the spec.
 
 use expect_test::{Expect, expect};
-use jaka_spec::json;
 use jaka_tests::{Printed, printed};
 use serde_json::{Value, json};
 
@@ -23,12 +22,12 @@ fn departures(message: &Printed) -> Vec<String> {
     let section = Some(message.section.as_str());
     let command = SPEC.commands().find(|command| command.section.as_deref() == section).expect("a section of the spec");
     let reply = serde_json::from_str(&message.text).expect("the document prints JSON");
-    let departures = json::departures(&SPEC, command, &reply);
+    let departures = jaka_dynamic::departures(&SPEC, command, &reply);
     departures.iter().map(|departure| format!("{}: {departure}", message.section)).collect()
 }
 
 fn check_reply(wire: &str, reply: &Value, expected: &Expect) {
-    expected.assert_eq(&lines(&json::departures(&SPEC, command(wire), reply)));
+    expected.assert_eq(&lines(&jaka_dynamic::departures(&SPEC, command(wire), reply)));
 }
 
 #[test]
@@ -200,9 +199,9 @@ fn status_packets_are_held_against_their_type() {
         lenient: `enabled` is 1; expected is false or true
         lenient: `funcdi[0].kind` is "0"; expected is -1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus) (and 1 more like it)
         lenient: `funcdi[1].index` is "2"; expected is a whole number
-    "#]].assert_eq(&lines(&json::status_departures(&SPEC, &packet)));
+    "#]].assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &packet)));
     expect![[r#"
         unreadable: the message is 1; expected is an object
     "#]]
-    .assert_eq(&lines(&json::status_departures(&SPEC, &json!(1))));
+    .assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &json!(1))));
 }

@@ -2,11 +2,10 @@
 
 use serde_json::Value;
 
-use super::limits::Limits;
 use super::names::{kebab, same};
 use super::value::value;
-use crate::words::first_sentence;
-use crate::{Choice, Command, EnumValue, Field, Request, Spec, Type, TypeKind};
+use jaka_spec::words::{self, first_sentence};
+use jaka_spec::{Choice, Command, EnumValue, Field, Request, Shape, Spec, Type, Variant};
 
 /// One argument of a command: a field of its request, or the tag that tells which fields there are.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,7 +99,7 @@ fn merge(old: &mut Argument, new: Argument) {
 }
 
 fn tag(choice: &Choice) -> Argument {
-    let listed = |variant: &crate::Variant| possible(&variant.name, variant.wire.into(), &variant.doc);
+    let listed = |variant: &Variant| possible(&variant.name, variant.wire.into(), &variant.doc);
     let values: Vec<_> = choice.variants.iter().map(listed).collect();
     Argument {
         name: kebab(&choice.tag),
@@ -130,11 +129,9 @@ fn argument(spec: &Spec, field: &Field) -> Argument {
 }
 
 fn values(spec: &Spec, ty: &Type) -> Vec<PossibleValue> {
-    let Type::Named(name) = ty else { return Vec::new() };
-    match spec.type_def(name).map(|def| &def.kind) {
-        Some(TypeKind::IntEnum(values)) => listed(values, |wire| (*wire).into()),
-        Some(TypeKind::TextEnum(values)) => listed(values, |wire| wire.as_str().into()),
-        Some(TypeKind::Wrapper(ty, _)) => values(spec, ty),
+    match spec.shape(ty) {
+        Shape::IntEnum(values) => listed(values, |wire| (*wire).into()),
+        Shape::TextEnum(values) => listed(values, |wire| wire.as_str().into()),
         _ => Vec::new(),
     }
 }
@@ -159,32 +156,28 @@ fn alternatives(values: &[PossibleValue]) -> String {
 }
 
 fn hint(spec: &Spec, ty: &Type) -> String {
-    match ty {
-        Type::Bool { .. } => "on|off".to_owned(),
-        Type::Int => "INTEGER".to_owned(),
-        Type::Float => "NUMBER".to_owned(),
-        Type::Text | Type::Python(_) => "TEXT".to_owned(),
-        Type::Json => "JSON".to_owned(),
-        Type::List(element) => format!("[{},…]", hint(spec, element)),
-        Type::Array(element, len) => format!("[{}; {len}]", hint(spec, element)),
-        Type::Named(name) => match spec.type_def(name).map(|def| &def.kind) {
-            Some(TypeKind::Array { fields, .. }) => {
-                let names: Vec<_> = fields.iter().map(|field| field.name.to_uppercase()).collect();
-                format!("[{}]", names.join(","))
-            }
-            Some(TypeKind::Wrapper(ty, _)) => hint(spec, ty),
-            Some(TypeKind::IntEnum(_) | TypeKind::TextEnum(_)) => alternatives(&values(spec, ty)),
-            Some(TypeKind::Object(_) | TypeKind::Choice(_)) | None => "JSON".to_owned(),
-        },
+    match spec.shape(ty) {
+        Shape::Bool { .. } => "on|off".to_owned(),
+        Shape::Int => "INTEGER".to_owned(),
+        Shape::Float => "NUMBER".to_owned(),
+        Shape::Text | Shape::Python(_) => "TEXT".to_owned(),
+        Shape::Json | Shape::Object(_) | Shape::Choice(_) => "JSON".to_owned(),
+        Shape::List(element, None) => format!("[{},…]", hint(spec, element)),
+        Shape::List(element, Some(len)) => format!("[{}; {len}]", hint(spec, element)),
+        Shape::Tuple { fields, .. } => {
+            let names: Vec<_> = fields.iter().map(|field| field.name.to_uppercase()).collect();
+            format!("[{}]", names.join(","))
+        }
+        Shape::IntEnum(_) | Shape::TextEnum(_) => alternatives(&values(spec, ty)),
     }
 }
 
 fn help(spec: &Spec, field: &Field) -> String {
     let mut help = first_sentence(&field.doc).0.to_owned();
-    if let Some(unit) = field.unit.as_deref().or_else(|| wrapped_unit(spec, &field.ty)) {
+    if let Some(unit) = field.unit.as_deref().or_else(|| spec.unit(&field.ty)) {
         help = format!("{help} In {unit}.");
     }
-    if let Some(range) = (Limits { unit: None, ..Limits::of(field) }).range_words() {
+    if let Some(range) = words::range(field.range) {
         help = format!("{help} Allowed: {range}.");
     }
     if field.ascii {
@@ -194,12 +187,4 @@ fn help(spec: &Spec, field: &Field) -> String {
         help = format!("{help} Sources disagree: {}.", field.disputed.join("; "));
     }
     help
-}
-
-fn wrapped_unit<'s>(spec: &'s Spec, ty: &Type) -> Option<&'s str> {
-    let Type::Named(name) = ty else { return None };
-    match &spec.type_def(name)?.kind {
-        TypeKind::Wrapper(_, unit) => unit.as_deref(),
-        _ => None,
-    }
 }

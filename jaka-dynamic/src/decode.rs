@@ -3,12 +3,11 @@
 use serde_json::{Map, Value};
 
 use super::departure::{Departure, DepartureKind, Reading};
-use super::limits::{Slot, variants};
 use super::notation::notation;
-use super::problem::{element, excerpt, member};
-use super::python;
+use super::problem::{element, member, shown};
 use super::scalar::{self, Form};
-use crate::{Choice, Field, Spec, Type, TypeKind};
+use super::slot::{Slot, variants};
+use jaka_spec::{Choice, Field, Shape, Spec, Type};
 
 /// The departures found so far.
 pub(super) struct Decoder<'s> {
@@ -45,7 +44,7 @@ impl<'s> Decoder<'s> {
     }
 
     fn field(&mut self, place: &str, field: &Field, found: Option<&Value>) {
-        let slot = Slot::of(place, field);
+        let slot = Slot::of(self.spec, place, field);
         let before = self.departures.len();
         match found.filter(|value| !value.is_null()) {
             Some(value) => self.value(&slot, value),
@@ -59,52 +58,42 @@ impl<'s> Decoder<'s> {
     }
 
     fn value(&mut self, slot: &Slot<'_>, value: &Value) {
-        match slot.ty {
-            Type::Bool { off, on } => self.form(slot, value, scalar::truth(value, off, on).map(|(_, form)| form)),
-            Type::Float => self.number(slot, value, scalar::float(value)),
+        match slot.shape {
+            Shape::Bool { off, on } => self.form(slot, value, scalar::truth(value, off, on).map(|(_, form)| form)),
+            Shape::Float => self.number(slot, value, scalar::float(value)),
             #[expect(clippy::cast_precision_loss, reason = "limits are small; rounding moves none across them")]
-            Type::Int => self.number(slot, value, scalar::int(value).map(|(int, form)| (int as f64, form))),
-            Type::Text => match value.as_str() {
+            Shape::Int => self.number(slot, value, scalar::int(value).map(|(int, form)| (int as f64, form))),
+            Shape::Text => match value.as_str() {
                 Some(text) if slot.limits.allow_text(text) => {}
                 Some(_) => self.lenient(slot, DepartureKind::Range, value),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Type::Python(inner) => match value.as_str().and_then(python::read) {
+            Shape::Python(inner) => match value.as_str().and_then(scalar::literal) {
                 Some(found) => self.value(&slot.inner(slot.place, inner), &found),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Type::Json => {}
-            Type::List(element) => self.list(slot, element, value, None),
-            Type::Array(element, len) => self.list(slot, element, value, Some(*len)),
-            Type::Named(name) => self.named(slot, name, value),
-        }
-    }
-
-    fn named(&mut self, slot: &Slot<'_>, name: &str, value: &Value) {
-        let spec = self.spec;
-        match spec.type_def(name).map(|def| &def.kind) {
-            Some(TypeKind::Object(fields)) => match value.as_object() {
+            Shape::Json => {}
+            Shape::List(element, len) => self.list(slot, element, value, len),
+            Shape::Object(fields) => match value.as_object() {
                 Some(found) => self.object(slot.place, fields, found, &[]),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Some(TypeKind::Array { fields, exact }) => match value.as_array() {
-                Some(found) => self.elements(slot, fields, found, *exact),
+            Shape::Tuple { fields, exact } => match value.as_array() {
+                Some(found) => self.elements(slot, fields, found, exact),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Some(TypeKind::IntEnum(values)) => match scalar::int(value) {
+            Shape::IntEnum(values) => match scalar::int(value) {
                 Some((wire, _)) if values.iter().all(|listed| listed.wire != wire) => {
                     self.lenient(slot, DepartureKind::Unlisted, value);
                 }
                 found => self.form(slot, value, found.map(|(_, form)| form)),
             },
-            Some(TypeKind::TextEnum(values)) => match value.as_str() {
+            Shape::TextEnum(values) => match value.as_str() {
                 Some(text) if values.iter().any(|listed| listed.wire == text) => {}
                 Some(_) => self.lenient(slot, DepartureKind::Unlisted, value),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Some(TypeKind::Choice(choice)) => self.array_choice(slot, choice, value),
-            Some(TypeKind::Wrapper(ty, unit)) => self.value(&slot.unwrapped(ty, unit.as_deref()), value),
-            None => {}
+            Shape::Choice(choice) => self.array_choice(slot, choice, value),
         }
     }
 
@@ -185,14 +174,14 @@ impl<'s> Decoder<'s> {
     }
 
     fn at(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value, reading: Reading) {
-        self.add(slot.place, kind, value, slot.words(self.spec), reading);
+        self.add(slot.place, kind, value, slot.words(), reading);
         if let Some(last) = self.departures.last_mut() {
-            last.advisory = kind == DepartureKind::Range && slot.limits.range.advisory;
+            last.advisory = kind == DepartureKind::Range && slot.limits.advisory;
         }
     }
 
     pub(super) fn add(&mut self, place: &str, kind: DepartureKind, value: &Value, expected: String, reading: Reading) {
-        let found = if kind == DepartureKind::Missing { String::new() } else { excerpt(value) };
+        let found = if kind == DepartureKind::Missing { String::new() } else { shown(value) };
         self.departures.push(Departure {
             field: place.to_owned(),
             kind,

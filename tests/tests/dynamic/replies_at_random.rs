@@ -1,14 +1,14 @@
 //! Random replies, read by the model and by the generated code.
 
+use jaka_dynamic::Reading;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{Envelope, ErrorCode, Request, Visit, read_payload};
-use jaka_spec::json::{self, Reading};
 use jaka_spec::{Command, TypeKind};
-use jaka_tests::{any_object, drifted_number};
+use jaka_tests::any_object;
 use proptest::prelude::*;
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
-use super::{SPEC, damaged, object, success};
+use super::{SPEC, damaged, success};
 
 /// A command of the spec, and a random reply to it.
 fn any_reply() -> impl Strategy<Value = (&'static Command, Value)> {
@@ -45,7 +45,7 @@ proptest! {
     })) {
         let text = reply.to_string();
         let is_success = Envelope::read(&text).expect("JSON").code.is_ok_and(ErrorCode::is_success);
-        let departures = json::departures(&SPEC, command, &reply);
+        let departures = jaka_dynamic::departures(&SPEC, command, &reply);
         let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
         if is_success {
             prop_assert_eq!(is_readable, decodes(command, &text), "{:?} {}", departures, text);
@@ -56,7 +56,7 @@ proptest! {
 proptest! {
     #[test]
     fn packets_are_unreadable_where_they_do_not_decode(packet in any_packet().prop_flat_map(damaged)) {
-        let departures = json::status_departures(&SPEC, &packet);
+        let departures = jaka_dynamic::status_departures(&SPEC, &packet);
         let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
         let decoded = serde_json::from_value::<RobotStatus>(packet);
         prop_assert_eq!(is_readable, decoded.is_ok(), "{:?} {:?}", departures, decoded);
@@ -71,38 +71,14 @@ fn any_packet() -> impl Strategy<Value = Value> {
     }
 }
 
-proptest! {
-    #[test]
-    fn drifted_replies_are_lenient((command, reply) in any_reply(), forms in proptest::collection::vec(any::<u8>(), 64)) {
-        let mut forms = forms.into_iter().cycle();
-        let mut next = || forms.next().unwrap_or_default();
-        let reply = object(reply).into_iter().map(|(key, value)| (key, drifted(value, &mut next))).collect::<Map<_, _>>();
-        for departure in json::departures(&SPEC, command, &reply.into()) {
-            prop_assert_eq!(departure.reading, Reading::Lenient, "{}", departure);
-        }
-    }
-}
-
-/// The same value as another firmware would send it.
-fn drifted(value: Value, form: &mut impl FnMut() -> u8) -> Value {
-    match value {
-        Value::Bool(truth) => [json!(truth), json!(u8::from(truth)), json!(if truth { "True" } else { "False" })]
-            [usize::from(form() % 3)]
-        .clone(),
-        Value::Number(number) => drifted_number(&number, form()),
-        Value::Array(elements) => elements.into_iter().map(|element| drifted(element, form)).collect(),
-        other => other,
-    }
-}
-
 #[test]
 fn samples_are_replies_without_departures() {
     for command in SPEC.commands() {
         let mut bare = command.clone();
         bare.examples.clear();
         for command in [command, &bare] {
-            let reply = success(&command.wire, json::sample_reply(&SPEC, command).into());
-            assert_eq!(json::departures(&SPEC, command, &reply), []);
+            let reply = success(&command.wire, jaka_dynamic::sample_reply(&SPEC, command).into());
+            assert_eq!(jaka_dynamic::departures(&SPEC, command, &reply), []);
             assert!(decodes(command, &reply.to_string()), "{reply}");
         }
     }

@@ -1,10 +1,10 @@
 //! Requests, written and checked by the model.
 
 use expect_test::expect;
+use jaka_dynamic::{AdvisoryRanges, Problem};
 use jaka_proto::Request;
-use jaka_proto::check::{self, NotSent};
+use jaka_proto::check::NotSent;
 use jaka_proto::wire::Writer;
-use jaka_spec::json::{self, AdvisoryRanges, Problem};
 use jaka_spec::{Field, Type, TypeKind};
 use jaka_tests::{any_request, any_request_of, printed};
 use proptest::prelude::*;
@@ -17,7 +17,7 @@ use super::{SPEC, command, command_of, damaged, lines, object, pack};
 fn by_model(message: &Value, ranges: AdvisoryRanges) -> Result<String, Vec<Problem>> {
     let mut fields = object(message.clone());
     fields.remove("cmdName");
-    json::request(&SPEC, command_of(message), &fields, ranges)
+    jaka_dynamic::request(&SPEC, command_of(message), &fields, ranges)
 }
 
 fn written(request: &Request) -> String {
@@ -40,11 +40,8 @@ fn requests_are_those_of_the_generated_code_and_what_it_refuses_is_refused() {
 
 fn same_as_generated(message: &Value) -> Result<(), TestCaseError> {
     let request = Request::read(&message.to_string()).expect("a random request decodes");
-    for (ranges, generated) in [
-        (AdvisoryRanges::Enforced, check::AdvisoryRanges::Enforced),
-        (AdvisoryRanges::Ignored, check::AdvisoryRanges::Ignored),
-    ] {
-        match (request.check(generated), by_model(message, ranges)) {
+    for ranges in [AdvisoryRanges::Enforced, AdvisoryRanges::Ignored] {
+        match (request.check(ranges), by_model(message, ranges)) {
             (Ok(()), by_model) => prop_assert_eq!(by_model, Ok(written(&request))),
             (Err(NotSent::NotInFirmware(missing)), _) => prop_assert!(false, "no firmware is known, but {missing}"),
             (Err(invalid), Ok(text)) => prop_assert!(false, "{invalid}, but the model wrote {text}"),
@@ -111,8 +108,9 @@ fn the_documents_requests_are_those_of_the_generated_code() {
 
 #[test]
 fn names_serve_as_keys_values_and_tags() {
-    let by_name =
-        |wire: &str, fields: Value| json::request(&SPEC, command(wire), &object(fields), AdvisoryRanges::Enforced);
+    let by_name = |wire: &str, fields: Value| {
+        jaka_dynamic::request(&SPEC, command(wire), &object(fields), AdvisoryRanges::Enforced)
+    };
     let pose = json!({"x": 1, "y": 2.5, "z": -0.0, "rx": 0, "ry": 1e21, "rz": 180});
     let text = by_name("moveL", json!({"mode": "relative", "pose": pose, "speed": 20, "accel": null, "tolerance": 0}));
     assert_eq!(
@@ -134,12 +132,12 @@ fn commands_that_were_not_compiled_in_are_written() {
         "flag": true, "limited": 4, "tool": "gripper", "size": {"a": [1, 2, 3]}, "rest": {"b": [1.0], "a": null},
         "pairs": [[false], [true, "slow", "\u{1}\"\u{8}é"], {"on": true}], "link": ["net", "host"], "note": "(True,)",
     });
-    let text =
-        json::request(&pack, everything, &object(fields.clone()), AdvisoryRanges::Ignored).expect("it is allowed");
+    let text = jaka_dynamic::request(&pack, everything, &object(fields.clone()), AdvisoryRanges::Ignored)
+        .expect("it is allowed");
     expect![[r#"{"cmdName":"everything","flag":"in","Limited Int":4,"tool":"grip","size":{"a":[1,2,3]},"pairs":[[false],[true,0,"\u0001\"\u0008é"],[true]],"link":[1,"host"],"note":"(True,)","rest":{"a":null,"b":[1.0]}}"#]].assert_eq(&text);
 
     let message = object(serde_json::from_str(&text).expect("a request is JSON"));
-    assert_eq!(json::check_request(&pack, everything, &message), []);
+    assert_eq!(jaka_dynamic::check_request(&pack, everything, &message), []);
 
     let mut wrong = object(fields);
     for (key, value) in [
@@ -152,7 +150,8 @@ fn commands_that_were_not_compiled_in_are_written() {
     ] {
         wrong.insert(key.to_owned(), value);
     }
-    let problems = json::request(&pack, everything, &wrong, AdvisoryRanges::Enforced).expect_err("it is forbidden");
+    let problems =
+        jaka_dynamic::request(&pack, everything, &wrong, AdvisoryRanges::Enforced).expect_err("it is forbidden");
     expect![[r#"
         field `flag` is "inside"; allowed is "out" or "in"
         field `limited` is 4; allowed is a whole number, 1 to 3; newer firmware may take it
@@ -167,7 +166,7 @@ fn commands_that_were_not_compiled_in_are_written() {
         field `note` is [true]; allowed is text with a Python literal
     "#]]
     .assert_eq(&lines(&problems));
-    let problems = json::check_request(&pack, everything, &wrong);
+    let problems = jaka_dynamic::check_request(&pack, everything, &wrong);
     expect![[r#"
         field `flag` is "inside"; allowed is "out" or "in"
         field `Limited Int` is missing; allowed is a whole number, 1 to 3
@@ -189,8 +188,8 @@ proptest! {
     fn requests_off_the_wire_are_refused_where_the_generated_code_refuses_them(
         message in any_request(&SPEC).prop_map(|message| tamed(&message)).prop_flat_map(damaged)
     ) {
-        let generated = Request::read(&message.to_string()).map(|request| request.check(check::AdvisoryRanges::Ignored));
-        let problems = json::check_request(&SPEC, command_of(&message), &object(message));
+        let generated = Request::read(&message.to_string()).map(|request| request.check(AdvisoryRanges::Ignored));
+        let problems = jaka_dynamic::check_request(&SPEC, command_of(&message), &object(message));
         prop_assert_eq!(problems.is_empty(), matches!(generated, Ok(Ok(()))), "{:?} {:?}", problems, generated);
     }
 }

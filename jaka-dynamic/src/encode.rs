@@ -2,12 +2,14 @@
 
 mod value;
 
+use jaka_proto::check::AdvisoryRanges;
+use jaka_proto::wire::Writer;
 use serde_json::{Map, Value};
 
-use super::limits::{AdvisoryRanges, Slot, variants};
 use super::names::{field_of, same, suggestion};
 use super::problem::{Problem, ProblemKind, member};
-use crate::{Choice, Command, Field, Request, Spec};
+use super::slot::{Slot, variants};
+use jaka_spec::{Choice, Command, Field, Request, Spec};
 
 /// The request with these fields, byte for byte as the generated code writes it.
 ///
@@ -25,19 +27,20 @@ pub fn request(
     fields: &Map<String, Value>,
     ranges: AdvisoryRanges,
 ) -> Result<String, Vec<Problem>> {
-    let mut encoder = Encoder { spec, ranges, out: command.head(), problems: Vec::new() };
+    let mut encoder = Encoder { spec, ranges, out: Writer::new(), problems: Vec::new() };
+    encoder.out.raw(&command.head());
     match &command.request {
         Request::Fields(known) => encoder.object("", known, fields, ""),
         Request::Choice(choice) => encoder.object_choice(choice, fields),
     }
-    encoder.out.push('}');
-    if encoder.problems.is_empty() { Ok(encoder.out) } else { Err(encoder.problems) }
+    encoder.out.raw("}");
+    if encoder.problems.is_empty() { Ok(encoder.out.into_string()) } else { Err(encoder.problems) }
 }
 
 struct Encoder<'s> {
     spec: &'s Spec,
     ranges: AdvisoryRanges,
-    out: String,
+    out: Writer,
     problems: Vec<Problem>,
 }
 
@@ -76,11 +79,12 @@ impl Encoder<'_> {
             // An element of an array cannot be left out before one that is given.
             let gap = field.wire.is_empty() && values[index..].iter().any(Option::is_some);
             let place = member(place, &field.name);
-            let slot = Slot::of(&place, field);
+            let slot = Slot::of(self.spec, &place, field);
             if let Some(value) = value {
-                self.comma();
-                if !field.wire.is_empty() {
-                    self.out.push_str(&field.key());
+                if field.wire.is_empty() {
+                    self.out.comma()
+                } else {
+                    self.out.key(&field.key())
                 }
                 self.value(&slot, value);
             } else if !field.optional || gap {
@@ -90,14 +94,14 @@ impl Encoder<'_> {
     }
 
     /// Writes a struct that is an array on the wire.
-    fn array(&mut self, slot: &Slot<'_>, fields: &[Field], value: &Value) {
-        self.out.push('[');
+    fn tuple(&mut self, slot: &Slot<'_>, fields: &[Field], value: &Value) {
+        self.out.raw("[");
         match value {
             Value::Object(given) => self.object(slot.place, fields, given, ""),
             Value::Array(elements) => self.elements(slot, fields, elements, value),
             _ => self.forbidden(slot, value),
         }
-        self.out.push(']');
+        self.out.raw("]");
     }
 
     fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], elements: &[Value], whole: &Value) {
@@ -115,9 +119,8 @@ impl Encoder<'_> {
             let kind = if tag.is_null() { ProblemKind::Missing } else { ProblemKind::Forbidden };
             return self.problem(&choice.tag, kind, tag, variants(&choice.variants));
         };
-        self.comma();
-        self.out.push_str(&choice.key());
-        self.out.push_str(&variant.wire.to_string());
+        self.out.key(&choice.key());
+        self.out.int(variant.wire);
         self.object("", &variant.fields, given, &choice.tag);
     }
 
@@ -128,32 +131,25 @@ impl Encoder<'_> {
             variant.map(|variant| (variant, rest))
         });
         let Some((variant, rest)) = found else { return self.forbidden(slot, value) };
-        self.out.push('[');
-        self.out.push_str(&variant.wire.to_string());
+        self.out.raw("[");
+        self.out.int(variant.wire);
         self.elements(slot, &variant.fields, rest, value);
-        self.out.push(']');
+        self.out.raw("]");
     }
 }
 
-/// Punctuation and problems.
+/// Problems.
 impl Encoder<'_> {
-    /// Writes a comma, unless an object or array begins here.
-    fn comma(&mut self) {
-        if !self.out.ends_with(['{', '[']) {
-            self.out.push(',');
-        }
-    }
-
     fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {
         self.problems.push(Problem::new(place, kind, value, allowed));
     }
 
     fn missing(&mut self, slot: &Slot<'_>) {
-        self.problem(slot.place, ProblemKind::Missing, &Value::Null, slot.words(self.spec));
+        self.problem(slot.place, ProblemKind::Missing, &Value::Null, slot.words());
     }
 
     fn forbidden(&mut self, slot: &Slot<'_>, value: &Value) {
-        self.problem(slot.place, ProblemKind::Forbidden, value, slot.words(self.spec));
+        self.problem(slot.place, ProblemKind::Forbidden, value, slot.words());
     }
 
     /// Says of the last problem whether newer firmware may take the value.

@@ -1,0 +1,28 @@
+#![doc = include_str!("../README.md")]
+
+mod arguments;
+mod check;
+mod decode;
+mod departure;
+mod encode;
+mod envelope;
+mod examples;
+mod names;
+mod notation;
+mod problem;
+mod sample;
+mod scalar;
+mod slot;
+mod value;
+
+pub use arguments::{Argument, PossibleValue, arguments};
+pub use check::check_request;
+pub use departure::{Departure, DepartureKind, Reading};
+pub use encode::request;
+pub use envelope::{departures, status_departures};
+pub use examples::{Misfit, misfits};
+pub use jaka_proto::check::AdvisoryRanges;
+pub use notation::notation;
+pub use problem::{Problem, ProblemKind};
+pub use sample::{complete_reply, sample_reply};
+pub use value::value;
