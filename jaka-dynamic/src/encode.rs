@@ -82,9 +82,9 @@ impl Encoder<'_> {
             let slot = Slot::of(self.spec, &place, field);
             if let Some(value) = value {
                 if field.wire.is_empty() {
-                    self.out.comma()
+                    self.out.comma();
                 } else {
-                    self.out.key(&field.key())
+                    self.out.key(&field.key());
                 }
                 self.value(&slot, value);
             } else if !field.optional || gap {
