@@ -5,7 +5,7 @@ mod suggestions;
 
 use std::sync::LazyLock;
 
-use jaka_spec::{Spec, Type, TypeKind};
+use jaka_spec::{Scalar, Shape as Wire, Spec, Type};
 use serde_json::{Map, Value};
 
 static SPEC: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
@@ -17,7 +17,7 @@ pub(crate) struct Field {
     pub(crate) name: String,
     /// Unit of its number or numbers, where the spec states one.
     pub(crate) unit: Option<String>,
-    ty: Type,
+    wire: Wire<'static>,
     steps: Vec<Step>,
 }
 
@@ -42,8 +42,7 @@ pub(crate) enum Shape {
 impl Field {
     /// The packet as a whole.
     fn packet() -> Self {
-        let ty = Type::Named("RobotStatus".to_owned());
-        Self { name: String::new(), unit: None, ty, steps: Vec::new() }
+        Self { name: String::new(), unit: None, wire: Wire::Object(SPEC.status_fields()), steps: Vec::new() }
     }
 
     /// All fields of the packet, in the order of the spec.
@@ -70,21 +69,19 @@ impl Field {
 
     /// What its value is made of.
     pub(crate) fn shape(&self) -> Shape {
-        if !self.members().is_empty() {
-            return Shape::Nested;
-        }
-        match &self.ty {
-            Type::List(_) | Type::Array(..) if self.element(0).shape() == Shape::Single => Shape::List,
-            Type::List(_) | Type::Array(..) => Shape::Nested,
+        match self.wire {
+            Wire::List(..) if self.element(0).shape() == Shape::Single => Shape::List,
+            Wire::List(..) => Shape::Nested,
+            _ if !self.members().is_empty() => Shape::Nested,
             _ => Shape::Single,
         }
     }
 
     /// Its parts: those of its type, and as many elements as the packet has where the type leaves that open.
     pub(crate) fn parts(&self, packet: &Value) -> Vec<Self> {
-        let count = match &self.ty {
-            Type::Array(_, count) => *count,
-            Type::List(_) => self.value(packet).and_then(Value::as_array).map_or(0, Vec::len),
+        let count = match self.wire {
+            Wire::List(_, Some(count)) => count,
+            Wire::List(_, None) => self.value(packet).and_then(Value::as_array).map_or(0, Vec::len),
             _ => return self.members(),
         };
         (0..count).map(|index| self.element(index)).collect()
@@ -114,12 +111,12 @@ impl Field {
                 members.iter().filter_map(|part| Some((part.name[prefix..].to_owned(), part.named_value(packet)?)));
             return Some(Value::Object(entries.collect::<Map<_, _>>()));
         }
-        match &self.ty {
-            Type::List(_) | Type::Array(..) if value.is_array() => {
+        match self.wire {
+            Wire::List(..) if value.is_array() => {
                 let elements = self.parts(packet).into_iter();
                 Some(elements.map(|part| part.named_value(packet).unwrap_or_default()).collect())
             }
-            Type::Bool { on, off } => {
+            Wire::Scalar(Scalar::Bool { on, off }) => {
                 let text = value.to_string();
                 Some(if text == *on {
                     true.into()
@@ -135,11 +132,11 @@ impl Field {
 
     /// The name of its value, if its type is an enum that knows it.
     pub(crate) fn value_name(&self, value: &Value) -> Option<&'static str> {
-        match self.kind()? {
-            TypeKind::IntEnum(values) => {
+        match self.wire {
+            Wire::IntEnum(values) => {
                 values.iter().find(|known| Some(known.wire) == value.as_i64()).map(|known| &*known.name)
             }
-            TypeKind::TextEnum(values) => {
+            Wire::TextEnum(values) => {
                 values.iter().find(|known| Some(&*known.wire) == value.as_str()).map(|known| &*known.name)
             }
             _ => None,
@@ -148,54 +145,41 @@ impl Field {
 
     /// True for floating-point numbers.
     pub(crate) fn is_float(&self) -> bool {
-        self.ty == Type::Float
-    }
-
-    fn kind(&self) -> Option<&'static TypeKind> {
-        match &self.ty {
-            Type::Named(name) => SPEC.type_def(name).map(|def| &def.kind),
-            _ => None,
-        }
+        self.wire == Wire::Scalar(&Scalar::Float)
     }
 
     /// The parts that its type names.
     fn members(&self) -> Vec<Self> {
-        match self.kind() {
-            Some(TypeKind::Object(fields)) => {
+        match self.wire {
+            Wire::Object(fields) => {
                 fields.iter().map(|field| self.member(field, Step::Key(field.wire.clone()))).collect()
             }
-            Some(TypeKind::Array { fields, .. }) => {
+            Wire::Tuple { fields, .. } => {
                 fields.iter().enumerate().map(|(index, field)| self.member(field, Step::Index(index))).collect()
             }
             _ => Vec::new(),
         }
     }
 
-    fn member(&self, field: &jaka_spec::Field, step: Step) -> Self {
+    fn member(&self, field: &'static jaka_spec::Field, step: Step) -> Self {
         let dot = if self.name.is_empty() { "" } else { "." };
         let name = format!("{}{dot}{}", self.name, field.name);
-        let unit = field.unit.clone();
-        Self { name, unit, ty: field.ty.clone(), steps: self.after(step) }.unwrapped()
+        self.part(name, field.unit.as_deref(), &field.ty, step)
     }
 
     /// An element of a list.
     fn element(&self, index: usize) -> Self {
-        let (Type::List(inner) | Type::Array(inner, _)) = &self.ty else { return self.clone() };
-        let name = format!("{}[{index}]", self.name);
-        Self { name, unit: self.unit.clone(), ty: (**inner).clone(), steps: self.after(Step::Index(index)) }.unwrapped()
+        let Wire::List(element, _) = self.wire else { return self.clone() };
+        self.part(format!("{}[{index}]", self.name), self.unit.as_deref(), element, Step::Index(index))
+    }
+
+    fn part(&self, name: String, unit: Option<&str>, ty: &'static Type, step: Step) -> Self {
+        let unit = unit.or_else(|| SPEC.unit(ty)).map(str::to_owned);
+        Self { name, unit, wire: SPEC.shape(ty), steps: self.after(step) }
     }
 
     fn after(&self, step: Step) -> Vec<Step> {
         self.steps.iter().cloned().chain([step]).collect()
-    }
-
-    /// Types that only wrap another are passed over: they do not show in the JSON.
-    fn unwrapped(mut self) -> Self {
-        while let Some(TypeKind::Wrapper(inner, unit)) = self.kind() {
-            self.ty = inner.clone();
-            self.unit = self.unit.or_else(|| unit.clone());
-        }
-        self
     }
 }
 

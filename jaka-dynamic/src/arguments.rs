@@ -3,9 +3,10 @@
 use serde_json::Value;
 
 use super::names::{kebab, same};
+use super::scalar;
 use super::value::value;
 use jaka_spec::words::{self, first_sentence};
-use jaka_spec::{Choice, Command, EnumValue, Field, Request, Shape, Spec, Type, Variant};
+use jaka_spec::{Choice, Command, EnumValue, Field, Request, Scalar, Shape, Spec, Type, Variant};
 
 /// One argument of a command: a field of its request, or the tag that tells which fields there are.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,7 +111,7 @@ fn tag(choice: &Choice) -> Argument {
         required: true,
         values,
         variants: Vec::new(),
-        ty: Type::Int,
+        ty: Type::Scalar(Scalar::Int),
     }
 }
 
@@ -157,11 +158,9 @@ fn alternatives(values: &[PossibleValue]) -> String {
 
 fn hint(spec: &Spec, ty: &Type) -> String {
     match spec.shape(ty) {
-        Shape::Bool { .. } => "on|off".to_owned(),
-        Shape::Int => "INTEGER".to_owned(),
-        Shape::Float => "NUMBER".to_owned(),
-        Shape::Text | Shape::Python(_) => "TEXT".to_owned(),
-        Shape::Json | Shape::Object(_) | Shape::Choice(_) => "JSON".to_owned(),
+        Shape::Scalar(scalar) => scalar::hint(scalar).to_owned(),
+        Shape::Python(_) => "TEXT".to_owned(),
+        Shape::Object(_) | Shape::Choice(_) => "JSON".to_owned(),
         Shape::List(element, None) => format!("[{},…]", hint(spec, element)),
         Shape::List(element, Some(len)) => format!("[{}; {len}]", hint(spec, element)),
         Shape::Tuple { fields, .. } => {

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use super::departure::{Departure, DepartureKind, Reading};
 use super::notation::notation;
 use super::problem::{element, member, shown};
-use super::scalar::{self, Form};
+use super::scalar::{self, Fit};
 use super::slot::{Slot, variants};
 use jaka_spec::{Choice, Field, Shape, Spec, Type};
 
@@ -59,20 +59,11 @@ impl<'s> Decoder<'s> {
 
     fn value(&mut self, slot: &Slot<'_>, value: &Value) {
         match slot.shape {
-            Shape::Bool { off, on } => self.form(slot, value, scalar::truth(value, off, on).map(|(_, form)| form)),
-            Shape::Float => self.number(slot, value, scalar::float(value)),
-            #[expect(clippy::cast_precision_loss, reason = "limits are small; rounding moves none across them")]
-            Shape::Int => self.number(slot, value, scalar::int(value).map(|(int, form)| (int as f64, form))),
-            Shape::Text => match value.as_str() {
-                Some(text) if slot.limits.allow_text(text) => {}
-                Some(_) => self.lenient(slot, DepartureKind::Range, value),
-                None => self.unfit(slot, DepartureKind::Form, value),
-            },
+            Shape::Scalar(scalar) => self.fit(slot, value, scalar::fit(scalar, &slot.limits, value)),
             Shape::Python(inner) => match value.as_str().and_then(scalar::literal) {
                 Some(found) => self.value(&slot.inner(slot.place, inner), &found),
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
-            Shape::Json => {}
             Shape::List(element, len) => self.list(slot, element, value, len),
             Shape::Object(fields) => match value.as_object() {
                 Some(found) => self.object(slot.place, fields, found, &[]),
@@ -86,7 +77,7 @@ impl<'s> Decoder<'s> {
                 Some((wire, _)) if values.iter().all(|listed| listed.wire != wire) => {
                     self.lenient(slot, DepartureKind::Unlisted, value);
                 }
-                found => self.form(slot, value, found.map(|(_, form)| form)),
+                found => self.fit(slot, value, found.map_or(Fit::Unfit, |(_, fit)| fit)),
             },
             Shape::TextEnum(values) => match value.as_str() {
                 Some(text) if values.iter().any(|listed| listed.wire == text) => {}
@@ -150,18 +141,11 @@ impl<'s> Decoder<'s> {
         }
     }
 
-    fn number(&mut self, slot: &Slot<'_>, value: &Value, found: Option<(f64, Form)>) {
-        match found {
-            Some((number, _)) if !slot.limits.allow(number) => self.lenient(slot, DepartureKind::Range, value),
-            found => self.form(slot, value, found.map(|(_, form)| form)),
-        }
-    }
-
-    fn form(&mut self, slot: &Slot<'_>, value: &Value, form: Option<Form>) {
-        match form {
-            Some(Form::Plain) => {}
-            Some(Form::Lenient) => self.lenient(slot, DepartureKind::Form, value),
-            None => self.unfit(slot, DepartureKind::Form, value),
+    fn fit(&mut self, slot: &Slot<'_>, value: &Value, fit: Fit) {
+        match fit {
+            Fit::Plain => {}
+            Fit::Lenient(kind) => self.lenient(slot, kind, value),
+            Fit::Unfit => self.unfit(slot, DepartureKind::Form, value),
         }
     }
 

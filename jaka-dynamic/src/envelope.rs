@@ -5,11 +5,8 @@ use serde_json::{Map, Value};
 
 use super::decode::Decoder;
 use super::departure::{Departure, DepartureKind, Reading};
-use super::scalar::{Form, error_code};
-use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Spec, TypeKind};
-
-/// The type of the packets of port 10000.
-const STATUS_TYPE: &str = "RobotStatus";
+use super::scalar::{Fit, error_code};
+use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Spec};
 
 /// How a reply differs from the spec: in its envelope, in unknown keys, and then in the order of the spec.
 ///
@@ -47,12 +44,8 @@ fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
 /// How a packet of port 10000 differs from the spec: in unknown keys, and then in the order of the spec.
 pub fn status_departures(spec: &Spec, packet: &Value) -> Vec<Departure> {
     let mut decoder = Decoder::new(spec);
-    let fields = match spec.type_def(STATUS_TYPE).map(|def| &def.kind) {
-        Some(TypeKind::Object(fields)) => fields.as_slice(),
-        _ => &[],
-    };
     match packet {
-        Value::Object(found) => decoder.object("", fields, found, &[]),
+        Value::Object(found) => decoder.object("", spec.status_fields(), found, &[]),
         other => decoder.add("", DepartureKind::Form, other, "an object".to_owned(), Reading::Unreadable),
     }
     decoder.departures
@@ -62,27 +55,30 @@ pub fn status_departures(spec: &Spec, packet: &Value) -> Vec<Departure> {
 fn envelope(decoder: &mut Decoder<'_>, command: &Command, found: &Map<String, Value>) -> bool {
     let value = |key: &str| found.get(key).unwrap_or(&Value::Null);
     let (name, code, message) = (value(COMMAND_NAME), value(ERROR_CODE), value(ERROR_MESSAGE));
-    let name_form = match name.as_str() {
-        Some(text) if text == command.wire => Some(Form::Plain),
-        Some(text) if text.trim() != command.wire => None,
-        _ => Some(Form::Lenient),
+    let lenient = Fit::Lenient(DepartureKind::Form);
+    let name_fit = match name.as_str() {
+        Some(text) if text == command.wire => Fit::Plain,
+        Some(text) if text.trim() != command.wire => Fit::Unfit,
+        _ => lenient,
     };
-    let code_form = error_code(code).map(|number| match code.as_str() {
-        Some(text) if text == number.to_string() => Form::Plain,
-        _ => Form::Lenient,
-    });
-    let message_form = if message.is_string() { Form::Plain } else { Form::Lenient };
-    let mut part = |key: &str, value: &Value, expected: &str, form: Option<Form>| {
+    let code_fit = match error_code(code) {
+        Some(number) if code.as_str() == Some(&*number.to_string()) => Fit::Plain,
+        Some(_) => lenient,
+        None => Fit::Unfit,
+    };
+    let message_fit = if message.is_string() { Fit::Plain } else { lenient };
+    let mut part = |key: &str, value: &Value, expected: &str, fit: Fit| {
         let kind = if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
-        match form {
-            Some(Form::Plain) => {}
-            Some(Form::Lenient) => decoder.add(key, kind, value, expected.to_owned(), Reading::Lenient),
-            None => decoder.add(key, kind, value, expected.to_owned(), Reading::Unreadable),
-        }
+        let reading = match fit {
+            Fit::Plain => return,
+            Fit::Lenient(_) => Reading::Lenient,
+            Fit::Unfit => Reading::Unreadable,
+        };
+        decoder.add(key, kind, value, expected.to_owned(), reading);
     };
-    part(ERROR_CODE, code, "text of decimal digits", code_form);
-    part(ERROR_MESSAGE, message, "text", Some(message_form));
-    part(COMMAND_NAME, name, &format!("`{}`", command.wire), name_form);
+    part(ERROR_CODE, code, "text of decimal digits", code_fit);
+    part(ERROR_MESSAGE, message, "text", message_fit);
+    part(COMMAND_NAME, name, &format!("`{}`", command.wire), name_fit);
     is_success(found)
 }
 

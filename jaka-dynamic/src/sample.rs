@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 use super::decode::Decoder;
 use super::departure::Reading;
 use super::envelope::is_success;
+use super::scalar;
 use jaka_spec::{Command, ENVELOPE, EnumValue, Field, Shape, Spec, Type, Variant};
 
 /// The fields of a successful reply, without the three keys that every reply has.
@@ -49,7 +50,7 @@ fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {
 fn member(spec: &Spec, field: &Field) -> Value {
     let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
     let nearest = 0_f64.max(min).min(max);
-    if nearest != 0.0 && matches!(field.ty, Type::Int | Type::Float) {
+    if nearest != 0.0 && matches!(&field.ty, Type::Scalar(scalar) if scalar.is_number()) {
         // In the form in which Rust prints it, a whole number has no fraction.
         return serde_json::from_str(&nearest.to_string()).unwrap_or_default();
     }
@@ -58,10 +59,7 @@ fn member(spec: &Spec, field: &Field) -> Value {
 
 fn of_type(spec: &Spec, ty: &Type) -> Value {
     match spec.shape(ty) {
-        Shape::Bool { off, .. } => serde_json::from_str(off).unwrap_or_default(),
-        Shape::Int | Shape::Float => 0.into(),
-        Shape::Text => "".into(),
-        Shape::Json => Map::new().into(),
+        Shape::Scalar(scalar) => scalar::zero(scalar),
         Shape::List(element, len) => vec![of_type(spec, element); len.unwrap_or_default()].into(),
         Shape::Python(inner) => literal(&of_type(spec, inner)),
         Shape::Object(fields) => {

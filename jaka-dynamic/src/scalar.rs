@@ -1,49 +1,161 @@
 //! Scalars in JSON, in the spec's form or in another one that controllers use, read by the codec of jaka-proto.
+//!
+//! All that this crate knows of one kind of scalar stands here.
 
 use jaka_proto::ErrorCode;
-use jaka_proto::wire::{Decode, Reader};
-use serde_json::Value;
+use jaka_proto::check::{AdvisoryRanges, Limits};
+use jaka_proto::wire::{Decode, Reader, Writer};
+use jaka_spec::Scalar;
+use serde_json::{Map, Value};
 
-/// How a value is written.
+use super::departure::DepartureKind;
+
+/// How a value fits a scalar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
-    /// As the spec has it.
+pub(crate) enum Fit {
+    /// It is written as the spec has it.
     Plain,
-    /// In another form, which decodes to the same.
-    Lenient,
+    /// It decodes, and departs from the spec in this.
+    Lenient(DepartureKind),
+    /// It does not decode.
+    Unfit,
 }
 
-impl Form {
+impl Fit {
     fn of(is_plain: bool) -> Self {
-        if is_plain { Self::Plain } else { Self::Lenient }
+        if is_plain { Self::Plain } else { Self::Lenient(DepartureKind::Form) }
+    }
+}
+
+/// How a value fits a scalar within limits.
+pub(crate) fn fit(scalar: &Scalar, limits: &Limits<'_>, value: &Value) -> Fit {
+    let fit = match scalar {
+        Scalar::Bool { off, on } => truth(value, off, on).map(|(_, fit)| fit),
+        #[expect(clippy::cast_precision_loss, reason = "limits are small; rounding moves none across them")]
+        Scalar::Int => int(value).map(|(int, fit)| within(limits, int as f64, fit)),
+        Scalar::Float => float(value).map(|(float, fit)| within(limits, float, fit)),
+        Scalar::Text if value.as_str().is_some_and(|text| !limits.allow_text(text)) => {
+            Some(Fit::Lenient(DepartureKind::Range))
+        }
+        Scalar::Text => value.is_string().then_some(Fit::Plain),
+        Scalar::Json => Some(Fit::Plain),
+    };
+    fit.unwrap_or(Fit::Unfit)
+}
+
+fn within(limits: &Limits<'_>, number: f64, fit: Fit) -> Fit {
+    if limits.allow(number) { fit } else { Fit::Lenient(DepartureKind::Range) }
+}
+
+/// Writes a value as the spec has it, if it may be sent; a truth value also if it is given as such.
+///
+/// # Errors
+/// The value may not be sent. True if newer firmware may take it.
+pub(crate) fn write(
+    scalar: &Scalar,
+    limits: &Limits<'_>,
+    ranges: AdvisoryRanges,
+    value: &Value,
+    out: &mut Writer,
+) -> Result<(), bool> {
+    let is_advisory = limits.advisory && value.is_number();
+    match fit(scalar, limits, value) {
+        Fit::Plain => {}
+        Fit::Lenient(DepartureKind::Form) if value.is_boolean() => {}
+        Fit::Lenient(DepartureKind::Range) if is_advisory && ranges == AdvisoryRanges::Ignored => {}
+        Fit::Lenient(DepartureKind::Range) => return Err(is_advisory),
+        Fit::Lenient(_) | Fit::Unfit => return Err(false),
+    }
+    let written = match scalar {
+        Scalar::Bool { off, on } => truth(value, off, on).map(|(is_on, _)| out.choose(is_on, off, on)),
+        Scalar::Int => value.as_i64().map(|int| out.int(int)),
+        Scalar::Float => value.as_f64().map(|float| out.float(float)),
+        Scalar::Text => value.as_str().map(|text| out.text(text)),
+        Scalar::Json => Some(out.json(value)),
+    };
+    written.ok_or(false)
+}
+
+/// Reads what was typed on a command line, as if a controller had sent it as a string.
+pub(crate) fn typed(scalar: &Scalar, text: &str) -> Option<Value> {
+    let word = text.trim();
+    match scalar {
+        Scalar::Bool { .. } if word.eq_ignore_ascii_case("on") => Some(true.into()),
+        Scalar::Bool { .. } if word.eq_ignore_ascii_case("off") => Some(false.into()),
+        Scalar::Bool { off, on } => truth(&word.into(), off, on).map(|(is_on, _)| is_on.into()),
+        Scalar::Int => int(&word.into()).map(|(int, _)| int.into()),
+        Scalar::Float => float(&word.into()).map(|(float, _)| float.into()),
+        Scalar::Text => Some(text.into()),
+        Scalar::Json => Some(serde_json::from_str(text).unwrap_or_else(|_| text.into())),
+    }
+}
+
+/// What to type, such as `NUMBER`.
+pub(crate) fn hint(scalar: &Scalar) -> &'static str {
+    match scalar {
+        Scalar::Bool { .. } => "on|off",
+        Scalar::Int => "INTEGER",
+        Scalar::Float => "NUMBER",
+        Scalar::Text => "TEXT",
+        Scalar::Json => "JSON",
+    }
+}
+
+/// What a value may be, such as `a number, at least 0 deg/s`.
+pub(crate) fn words(scalar: &Scalar, limits: &Limits<'_>) -> String {
+    match scalar {
+        Scalar::Bool { off, on } => format!("{off} or {on}"),
+        Scalar::Int => number_words("a whole number", limits),
+        Scalar::Float => number_words("a number", limits),
+        Scalar::Text if limits.ascii => "text of printable ASCII".to_owned(),
+        Scalar::Text => "text".to_owned(),
+        Scalar::Json => "any JSON".to_owned(),
+    }
+}
+
+fn number_words(noun: &str, limits: &Limits<'_>) -> String {
+    match limits.unit {
+        _ if limits.min.is_some() || limits.max.is_some() => format!("{noun}, {limits}"),
+        "" => noun.to_owned(),
+        unit => format!("{noun} (in {unit})"),
+    }
+}
+
+/// False, zero, or what is empty.
+pub(crate) fn zero(scalar: &Scalar) -> Value {
+    match scalar {
+        Scalar::Bool { off, .. } => serde_json::from_str(off).unwrap_or_default(),
+        Scalar::Int | Scalar::Float => 0.into(),
+        Scalar::Text => "".into(),
+        Scalar::Json => Map::new().into(),
     }
 }
 
 /// A finite number.
-pub(super) fn float(value: &Value) -> Option<(f64, Form)> {
-    Some((decoded(value)?, Form::of(value.is_number())))
+fn float(value: &Value) -> Option<(f64, Fit)> {
+    Some((decoded(value)?, Fit::of(value.is_number())))
 }
 
 /// A whole number.
-pub(super) fn int(value: &Value) -> Option<(i64, Form)> {
-    Some((decoded(value)?, Form::of(value.is_i64())))
+pub(crate) fn int(value: &Value) -> Option<(i64, Fit)> {
+    Some((decoded(value)?, Fit::of(value.is_i64())))
 }
 
 /// A truth value that the spec writes as one of two JSON texts.
-pub(super) fn truth(value: &Value, off: &str, on: &str) -> Option<(bool, Form)> {
+fn truth(value: &Value, off: &str, on: &str) -> Option<(bool, Fit)> {
     let json = value.to_string();
     let mut is_on = None;
     Reader::new(&json).field_word("", &mut is_on, off.trim_matches('"'), on.trim_matches('"')).ok()?;
-    Some((is_on?, Form::of(json == off || json == on)))
+    Some((is_on?, Fit::of(json == off || json == on)))
 }
 
 /// The number in `errorCode`.
-pub(super) fn error_code(value: &Value) -> Option<ErrorCode> {
+pub(crate) fn error_code(value: &Value) -> Option<ErrorCode> {
     decoded(value)
 }
 
 /// The value of a Python literal.
-pub(super) fn literal(text: &str) -> Option<Value> {
+pub(crate) fn literal(text: &str) -> Option<Value> {
     let json = jaka_proto::python::to_json(text).ok()?;
     decode(&json)
 }

@@ -1,6 +1,6 @@
 //! Values as they are typed on a command line.
 
-use jaka_spec::{Shape, Spec, Type};
+use jaka_spec::{Scalar, Shape, Spec, Type};
 use serde_json::Value;
 
 use super::names::same;
@@ -21,7 +21,7 @@ use super::slot::Slot;
 pub fn value(spec: &Spec, ty: &Type, text: &str) -> Result<Value, String> {
     read(spec, ty, text).ok_or_else(|| {
         let expected = match spec.shape(ty) {
-            Shape::Bool { .. } => "on or off".to_owned(),
+            Shape::Scalar(Scalar::Bool { .. }) => "on or off".to_owned(),
             _ => Slot::of_type(spec, ty).words(),
         };
         format!("`{text}` is not {expected}")
@@ -30,18 +30,9 @@ pub fn value(spec: &Spec, ty: &Type, text: &str) -> Result<Value, String> {
 
 fn read(spec: &Spec, ty: &Type, text: &str) -> Option<Value> {
     let word = text.trim();
-    // Scalars are read as if a controller had sent them as strings.
-    let string = || Value::from(word);
     match spec.shape(ty) {
-        Shape::Bool { off, on } => match word.to_ascii_lowercase().as_str() {
-            "on" => Some(true.into()),
-            "off" => Some(false.into()),
-            _ => scalar::truth(&string(), off, on).map(|(is_on, _)| is_on.into()),
-        },
-        Shape::Int => scalar::int(&string()).map(|(int, _)| int.into()),
-        Shape::Float => scalar::float(&string()).map(|(float, _)| float.into()),
-        Shape::Text | Shape::Python(_) => Some(text.into()),
-        Shape::Json => Some(serde_json::from_str(text).unwrap_or_else(|_| text.into())),
+        Shape::Scalar(scalar) => scalar::typed(scalar, text),
+        Shape::Python(_) => Some(text.into()),
         Shape::List(element, _) => list(text, |_, part| read(spec, element, part)),
         Shape::Object(_) | Shape::Choice(_) => serde_json::from_str(text).ok(),
         Shape::Tuple { fields, .. } => list(text, |index, part| match fields.get(index) {
@@ -51,7 +42,7 @@ fn read(spec: &Spec, ty: &Type, text: &str) -> Option<Value> {
         }),
         Shape::IntEnum(values) => {
             let listed = values.iter().find(|listed| same(&listed.name, word)).map(|listed| listed.wire);
-            listed.or_else(|| scalar::int(&string()).map(|(int, _)| int)).map(Value::from)
+            listed.or_else(|| scalar::int(&word.into()).map(|(int, _)| int)).map(Value::from)
         }
         Shape::TextEnum(values) => {
             let listed = values.iter().find(|listed| listed.wire != word && same(&listed.name, word));

@@ -1,6 +1,6 @@
 //! A method for each command.
 
-use jaka_spec::{Command, Field, Request, Spec, Type};
+use jaka_spec::{Command, Field, Request, Scalar, Spec, Type};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -68,12 +68,12 @@ fn single(scope: Scope<'_>, field: &Field, request: &TokenStream) -> (TokenStrea
     let name = ident(&field.name);
     let (ty, value) = match &field.ty {
         _ if field.optional || field.or_raw => return (quote!(, request: &#request), quote!(request)),
-        Type::Text => (quote!(impl Into<String>), quote!(#name: #name.into())),
-        Type::Float => (quote!(f64), quote!(#name)),
-        Type::Int => (quote!(i64), quote!(#name)),
-        Type::Named(ty) => {
-            let path = scope.path(ty);
-            if scope.spec.type_def(ty).is_some_and(typedef::converts) {
+        Type::Scalar(Scalar::Text) => (quote!(impl Into<String>), quote!(#name: #name.into())),
+        Type::Scalar(Scalar::Float) => (quote!(f64), quote!(#name)),
+        Type::Scalar(Scalar::Int) => (quote!(i64), quote!(#name)),
+        Type::Named(id) => {
+            let path = scope.path(*id);
+            if typedef::converts(&scope.spec[*id]) {
                 (quote!(impl Into<#path>), quote!(#name: #name.into()))
             } else {
                 (path, quote!(#name))

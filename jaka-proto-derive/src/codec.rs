@@ -1,6 +1,6 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Choice, Field, Spec, Topic, Type, Variant};
+use jaka_spec::{Choice, Field, Scalar, Spec, Topic, Type, TypeId, Variant};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -22,11 +22,11 @@ impl Scope<'_> {
     /// The Rust type, as named from inside the topic's module.
     pub(crate) fn rust_type(self, ty: &Type) -> TokenStream {
         match ty {
-            Type::Bool { .. } => quote!(bool),
-            Type::Int => quote!(i64),
-            Type::Float => quote!(f64),
-            Type::Text => quote!(String),
-            Type::Json => {
+            Type::Scalar(Scalar::Bool { .. }) => quote!(bool),
+            Type::Scalar(Scalar::Int) => quote!(i64),
+            Type::Scalar(Scalar::Float) => quote!(f64),
+            Type::Scalar(Scalar::Text) => quote!(String),
+            Type::Scalar(Scalar::Json) => {
                 let wire = self.wire;
                 quote!(#wire::Value)
             }
@@ -39,16 +39,16 @@ impl Scope<'_> {
                 let (element, len) = (self.rust_type(element), Literal::usize_unsuffixed(*len));
                 quote!([#element; #len])
             }
-            Type::Named(name) => self.path(name),
+            Type::Named(id) => self.path(*id),
         }
     }
 
     /// The path of a named type.
-    pub(crate) fn path(self, name: &str) -> TokenStream {
-        let is_own = self.topic.is_some_and(|topic| topic.types.iter().any(|def| def.name == name));
-        let topic = self.spec.topic_of_type(name).filter(|_| !is_own);
+    pub(crate) fn path(self, id: TypeId) -> TokenStream {
+        let is_own = self.topic.is_some_and(|topic| topic.types.contains(&id));
+        let topic = self.spec.topic_of(id).filter(|_| !is_own);
         let module = topic.map(|topic| self.module(topic));
-        let name = ident(name);
+        let name = ident(&self.spec[id].name);
         quote!(#module #name)
     }
 
@@ -155,7 +155,9 @@ fn write_value(field: &Field, value: &TokenStream) -> TokenStream {
 /// A statement that writes the value behind the reference `value`.
 pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
     match ty {
-        Type::Bool { off, on } if off != "false" || on != "true" => quote!(out.choose(*#value, #off, #on);),
+        Type::Scalar(Scalar::Bool { off, on }) if off != "false" || on != "true" => {
+            quote!(out.choose(*#value, #off, #on);)
+        }
         Type::List(element) | Type::Array(element, _) if is_truth(element) => {
             let write = write_type(element, &quote!(item));
             quote!(out.array(#value, |out, item| { #write });)
@@ -164,7 +166,9 @@ pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
             let write = write_type(inner, value);
             quote!(out.python(|out| { #write });)
         }
-        _ => quote!(wire::Encode::encode(#value, out);),
+        Type::Scalar(_) | Type::Named(_) | Type::List(_) | Type::Array(..) => {
+            quote!(wire::Encode::encode(#value, out);)
+        }
     }
 }
 
@@ -172,7 +176,7 @@ pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
 fn is_truth(ty: &Type) -> bool {
     match ty {
         Type::List(element) | Type::Array(element, _) => is_truth(element),
-        other => matches!(other, Type::Bool { .. }),
+        other => matches!(other, Type::Scalar(Scalar::Bool { .. })),
     }
 }
 
@@ -189,8 +193,8 @@ pub(crate) enum Manner {
 
 impl Manner {
     /// How a named type is read.
-    pub(crate) fn of(type_name: &str) -> Self {
-        if type_name == STATUS { Self::Status } else { Self::Strict }
+    pub(crate) fn of(spec: &Spec, id: TypeId) -> Self {
+        if spec.status_type() == Some(id) { Self::Status } else { Self::Strict }
     }
 
     /// How the reader goes to the next key.
@@ -198,9 +202,6 @@ impl Manner {
         if self == Self::StatusSubset { quote!(next_wanted) } else { quote!(next_field) }
     }
 }
-
-/// The spec's name of the status packet.
-pub(crate) const STATUS: &str = "RobotStatus";
 
 /// Statements and an expression that read an object and construct `constructor` from its fields.
 pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream, manner: Manner) -> TokenStream {
@@ -257,7 +258,7 @@ pub(crate) fn read_object_in_place(fields: &[Field], manner: Manner) -> TokenStr
 
 /// True for fields that can be read in place: their number and their types.
 pub(crate) fn in_place(fields: &[Field]) -> bool {
-    let is_plain = |field: &Field| !field.ty.has_words() && !matches!(field.ty, Type::Python(_));
+    let is_plain = |field: &Field| truth_words(field).is_none() && !matches!(field.ty, Type::Python(_));
     fields.len() <= MAX_IN_PLACE && fields.iter().all(is_plain)
 }
 
@@ -291,21 +292,23 @@ fn arm(at: usize, field: &Field, method: &TokenStream, slot: &TokenStream) -> To
 /// The call that reads a field into a slot.
 fn read_call(field: &Field, method: &TokenStream, slot: &TokenStream) -> TokenStream {
     let text = &field.name;
-    match &field.ty {
-        Type::Bool { off, on } if field.ty.has_words() => {
-            let (off, on) = (off.trim_matches('"'), on.trim_matches('"'));
-            quote!(reader.#method(#text, #slot, #off, #on))
-        }
-        _ => quote!(reader.#method(#text, #slot)),
+    match truth_words(field) {
+        Some([off, on]) => quote!(reader.#method(#text, #slot, #off, #on)),
+        None => quote!(reader.#method(#text, #slot)),
     }
 }
 
 fn read_method(field: &Field) -> TokenStream {
     match &field.ty {
-        Type::Bool { .. } if field.ty.has_words() => quote!(field_word),
         Type::Python(_) => quote!(field_python),
+        _ if truth_words(field).is_some() => quote!(field_word),
         _ => quote!(field),
     }
+}
+
+/// The words of a truth value that is not read as usual.
+fn truth_words(field: &Field) -> Option<[&str; 2]> {
+    if let Type::Scalar(scalar) = &field.ty { scalar.truth_words() } else { None }
 }
 
 /// Statements and an expression that read the elements of an array that has been entered.

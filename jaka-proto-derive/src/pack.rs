@@ -115,10 +115,10 @@ fn repeated(module: &Module, scope: Scope<'_>) -> TokenStream {
     let mut items = Vec::new();
     for topic in &module.spec.topics {
         let path = scope.module(topic);
-        let types = topic.types.iter().filter(|def| module.repeated_types.contains(&def.name));
+        let types = module.spec.types_of(topic).filter(|(id, _)| module.repeated_types.contains(id));
         let commands = repeated_commands(module, topic);
         let messages = commands.flat_map(|command| [Some(command.request_type()), command.reply_type()]).flatten();
-        for name in types.map(|def| def.name.clone()).chain(messages) {
+        for name in types.map(|(_, def)| def.name.clone()).chain(messages) {
             let name = ident(&name);
             items.push(quote!(pub use #path #name;));
         }

@@ -1,13 +1,13 @@
 //! A struct with some fields of the status packet.
 
-use jaka_spec::{Field, Spec, TypeKind, words};
+use jaka_spec::{Field, Spec, words};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Token, braced, bracketed, parenthesized};
 
-use crate::codec::{Manner, STATUS, Scope, read_object_in_place};
+use crate::codec::{Manner, Scope, read_object_in_place};
 
 /// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the fields.
 pub(crate) struct Input {
@@ -61,10 +61,7 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
 
 /// The fields as the spec has them, in the order in which the user wrote them.
 fn fields(spec: &Spec, input: &Input) -> syn::Result<Vec<Field>> {
-    let all = match spec.type_def(STATUS).map(|def| &def.kind) {
-        Some(TypeKind::Object(fields)) => fields.as_slice(),
-        _ => &[],
-    };
+    let all = spec.status_fields();
     let mut chosen: Vec<Field> = Vec::new();
     for name in &input.fields {
         let field = all.iter().find(|field| name == &field.name);

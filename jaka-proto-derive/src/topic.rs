@@ -38,6 +38,6 @@ pub(crate) fn module(spec: &Spec, topic: &Topic) -> Option<TokenStream> {
 /// The messages of one topic, for a place where `proto`, `check` and `wire` are jaka-proto and its modules.
 pub(crate) fn items(scope: Scope<'_>, topic: &Topic) -> TokenStream {
     let commands = topic.commands.iter().map(|command| command::render(scope, command));
-    let types = topic.types.iter().map(|def| typedef::render(scope, def));
+    let types = scope.spec.types_of(topic).map(|def| typedef::render(scope, def));
     quote!(#(#commands)* #(#types)*)
 }

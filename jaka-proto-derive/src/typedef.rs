@@ -1,7 +1,7 @@
 //! Named types.
 
 use jaka_spec::words::first_sentence;
-use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeKind, Variant, is_floats};
+use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeId, TypeKind, Variant, is_floats};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -14,14 +14,14 @@ use crate::docs;
 use crate::validate;
 
 /// The type, its codec and its checks.
-pub(crate) fn render(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
+pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef)) -> TokenStream {
     let name = ident(&def.name);
     let docs = docs::attributes(&def.doc);
     let item = match &def.kind {
         TypeKind::Object(fields) if is_used_again(scope, fields) => {
-            object_in_place(scope, &name, &docs, fields, Manner::of(&def.name))
+            object_in_place(scope, &name, &docs, fields, Manner::of(scope.spec, id))
         }
-        TypeKind::Object(fields) => plain_object(scope, &name, &docs, fields, Manner::of(&def.name)),
+        TypeKind::Object(fields) => plain_object(scope, &name, &docs, fields, Manner::of(scope.spec, id)),
         TypeKind::Array { fields, exact } => array(scope, &name, &docs, fields, *exact),
         TypeKind::IntEnum(values) => int_enum(&name, &docs, values),
         TypeKind::TextEnum(values) => text_enum(&name, &docs, values),

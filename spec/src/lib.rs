@@ -21,8 +21,8 @@ pub mod words;
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement,
-    Severity, Spec, Topic, Type, TypeDef, TypeKind, Variant,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement, Scalar,
+    Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
 pub use names::{to_camel, to_screaming};
 pub use pack::{Module, Pack, load_pack};
@@ -56,5 +56,5 @@ pub fn load(sources: &[Source<'_>]) -> Result<Spec, Errors> {
     let topics = sources.iter().map(|source| read::topic(*source, &mut index, &report)).collect();
     resolve::check(&index, &report);
     report.finish()?;
-    Ok(Spec { topics })
+    Ok(Spec { topics, types: index.finish() })
 }

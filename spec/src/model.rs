@@ -1,6 +1,6 @@
 //! The spec as plain data, after every check has passed.
 
-use std::ops::RangeInclusive;
+use std::ops::{Index, RangeInclusive};
 use std::time::Duration;
 
 use crate::envelope::COMMAND_NAME;
@@ -14,6 +14,22 @@ use crate::words::nearest;
 pub struct Spec {
     /// One topic for each source file.
     pub topics: Vec<Topic>,
+    /// All named types, each at the place of its id.
+    pub(crate) types: Vec<TypeDef>,
+}
+
+/// A named type of a spec, and of all specs that packs make of it: `spec[id]` is its definition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TypeId(pub(crate) usize);
+
+/// # Panics
+/// The id is that of a type of another spec.
+impl Index<TypeId> for Spec {
+    type Output = TypeDef;
+
+    fn index(&self, id: TypeId) -> &TypeDef {
+        &self.types[id.0]
+    }
 }
 
 impl Spec {
@@ -23,8 +39,13 @@ impl Spec {
     }
 
     /// All named types, topic by topic.
-    pub fn types(&self) -> impl Iterator<Item = &TypeDef> {
-        self.topics.iter().flat_map(|topic| &topic.types)
+    pub fn types(&self) -> impl Iterator<Item = (TypeId, &TypeDef)> {
+        self.topics.iter().flat_map(|topic| self.types_of(topic))
+    }
+
+    /// The named types of a topic.
+    pub fn types_of(&self, topic: &Topic) -> impl Iterator<Item = (TypeId, &TypeDef)> {
+        topic.types.iter().map(|id| (*id, &self[*id]))
     }
 
     /// All error codes, topic by topic.
@@ -58,16 +79,32 @@ impl Spec {
         nearest(name, names).and_then(|name| self.command_called(name))
     }
 
-    /// The topic in which the type with this name is defined.
-    pub fn topic_of_type(&self, name: &str) -> Option<&Topic> {
-        self.topics.iter().find(|topic| topic.types.iter().any(|def| def.name == name))
+    /// The topic in which the type is defined.
+    pub fn topic_of(&self, id: TypeId) -> Option<&Topic> {
+        self.topics.iter().find(|topic| topic.types.contains(&id))
     }
 
     /// The type with this name.
-    pub fn type_def(&self, name: &str) -> Option<&TypeDef> {
-        self.types().find(|def| def.name == name)
+    pub fn type_id(&self, name: &str) -> Option<TypeId> {
+        self.types.iter().position(|def| def.name == name).map(TypeId)
+    }
+
+    /// The type of the packets of port 10000, if the spec has it.
+    pub fn status_type(&self) -> Option<TypeId> {
+        self.type_id(STATUS_TYPE)
+    }
+
+    /// The fields of the packets of port 10000; none if the spec does not have their type.
+    pub fn status_fields(&self) -> &[Field] {
+        match self.status_type().map(|id| &self[id].kind) {
+            Some(TypeKind::Object(fields)) => fields,
+            _ => &[],
+        }
     }
 }
+
+/// The name of the type of the packets of port 10000, which is an object.
+pub(crate) const STATUS_TYPE: &str = "RobotStatus";
 
 /// One source file: a module of the generated code.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,7 +116,7 @@ pub struct Topic {
     /// The text below the title.
     pub doc: String,
     /// Types defined in this file.
-    pub types: Vec<TypeDef>,
+    pub types: Vec<TypeId>,
     /// Commands defined in this file.
     pub commands: Vec<Command>,
     /// Error codes defined in this file.
@@ -149,11 +186,7 @@ impl Command {
 
     /// The fields of its request, of all variants where there are some, and of its reply.
     pub fn fields(&self) -> impl Iterator<Item = &Field> {
-        let (fields, variants) = match &self.request {
-            Request::Fields(fields) => (fields.as_slice(), &[][..]),
-            Request::Choice(choice) => (&[][..], choice.variants.as_slice()),
-        };
-        fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields)).chain(&self.reply)
+        self.request.fields().chain(&self.reply)
     }
 
     /// The beginning of each request as JSON text: the brace, and `cmdName` with its value.
@@ -204,6 +237,17 @@ pub enum Request {
     Fields(Vec<Field>),
     /// Different fields for each value of a tag.
     Choice(Choice),
+}
+
+impl Request {
+    /// Its fields, of all variants where there are some.
+    pub fn fields(&self) -> impl Iterator<Item = &Field> {
+        let (fields, variants) = match self {
+            Self::Fields(fields) => (fields.as_slice(), &[][..]),
+            Self::Choice(choice) => (&[][..], choice.variants.as_slice()),
+        };
+        fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
+    }
 }
 
 /// Variants told apart by an integer tag.
@@ -283,6 +327,21 @@ pub struct Range {
 /// The type of a field.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Type {
+    /// One value that has no parts.
+    Scalar(Scalar),
+    /// An array of some length.
+    List(Box<Type>),
+    /// An array of a length fixed by the protocol.
+    Array(Box<Type>, usize),
+    /// A named type.
+    Named(TypeId),
+    /// A value written as a Python literal inside a JSON string.
+    Python(Box<Type>),
+}
+
+/// The type of one value that has no parts that the spec knows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Scalar {
     /// A truth value, with the JSON texts that stand for false and true.
     Bool {
         /// JSON text of false.
@@ -296,34 +355,47 @@ pub enum Type {
     Float,
     /// A string.
     Text,
-    /// An array of some length.
-    List(Box<Type>),
-    /// An array of a length fixed by the protocol.
-    Array(Box<Type>, usize),
-    /// A [`TypeDef`], by name.
-    Named(String),
-    /// A value written as a Python literal inside a JSON string.
-    Python(Box<Type>),
     /// Any JSON.
     Json,
 }
 
-impl Type {
-    /// True for a truth value that is not read as usual: one in words of its own, such as `robot_enabled`, or one whose
-    /// 0 means true.
-    pub fn has_words(&self) -> bool {
-        let Self::Bool { off, on } = self else { return false };
-        let is = |form: &str, word: &str| form.trim_matches('"').eq_ignore_ascii_case(word);
-        !(is(off, "false") || is(off, "0")) || !(is(on, "true") || is(on, "1"))
+impl Scalar {
+    /// True for a number, which may have a unit and a range.
+    pub fn is_number(&self) -> bool {
+        match self {
+            Self::Int | Self::Float => true,
+            Self::Bool { .. } | Self::Text | Self::Json => false,
+        }
     }
 
-    /// The name of the named type at its heart, if that is one.
-    pub fn named(&self) -> Option<&str> {
+    /// The two words, without quotes, for a truth value that is not read as usual: one in words of its own, such as
+    /// `robot_enabled`, or one whose 0 means true.
+    pub fn truth_words(&self) -> Option<[&str; 2]> {
+        let Self::Bool { off, on } = self else { return None };
+        let [off, on] = [off, on].map(|form| form.trim_matches('"'));
+        let is = |form: &str, word: &str| form.eq_ignore_ascii_case(word);
+        let is_usual = (is(off, "false") || is(off, "0")) && (is(on, "true") || is(on, "1"));
+        (!is_usual).then_some([off, on])
+    }
+}
+
+impl Type {
+    /// The scalar or the named type at its heart: that of its elements, or of the value of its literal.
+    pub fn innermost(&self) -> &Self {
         match self {
-            Self::List(element) | Self::Array(element, _) | Self::Python(element) => element.named(),
-            Self::Named(name) => Some(name),
-            _ => None,
+            Self::List(inner) | Self::Array(inner, _) | Self::Python(inner) => inner.innermost(),
+            Self::Scalar(_) | Self::Named(_) => self,
         }
+    }
+
+    /// The scalar at its heart, if that is one.
+    pub fn scalar(&self) -> Option<&Scalar> {
+        if let Self::Scalar(scalar) = self.innermost() { Some(scalar) } else { None }
+    }
+
+    /// The named type at its heart, if that is one.
+    pub fn named(&self) -> Option<TypeId> {
+        if let Self::Named(id) = self.innermost() { Some(*id) } else { None }
     }
 }
 
@@ -362,7 +434,7 @@ pub enum TypeKind {
 
 impl TypeKind {
     /// The named types that it is made of.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
+    pub fn parts(&self) -> impl Iterator<Item = TypeId> {
         self.types().filter_map(Type::named)
     }
 

@@ -10,7 +10,7 @@ use self::change::Target;
 pub use self::module::Module;
 pub(crate) use self::module::trait_name;
 use crate::item::Item;
-use crate::model::{Command, ErrorCode, Field, Request, Spec, Topic, TypeDef, TypeKind};
+use crate::model::{Command, ErrorCode, Field, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
 use crate::names::RESERVED_METHODS;
 use crate::report::{At, Error, Errors, Report};
 use crate::resolve::Index;
@@ -32,9 +32,9 @@ pub struct Pack {
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Changed {
     commands: BTreeSet<String>,
-    types: BTreeSet<String>,
+    types: BTreeSet<TypeId>,
     repeated_commands: BTreeSet<String>,
-    repeated_types: BTreeSet<String>,
+    repeated_types: BTreeSet<TypeId>,
 }
 
 /// Loads a pack: a file that adds to `base` and changes it.
@@ -48,7 +48,8 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let topic = read::file(source, &report, |root, topic| draft.read(root, topic));
     draft.check_optional(&report);
     resolve::check(&draft.index, &report);
-    let Draft { mut spec, changed, .. } = draft;
+    let Draft { mut spec, index, changed, .. } = draft;
+    spec.types = index.finish();
     let mut notes = notes.finish().map_or_else(|errors| errors.0, |()| Vec::new());
     if topic.is_empty() && changed.commands.is_empty() && changed.types.is_empty() {
         let message = "this pack no longer changes anything: the spec has all of it, so it can be deleted".to_owned();
@@ -110,7 +111,7 @@ impl<'s> Draft<'s, '_> {
             }
             return Some(read::command(item, &mut self.index));
         };
-        if bare_command(&read::command(item, &mut Index::default())) == bare_command(&known) {
+        if bare_command(&read::command(item, &mut self.index.again())) == bare_command(&known) {
             self.note(item, REPEATED);
             self.changed.repeated_commands.insert(known.wire);
         } else {
@@ -119,12 +120,15 @@ impl<'s> Draft<'s, '_> {
         None
     }
 
-    fn new_type(&mut self, item: &Item<'_, 's>) -> Option<TypeDef> {
-        let known = item.text("name").and_then(|name| self.spec.type_def(&name.value).cloned());
-        let Some(known) = known else { return Some(read::type_def(item, &mut self.index)) };
-        if bare_type(&read::type_def(item, &mut Index::default())) == bare_type(&known) {
+    fn new_type(&mut self, item: &Item<'_, 's>) -> Option<TypeId> {
+        let Some(known) = item.text("name").and_then(|name| self.spec.type_id(&name.value)) else {
+            return Some(read::type_def(item, &mut self.index));
+        };
+        let mut again = self.index.again();
+        let new = read::type_def(item, &mut again);
+        if new == known && bare_type(again.definition(new)) == bare_type(&self.spec[known]) {
             self.note(item, REPEATED);
-            self.changed.repeated_types.insert(known.name);
+            self.changed.repeated_types.insert(known);
         } else {
             item.error(item.at, DIFFERS);
         }
@@ -134,7 +138,7 @@ impl<'s> Draft<'s, '_> {
     fn new_error(&mut self, item: &Item<'_, 's>) -> Option<ErrorCode> {
         let known = item.int("wire").and_then(|wire| self.spec.errors().find(|code| code.wire == wire.value).cloned());
         let Some(known) = known else { return Some(read::error_code(item, &mut self.index)) };
-        if read::error_code(item, &mut Index::default()).name == known.name {
+        if read::error_code(item, &mut self.index.again()).name == known.name {
             self.note(item, REPEATED);
         } else {
             item.error(item.at, &format!("the spec has the code {} already, as `{}`", known.wire, known.name));

@@ -4,12 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use crate::item::{Item, Placed};
-use crate::model::{Spec, Type, TypeKind};
+use crate::model::{Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming};
 use crate::pack::trait_name;
 use crate::read::Unique;
 use crate::report::{At, Report};
-use crate::words::{event_code, notation};
+use crate::type_text::notation;
+use crate::words::event_code;
 
 /// What the files define and use, gathered while they are read.
 #[derive(Debug, Default)]
@@ -22,7 +23,9 @@ pub(crate) struct Index<'s> {
     error_names: Unique<'s, String>,
     /// Ranges of codes of events by their first code, each with its last one and its place.
     event_codes: BTreeMap<u32, (u32, At<'s>)>,
-    types: BTreeMap<String, Vec<Type>>,
+    /// All types that are defined or used, each at the place of its id; without content as long as it is not defined.
+    types: Vec<TypeDef>,
+    defined: BTreeSet<TypeId>,
     uses: Vec<TypeUse<'s>>,
     /// The trait with a pack's methods.
     own_trait: Option<String>,
@@ -44,16 +47,26 @@ impl<'s> Index<'s> {
             commands: Unique::taken(commands().map(|command| command.wire.clone())),
             sections: Unique::taken(commands().filter_map(|command| command.section.clone())),
             methods: Unique::taken(commands().map(|command| command.name.clone())),
-            type_names: Unique::taken(messages.chain(base.types().map(|def| def.name.clone()))),
+            type_names: Unique::taken(messages.chain(base.types.iter().map(|def| def.name.clone()))),
             error_wires: Unique::taken(base.errors().map(|code| code.wire)),
             error_names: Unique::taken(base.errors().map(|code| code.name.clone())),
             own_trait: Some(trait_name(module)),
             ..Self::default()
         };
-        for def in base.types() {
-            index.type_body(&def.name, &def.kind);
+        for def in &base.types {
+            index.define(def.clone());
         }
         index
+    }
+
+    /// An index for reading again what the spec has, in which no other name is taken. Types have the same ids.
+    pub(crate) fn again(&self) -> Self {
+        Self { types: self.types.clone(), ..Self::default() }
+    }
+
+    /// The types, each at the place of its id. After [`check`], all that are used are defined.
+    pub(crate) fn finish(self) -> Vec<TypeDef> {
+        self.types
     }
 
     pub(crate) fn command(
@@ -90,9 +103,26 @@ impl<'s> Index<'s> {
         self.type_names.add(item, "type name", name);
     }
 
-    /// What a type is made of, for the check that no type contains itself.
-    pub(crate) fn type_body(&mut self, name: &str, kind: &TypeKind) {
-        self.types.insert(name.to_owned(), kind.types().cloned().collect());
+    /// The id of a type, also before it is defined.
+    pub(crate) fn type_id(&mut self, name: &str) -> TypeId {
+        let found = self.types.iter().position(|known| known.name == name);
+        TypeId(found.unwrap_or_else(|| {
+            let kind = TypeKind::Object(Vec::new());
+            self.types.push(TypeDef { name: name.to_owned(), doc: String::new(), kind });
+            self.types.len() - 1
+        }))
+    }
+
+    /// Takes the definition of a type.
+    pub(crate) fn define(&mut self, def: TypeDef) -> TypeId {
+        let id = self.type_id(&def.name);
+        self.types[id.0] = def;
+        self.defined.insert(id);
+        id
+    }
+
+    pub(crate) fn definition(&self, id: TypeId) -> &TypeDef {
+        &self.types[id.0]
     }
 
     pub(crate) fn type_use(&mut self, item: &Item<'_, 's>, at: At<'s>, ty: &Type) {
@@ -129,27 +159,35 @@ fn message_types(command: &str) -> [String; 2] {
     let request = to_camel(command);
     [request.clone() + "Reply", request]
 }
+
 /// Runs the checks that need all files.
 pub(crate) fn check(index: &Index<'_>, report: &Report) {
     for TypeUse { what, at, ty } in &index.uses {
-        let name = ty.named().unwrap_or_default();
-        if !name.is_empty() && !index.types.contains_key(name) {
-            report.error(*at, format!("{what}: there is no `[[type]]` named `{name}`"));
-        } else if reaches_itself(index, name) {
-            report.error(*at, format!("{what}: the type `{name}` contains itself"));
-        } else if weight(index, ty, 0).is_none() {
-            let limits = format!("more than {MOST_VALUES} values, or more than {MOST_LEVELS} types in each other");
-            report.error(*at, format!("{what}: the type `{}` holds {limits}", notation(ty)));
+        let problem = ty.named().and_then(|id| {
+            let name = &index.types[id.0].name;
+            if !index.defined.contains(&id) {
+                return Some(format!("there is no `[[type]]` named `{name}`"));
+            }
+            reaches_itself(index, id).then(|| format!("the type `{name}` contains itself"))
+        });
+        let too_many = || {
+            let ty = notation(ty, &|id| &index.types[id.0].name);
+            format!(
+                "the type `{ty}` holds more than {MOST_VALUES} values, or more than {MOST_LEVELS} types in each other"
+            )
+        };
+        if let Some(problem) = problem.or_else(|| weight(index, ty, 0).is_none().then(too_many)) {
+            report.error(*at, format!("{what}: {problem}"));
         }
     }
 }
 
-fn reaches_itself(index: &Index<'_>, name: &str) -> bool {
+fn reaches_itself(index: &Index<'_>, id: TypeId) -> bool {
     let mut seen = BTreeSet::new();
-    let mut open = vec![name];
-    while let Some(open_name) = open.pop() {
-        for part in index.types.get(open_name).into_iter().flatten().filter_map(Type::named) {
-            if part == name {
+    let mut open = vec![id];
+    while let Some(next) = open.pop() {
+        for part in index.types[next.0].kind.parts() {
+            if part == id {
                 return true;
             }
             if seen.insert(part) {
@@ -174,9 +212,9 @@ fn weight(index: &Index<'_>, ty: &Type, level: usize) -> Option<usize> {
     let weight = match ty {
         Type::List(element) | Type::Python(element) => weight(index, element, level + 1)?,
         Type::Array(element, len) => weight(index, element, level + 1)? * len,
-        Type::Named(name) => {
+        Type::Named(id) => {
             let mut sum = 0;
-            for part in index.types.get(name).into_iter().flatten() {
+            for part in index.types[id.0].kind.types() {
                 sum += weight(index, part, level + 1)?;
                 if sum > MOST_VALUES {
                     return None;
@@ -184,7 +222,7 @@ fn weight(index: &Index<'_>, ty: &Type, level: usize) -> Option<usize> {
             }
             sum.max(1)
         }
-        _ => 1,
+        Type::Scalar(_) => 1,
     };
     Some(weight).filter(|weight| *weight <= MOST_VALUES)
 }

@@ -1,25 +1,12 @@
 //! Types with their names looked up: what they are on the wire, and what the generated Rust types can do.
 
-use crate::model::{Choice, EnumValue, Field, Spec, Type, TypeKind};
+use crate::model::{Choice, EnumValue, Field, Scalar, Spec, Type, TypeKind};
 
 /// What a type is on the wire: named types are looked up, and wrappers taken off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape<'s> {
-    /// A truth value, with the JSON texts that stand for false and true.
-    Bool {
-        /// JSON text of false.
-        off: &'s str,
-        /// JSON text of true.
-        on: &'s str,
-    },
-    /// A whole number.
-    Int,
-    /// A floating-point number.
-    Float,
-    /// A string.
-    Text,
-    /// Any JSON.
-    Json,
+    /// One value that has no parts.
+    Scalar(&'s Scalar),
     /// A string that holds a Python literal of this type.
     Python(&'s Type),
     /// An array of elements of one type, and its length where the protocol fixes it.
@@ -45,30 +32,36 @@ impl Spec {
     /// What the type is on the wire.
     pub fn shape<'s>(&'s self, ty: &'s Type) -> Shape<'s> {
         match ty {
-            Type::Bool { off, on } => Shape::Bool { off, on },
-            Type::Int => Shape::Int,
-            Type::Float => Shape::Float,
-            Type::Text => Shape::Text,
-            Type::Json => Shape::Json,
+            Type::Scalar(scalar) => Shape::Scalar(scalar),
             Type::Python(inner) => Shape::Python(inner),
             Type::List(element) => Shape::List(element, None),
             Type::Array(element, len) => Shape::List(element, Some(*len)),
-            Type::Named(name) => match self.type_def(name).map(|def| &def.kind) {
-                Some(TypeKind::Object(fields)) => Shape::Object(fields),
-                Some(TypeKind::Array { fields, exact }) => Shape::Tuple { fields, exact: *exact },
-                Some(TypeKind::IntEnum(values)) => Shape::IntEnum(values),
-                Some(TypeKind::TextEnum(values)) => Shape::TextEnum(values),
-                Some(TypeKind::Choice(choice)) => Shape::Choice(choice),
-                Some(TypeKind::Wrapper(ty, _)) => self.shape(ty),
-                None => Shape::Json,
+            Type::Named(id) => match &self[*id].kind {
+                TypeKind::Object(fields) => Shape::Object(fields),
+                TypeKind::Array { fields, exact } => Shape::Tuple { fields, exact: *exact },
+                TypeKind::IntEnum(values) => Shape::IntEnum(values),
+                TypeKind::TextEnum(values) => Shape::TextEnum(values),
+                TypeKind::Choice(choice) => Shape::Choice(choice),
+                TypeKind::Wrapper(ty, _) => self.shape(ty),
             },
         }
     }
 
+    /// The type itself, or the one inside all wrappers around it.
+    pub fn unwrapped<'s>(&'s self, ty: &'s Type) -> &'s Type {
+        match ty {
+            Type::Named(id) => match &self[*id].kind {
+                TypeKind::Wrapper(inner, _) => self.unwrapped(inner),
+                _ => ty,
+            },
+            _ => ty,
+        }
+    }
+
     /// The unit of the wrapper that the type is, if it is one and has a unit.
-    pub fn unit<'s>(&'s self, ty: &'s Type) -> Option<&'s str> {
-        let Type::Named(name) = ty else { return None };
-        match &self.type_def(name)?.kind {
+    pub fn unit<'s>(&'s self, ty: &Type) -> Option<&'s str> {
+        let Type::Named(id) = ty else { return None };
+        match &self[*id].kind {
             TypeKind::Wrapper(ty, unit) => unit.as_deref().or_else(|| self.unit(ty)),
             _ => None,
         }
@@ -77,8 +70,9 @@ impl Spec {
     /// True if the type can be `Copy`.
     pub fn is_copy(&self, ty: &Type) -> bool {
         match self.shape(ty) {
-            Shape::Bool { .. } | Shape::Int | Shape::Float | Shape::IntEnum(_) => true,
-            Shape::Text | Shape::Json | Shape::List(_, None) | Shape::TextEnum(_) | Shape::Choice(_) => false,
+            Shape::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float) | Shape::IntEnum(_) => true,
+            Shape::Scalar(Scalar::Text | Scalar::Json) => false,
+            Shape::List(_, None) | Shape::TextEnum(_) | Shape::Choice(_) => false,
             Shape::List(inner, Some(_)) | Shape::Python(inner) => self.is_copy(inner),
             Shape::Object(fields) | Shape::Tuple { fields, .. } => self.all_copy(fields),
         }
@@ -92,5 +86,5 @@ impl Spec {
 
 /// True for fields that are nothing but floats: a struct of them converts from and into an array.
 pub fn is_floats(fields: &[Field]) -> bool {
-    fields.iter().all(|field| field.ty == Type::Float && !field.optional && !field.or_raw)
+    fields.iter().all(|field| field.ty == Type::Scalar(Scalar::Float) && !field.optional && !field.or_raw)
 }

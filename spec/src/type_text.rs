@@ -1,24 +1,24 @@
 //! The notation of types: `int`, `float[6]`, `Pose[]`, `python(ExtioStatus)`.
 
-use crate::Type;
 use crate::names::is_camel;
+use crate::{Scalar, Spec, Type, TypeId};
 
 /// How many brackets and `python(…)` a type may have.
 const MOST_LEVELS: usize = 4;
 
-/// Reads a type, or says what is wrong with it.
-pub(crate) fn parse(text: &str) -> Result<Type, String> {
+/// Reads a type, or says what is wrong with it; `id` gives the id of a named type.
+pub(crate) fn parse(text: &str, id: &mut impl FnMut(&str) -> TypeId) -> Result<Type, String> {
     let levels = text.matches(['[', '(']).count();
     if levels > MOST_LEVELS {
         return Err(format!("a type has at most {MOST_LEVELS} brackets"));
     }
-    nested(text)
+    nested(text, id)
 }
 
-fn nested(text: &str) -> Result<Type, String> {
+fn nested(text: &str, id: &mut impl FnMut(&str) -> TypeId) -> Result<Type, String> {
     if let Some(inner) = text.strip_suffix(']') {
         let (element, len) = inner.rsplit_once('[').ok_or_else(|| unknown(text))?;
-        let element = Box::new(nested(element)?);
+        let element = Box::new(nested(element, id)?);
         return match len {
             "" => Ok(Type::List(element)),
             len => match len.parse() {
@@ -29,17 +29,18 @@ fn nested(text: &str) -> Result<Type, String> {
     }
     if let Some(inner) = text.strip_prefix("python(") {
         let inner = inner.strip_suffix(')').ok_or_else(|| unknown(text))?;
-        return Ok(Type::Python(Box::new(nested(inner)?)));
+        return Ok(Type::Python(Box::new(nested(inner, id)?)));
     }
-    match text {
-        "bool" => Ok(Type::Bool { off: "false".to_owned(), on: "true".to_owned() }),
-        "int" => Ok(Type::Int),
-        "float" => Ok(Type::Float),
-        "text" => Ok(Type::Text),
-        "json" => Ok(Type::Json),
-        name if is_camel(name) => Ok(Type::Named(name.to_owned())),
-        _ => Err(unknown(text)),
-    }
+    let scalar = match text {
+        "bool" => Scalar::Bool { off: "false".to_owned(), on: "true".to_owned() },
+        "int" => Scalar::Int,
+        "float" => Scalar::Float,
+        "text" => Scalar::Text,
+        "json" => Scalar::Json,
+        name if is_camel(name) => return Ok(Type::Named(id(name))),
+        _ => return Err(unknown(text)),
+    };
+    Ok(Type::Scalar(scalar))
 }
 
 fn unknown(text: &str) -> String {
@@ -47,4 +48,26 @@ fn unknown(text: &str) -> String {
         "`{text}` is no type; a type is bool, int, float, text, json, the name of a `[[type]]`, \
          one of these with `[]` or `[6]` behind it, or python(…) around one"
     )
+}
+
+/// The notation of a type; `name` gives the name of a named type.
+pub(crate) fn notation<'n>(ty: &Type, name: &dyn Fn(TypeId) -> &'n str) -> String {
+    match ty {
+        Type::Scalar(Scalar::Bool { .. }) => "bool".to_owned(),
+        Type::Scalar(Scalar::Int) => "int".to_owned(),
+        Type::Scalar(Scalar::Float) => "float".to_owned(),
+        Type::Scalar(Scalar::Text) => "text".to_owned(),
+        Type::Scalar(Scalar::Json) => "json".to_owned(),
+        Type::Named(id) => name(*id).to_owned(),
+        Type::List(element) => format!("{}[]", notation(element, name)),
+        Type::Array(element, len) => format!("{}[{len}]", notation(element, name)),
+        Type::Python(inner) => format!("python({})", notation(inner, name)),
+    }
+}
+
+impl Spec {
+    /// The notation of the TOML files, such as `float[6]`.
+    pub fn notation(&self, ty: &Type) -> String {
+        notation(ty, &|id| &self[id].name)
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::{Effect, Range, Requirement, Severity, Type, Versions};
+use crate::{Effect, Range, Requirement, Severity, Versions};
 
 /// The first sentence with its full stop, and all behind it.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -82,21 +82,6 @@ pub fn list(items: &[impl AsRef<str>], conjunction: &str) -> String {
     match items.split_last() {
         Some((last, others)) if !others.is_empty() => format!("{} {conjunction} {last}", others.join(", ")),
         _ => items.concat(),
-    }
-}
-
-/// The notation of the TOML files, such as `float[6]`.
-pub fn notation(ty: &Type) -> String {
-    match ty {
-        Type::Bool { .. } => "bool".to_owned(),
-        Type::Int => "int".to_owned(),
-        Type::Float => "float".to_owned(),
-        Type::Text => "text".to_owned(),
-        Type::Json => "json".to_owned(),
-        Type::Named(name) => name.clone(),
-        Type::List(element) => format!("{}[]", notation(element)),
-        Type::Array(element, len) => format!("{}[{len}]", notation(element)),
-        Type::Python(inner) => format!("python({})", notation(inner)),
     }
 }
 

@@ -3,7 +3,7 @@
 mod unfit;
 
 use expect_test::{Expect, expect};
-use jaka_spec::{Pack, Request, Severity, Source, Spec, Type, builtin, load_pack};
+use jaka_spec::{Pack, Request, Severity, Source, Spec, builtin, load_pack};
 
 fn spec() -> Spec {
     builtin().expect("the built-in spec is correct")
@@ -24,7 +24,7 @@ fn notes(text: &str, expected: &Expect) {
 fn module(text: &str) -> String {
     let module = pack(text).module();
     let commands = module.topic.commands.iter().map(|command| module.method(command));
-    let types = module.topic.types.iter().map(|def| def.name.clone());
+    let types = module.spec.types_of(&module.topic).map(|(_, def)| def.name.clone());
     commands.chain(types).collect::<Vec<_>>().join(" ")
 }
 
@@ -165,7 +165,7 @@ settled = "Measured at the tool's connector, firmware 1.7.2."
     let pack = pack(text);
     let command = pack.spec.command("set_tio_vout_param").expect("the spec has it");
     let field = command.fields().find(|field| field.wire == "tio_vout_vol").expect("it has a voltage");
-    assert_eq!(field.ty, Type::Named("ToolVoltage".to_owned()));
+    assert_eq!(pack.spec.notation(&field.ty), "ToolVoltage");
     assert!(field.disputed.is_empty());
     assert_eq!(
         field.doc,

@@ -1,7 +1,7 @@
 //! What several end-to-end tests share: the document's messages, random messages made from the spec, and where fuzzing begins.
 
 use jaka_sim::{Controller, Delays};
-use jaka_spec::{Command, Field, Request, Spec, Type, TypeDef, TypeKind};
+use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
@@ -132,41 +132,28 @@ fn any_field(spec: &'static Spec, field: &'static Field) -> BoxedStrategy<Option
 /// Random values of a type, in the form in which the wire has them.
 ///
 /// # Panics
-/// The spec is not resolved.
+/// The spec holds what is not JSON.
 pub fn any_value(spec: &'static Spec, ty: &'static Type) -> BoxedStrategy<Value> {
-    match ty {
-        Type::Bool { off, on } => {
-            let form = |json: &str| serde_json::from_str::<Value>(json).expect("the spec holds JSON");
-            proptest::sample::select(vec![form(off), form(on)]).boxed()
+    match spec.shape(ty) {
+        Shape::Scalar(scalar) => any_scalar(scalar),
+        Shape::List(element, len) => {
+            let lens = len.map_or(0..=3, |len| len..=len);
+            proptest::collection::vec(any_value(spec, element), lens).prop_map(Value::from).boxed()
         }
-        Type::Int => any::<i64>().prop_map(Value::from).boxed(),
-        Type::Float => any_float().prop_map(Value::from).boxed(),
-        Type::Text => any_text().prop_map(Value::from).boxed(),
-        Type::Json => prop_oneof![any::<i64>().prop_map(Value::from), any_text().prop_map(Value::from)].boxed(),
-        Type::List(element) => proptest::collection::vec(any_value(spec, element), 0..4).prop_map(Value::from).boxed(),
-        Type::Array(element, len) => {
-            proptest::collection::vec(any_value(spec, element), *len).prop_map(Value::from).boxed()
-        }
-        Type::Named(name) => any_named(spec, spec.type_def(name).expect("the spec is resolved")),
-        Type::Python(inner) => any_value(spec, inner)
+        Shape::Python(inner) => any_value(spec, inner)
             .prop_map(|value| jaka_proto::python::from_json(&value.to_string()).expect("a value is JSON").into())
             .boxed(),
-    }
-}
-
-fn any_named(spec: &'static Spec, def: &'static TypeDef) -> BoxedStrategy<Value> {
-    match &def.kind {
-        TypeKind::Object(fields) => any_object(spec, fields).prop_map(Value::Object).boxed(),
-        TypeKind::Array { fields, .. } => any_elements(spec, fields),
-        TypeKind::IntEnum(values) => {
+        Shape::Object(fields) => any_object(spec, fields).prop_map(Value::Object).boxed(),
+        Shape::Tuple { fields, .. } => any_elements(spec, fields),
+        Shape::IntEnum(values) => {
             let listed: Vec<_> = values.iter().map(|value| value.wire).collect();
             prop_oneof![3 => proptest::sample::select(listed), 1 => any::<i64>()].prop_map(Value::from).boxed()
         }
-        TypeKind::TextEnum(values) => {
+        Shape::TextEnum(values) => {
             let listed: Vec<_> = values.iter().map(|value| value.wire.clone()).collect();
             prop_oneof![3 => proptest::sample::select(listed), 1 => any_text()].prop_map(Value::from).boxed()
         }
-        TypeKind::Choice(choice) => {
+        Shape::Choice(choice) => {
             let variants = choice.variants.iter().map(move |variant| {
                 let tag = Value::from(variant.wire);
                 let with_tag = move |elements: Value| match elements {
@@ -177,7 +164,19 @@ fn any_named(spec: &'static Spec, def: &'static TypeDef) -> BoxedStrategy<Value>
             });
             proptest::strategy::Union::new(variants).boxed()
         }
-        TypeKind::Wrapper(ty, _) => any_value(spec, ty),
+    }
+}
+
+fn any_scalar(scalar: &Scalar) -> BoxedStrategy<Value> {
+    match scalar {
+        Scalar::Bool { off, on } => {
+            let form = |json: &str| serde_json::from_str::<Value>(json).expect("the spec holds JSON");
+            proptest::sample::select(vec![form(off), form(on)]).boxed()
+        }
+        Scalar::Int => any::<i64>().prop_map(Value::from).boxed(),
+        Scalar::Float => any_float().prop_map(Value::from).boxed(),
+        Scalar::Text => any_text().prop_map(Value::from).boxed(),
+        Scalar::Json => prop_oneof![any::<i64>().prop_map(Value::from), any_text().prop_map(Value::from)].boxed(),
     }
 }
 

@@ -150,15 +150,15 @@ fn drift(command: &str, reply: &Map<String, Value>, forms: &[u8], seed: u64) -> 
 }
 
 fn drifted(ty: &jaka_spec::Type, value: &Value, form: u8) -> Value {
-    use jaka_spec::Type;
+    use jaka_spec::{Scalar, Type};
     match (ty, value) {
-        (Type::Bool { on, .. }, value) => {
+        (Type::Scalar(Scalar::Bool { on, .. }), value) => {
             let is_on = serde_json::from_str::<Value>(on).is_ok_and(|on| on == *value);
             let (off, on) =
                 [("false", "true"), ("0", "1"), ("\"0\"", "\"1\""), ("\"False\"", "\"True\"")][usize::from(form % 4)];
             serde_json::from_str(if is_on { on } else { off }).expect("the forms are JSON")
         }
-        (Type::Int | Type::Float, Value::Number(number)) => drifted_number(number, form),
+        (Type::Scalar(Scalar::Int | Scalar::Float), Value::Number(number)) => drifted_number(number, form),
         (Type::List(element) | Type::Array(element, _), Value::Array(values)) => {
             values.iter().map(|value| drifted(element, value, form)).collect()
         }

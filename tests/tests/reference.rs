@@ -39,7 +39,7 @@ fn everything_of_the_spec_is_in_it() {
             assert!(text.contains(&format!("```json\n{message}\n```")), "{}: {message}", command.wire);
         }
     }
-    for def in spec.types() {
+    for (_, def) in spec.types() {
         assert!(headings.contains(&format!("Type `{}`", def.name).as_str()), "{}", def.name);
     }
     for error in spec.errors() {

@@ -2,7 +2,7 @@
 //!
 //! For `benches/build-time` alone. It asks less of these types than of ours: no lenient forms, no checks, no docs.
 
-use jaka_spec::{Choice, Field, Request, Type, TypeDef, TypeKind};
+use jaka_spec::{Choice, Field, Request, Scalar, Spec, Type, TypeDef, TypeKind};
 
 const DERIVE: &str = "#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]";
 
@@ -31,32 +31,32 @@ fn main() -> Result<(), jaka_spec::Errors> {
     for command in spec.commands() {
         let request = command.request_type();
         match &command.request {
-            Request::Fields(fields) => object(&request, fields),
-            Request::Choice(choice) => tagged(&request, choice),
+            Request::Fields(fields) => object(&spec, &request, fields),
+            Request::Choice(choice) => tagged(&spec, &request, choice),
         }
         let reply = command.reply_type();
         if let Some(reply) = &reply {
-            object(reply, &command.reply);
+            object(&spec, reply, &command.reply);
         }
         let reply = reply.unwrap_or_else(|| "Value".to_owned());
         variants.push(format!("#[serde(rename = {:?})] {request}({request})", command.wire));
         replies.push(format!("Request::{request}(_) => again::<{reply}>(json)"));
     }
-    spec.types().for_each(named);
+    spec.types().for_each(|(_, def)| named(&spec, def));
     println!("{DERIVE}\n#[serde(tag = \"cmdName\")]\nenum Request {{ {} }}", variants.join(", "));
     println!("fn reply(request: &Request, json: &str) -> serde_json::Result<String> {{");
     println!("    match request {{ {} }}\n}}", replies.join(", "));
     Ok(())
 }
 
-fn named(def: &TypeDef) {
+fn named(spec: &Spec, def: &TypeDef) {
     let name = &def.name;
     match &def.kind {
-        TypeKind::Object(fields) => object(name, fields),
-        TypeKind::Array { fields, .. } => println!("{DERIVE}\nstruct {name}({});", elements(fields)),
-        TypeKind::Wrapper(ty, _) => println!("{DERIVE}\nstruct {name}({});", rust(ty)),
+        TypeKind::Object(fields) => object(spec, name, fields),
+        TypeKind::Array { fields, .. } => println!("{DERIVE}\nstruct {name}({});", elements(spec, fields)),
+        TypeKind::Wrapper(ty, _) => println!("{DERIVE}\nstruct {name}({});", rust(spec, ty)),
         TypeKind::Choice(choice) => {
-            let variant = |(name, fields): (&str, &[Field])| format!("{name}(i64, {})", elements(fields));
+            let variant = |(name, fields): (&str, &[Field])| format!("{name}(i64, {})", elements(spec, fields));
             let variants = choice.variants.iter().map(|v| variant((&v.name, &v.fields)));
             println!("{DERIVE}\n#[serde(untagged)]\nenum {name} {{ {} }}", joined(variants));
         }
@@ -77,44 +77,44 @@ fn named(def: &TypeDef) {
     }
 }
 
-fn object(name: &str, fields: &[Field]) {
-    println!("{DERIVE}\nstruct {name} {{ {} }}", members(fields));
+fn object(spec: &Spec, name: &str, fields: &[Field]) {
+    println!("{DERIVE}\nstruct {name} {{ {} }}", members(spec, fields));
 }
 
 /// A request with variants: serde's derives know no tags that are numbers.
-fn tagged(name: &str, choice: &Choice) {
+fn tagged(spec: &Spec, name: &str, choice: &Choice) {
     let tag = format!("#[serde(rename = {:?})] tag: i64", choice.tag);
-    let variants = choice.variants.iter().map(|v| format!("{} {{ {tag}, {} }}", v.name, members(&v.fields)));
+    let variants = choice.variants.iter().map(|v| format!("{} {{ {tag}, {} }}", v.name, members(spec, &v.fields)));
     println!("{DERIVE}\n#[serde(untagged)]\nenum {name} {{ {} }}", joined(variants));
 }
 
-fn members(fields: &[Field]) -> String {
+fn members(spec: &Spec, fields: &[Field]) -> String {
     joined(fields.iter().map(|field| {
         let skip = if field.optional { "#[serde(skip_serializing_if = \"Option::is_none\")] " } else { "" };
-        format!("#[serde(rename = {:?})] {skip}{}: {}", field.wire, field.name, field_type(field))
+        format!("#[serde(rename = {:?})] {skip}{}: {}", field.wire, field.name, field_type(spec, field))
     }))
 }
 
-fn elements(fields: &[Field]) -> String {
-    joined(fields.iter().map(field_type))
+fn elements(spec: &Spec, fields: &[Field]) -> String {
+    joined(fields.iter().map(|field| field_type(spec, field)))
 }
 
-fn field_type(field: &Field) -> String {
-    let ty = rust(&field.ty);
+fn field_type(spec: &Spec, field: &Field) -> String {
+    let ty = rust(spec, &field.ty);
     if field.optional { format!("Option<{ty}>") } else { ty }
 }
 
-fn rust(ty: &Type) -> String {
+fn rust(spec: &Spec, ty: &Type) -> String {
     match ty {
-        Type::Bool { off, .. } if off == "false" => "bool".to_owned(),
-        Type::Bool { off, .. } if off.starts_with('"') => "String".to_owned(),
-        Type::Bool { .. } | Type::Int => "i64".to_owned(),
-        Type::Float => "f64".to_owned(),
-        Type::Text | Type::Python(_) => "String".to_owned(),
-        Type::Json => "Value".to_owned(),
-        Type::List(element) => format!("Vec<{}>", rust(element)),
-        Type::Array(element, len) => format!("[{}; {len}]", rust(element)),
-        Type::Named(name) => name.clone(),
+        Type::Scalar(Scalar::Bool { off, .. }) if off == "false" => "bool".to_owned(),
+        Type::Scalar(Scalar::Bool { off, .. }) if off.starts_with('"') => "String".to_owned(),
+        Type::Scalar(Scalar::Bool { .. } | Scalar::Int) => "i64".to_owned(),
+        Type::Scalar(Scalar::Float) => "f64".to_owned(),
+        Type::Scalar(Scalar::Text) | Type::Python(_) => "String".to_owned(),
+        Type::Scalar(Scalar::Json) => "Value".to_owned(),
+        Type::List(element) => format!("Vec<{}>", rust(spec, element)),
+        Type::Array(element, len) => format!("[{}; {len}]", rust(spec, element)),
+        Type::Named(id) => spec[*id].name.clone(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Paths to fields, as people type them.
 
-use jaka_spec::Type;
+use jaka_spec::Shape as Wire;
 
 use super::{Field, Step, suggestions};
 
@@ -47,11 +47,11 @@ fn wire_key(member: &Field) -> Option<&str> {
 
 /// The element at an index.
 fn at(list: &Field, index: usize) -> Result<Field, String> {
-    match list.ty {
-        Type::Array(_, count) if index >= count => {
+    match list.wire {
+        Wire::List(_, Some(count)) if index >= count => {
             Err(format!("the status field `{}` has {count} elements, 0 to {}", list.name, count - 1))
         }
-        Type::Array(..) | Type::List(_) => Ok(list.element(index)),
+        Wire::List(..) => Ok(list.element(index)),
         _ => Err(format!("the status field `{}` is not a list", list.name)),
     }
 }

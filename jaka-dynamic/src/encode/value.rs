@@ -1,37 +1,29 @@
 //! Values into JSON.
 
 use jaka_proto::check::AdvisoryRanges;
-use jaka_proto::wire::Writer;
 use jaka_spec::{EnumValue, Shape, Type};
 use serde_json::Value;
 
 use super::{Encoder, is_value};
 use crate::names::same;
 use crate::problem::element;
-use crate::scalar::{self, Form};
+use crate::scalar;
 use crate::slot::Slot;
 
 impl Encoder<'_> {
     pub(super) fn value(&mut self, slot: &Slot<'_>, value: &Value) {
         match slot.shape {
-            Shape::Bool { off, on } => match scalar::truth(value, off, on) {
-                Some((is_on, form)) if form == Form::Plain || value.is_boolean() => self.out.choose(is_on, off, on),
-                _ => self.forbidden(slot, value),
-            },
-            #[expect(clippy::cast_precision_loss, reason = "limits are small; rounding moves none across them")]
-            Shape::Int => {
-                let int = value.as_i64();
-                self.number(slot, value, int.map(|int| int as f64), |out| out.int(int.unwrap_or_default()));
+            Shape::Scalar(scalar) => {
+                let written = scalar::write(scalar, &slot.limits, self.ranges, value, &mut self.out);
+                written.unwrap_or_else(|advisory| {
+                    self.forbidden(slot, value);
+                    self.mark(advisory);
+                });
             }
-            Shape::Float => {
-                let float = value.as_f64();
-                self.number(slot, value, float, |out| out.float(float.unwrap_or_default()));
-            }
-            Shape::Text | Shape::Python(_) => match value.as_str().filter(|text| slot.limits.allow_text(text)) {
+            Shape::Python(_) => match value.as_str().filter(|text| slot.limits.allow_text(text)) {
                 Some(text) => self.out.text(text),
                 None => self.forbidden(slot, value),
             },
-            Shape::Json => self.out.json(value),
             Shape::List(element, len) => self.list(slot, element, value, len),
             Shape::Object(fields) => match value.as_object() {
                 Some(given) => {
@@ -89,16 +81,5 @@ impl Encoder<'_> {
             self.mark(listed.is_some());
         }
         allowed
-    }
-
-    /// Writes a number by `write`, if it may be sent.
-    fn number(&mut self, slot: &Slot<'_>, value: &Value, number: Option<f64>, write: impl FnOnce(&mut Writer)) {
-        match number {
-            Some(number) if slot.limits.permit(number, self.ranges) => write(&mut self.out),
-            number => {
-                self.forbidden(slot, value);
-                self.mark(number.is_some() && slot.limits.advisory);
-            }
-        }
     }
 }

@@ -1,13 +1,10 @@
 //! Values of replies in other forms than the document's, by what the spec says they are.
 
 use jaka_proto::wire::{Decode, Reader, Writer};
-use jaka_spec::{Field, Spec, Type, TypeKind};
+use jaka_spec::{Field, Scalar, Shape, Spec, Type};
 
 use super::json::{elements, members};
 use super::{NumberStyle, ReplyStyle, TruthStyle};
-
-/// The spec's name of the status packet.
-const PACKET: &str = "RobotStatus";
 
 /// Writes values in a style. What does not fit its type stays as it is.
 #[derive(Debug, Clone, Copy)]
@@ -23,26 +20,15 @@ impl Values<'_> {
     }
 
     fn value(self, name: &str, ty: &Type, json: &str, out: &mut Writer) {
-        match ty {
-            Type::Bool { off, on } => self.truth(name, [off, on], json, out),
-            Type::Int | Type::Float => self.number(json, out),
-            Type::List(element) | Type::Array(element, _) => self.list(name, element, json, out),
-            Type::Named(def) => match self.spec.type_def(def) {
-                Some(def) => self.named(name, &def.kind, json, out),
-                None => out.raw(json),
-            },
-            Type::Text | Type::Python(_) | Type::Json => out.raw(json),
-        }
-    }
-
-    fn named(self, name: &str, kind: &TypeKind, json: &str, out: &mut Writer) {
-        match kind {
-            TypeKind::Object(fields) => self.object(fields, json, out),
-            TypeKind::Array { fields, .. } => self.array(fields, json, out),
-            TypeKind::Wrapper(inner, _) => self.value(name, inner, json, out),
-            TypeKind::IntEnum(_) => self.number(json, out),
+        match self.spec.shape(ty) {
+            Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out),
+            Shape::Scalar(Scalar::Int | Scalar::Float) | Shape::IntEnum(_) => self.number(json, out),
+            Shape::List(element, _) => self.list(name, element, json, out),
+            Shape::Object(fields) => self.object(fields, json, out),
+            Shape::Tuple { fields, .. } => self.array(fields, json, out),
+            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) => out.raw(json),
             // Choices stand in Python literals alone.
-            TypeKind::TextEnum(_) | TypeKind::Choice(_) => out.raw(json),
+            Shape::Choice(_) => out.raw(json),
         }
     }
 
@@ -109,9 +95,8 @@ impl Values<'_> {
     }
     /// How status packets write false and true of the value with this name, if they have it.
     fn packet_forms(&self, name: &str) -> Option<[&str; 2]> {
-        let TypeKind::Object(fields) = &self.spec.type_def(PACKET)?.kind else { return None };
-        match &fields.iter().find(|field| field.name == name)?.ty {
-            Type::Bool { off, on } => Some([off, on]),
+        match &self.spec.status_fields().iter().find(|field| field.name == name)?.ty {
+            Type::Scalar(Scalar::Bool { off, on }) => Some([off, on]),
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 use super::{Draft, bare_field};
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
-use crate::model::{Choice, Command, EnumValue, Field, Request, Spec, TypeDef, TypeKind};
+use crate::model::{Choice, Command, EnumValue, Field, Request, Spec, TypeDef, TypeId, TypeKind};
 use crate::read;
 use crate::report::Report;
 use crate::words::nearest;
@@ -12,7 +12,7 @@ use crate::words::nearest;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Target {
     Command(String),
-    Type(String),
+    Type(TypeId),
 }
 
 impl Target {
@@ -21,10 +21,10 @@ impl Target {
         if spec.command(&name.value).is_some() {
             return Some(Self::Command(name.value));
         }
-        if spec.type_def(&name.value).is_some() {
-            return Some(Self::Type(name.value));
+        if let Some(id) = spec.type_id(&name.value) {
+            return Some(Self::Type(id));
         }
-        let known = spec.commands().map(|command| &*command.wire).chain(spec.types().map(|def| &*def.name));
+        let known = spec.commands().map(|command| &*command.wire).chain(spec.types.iter().map(|def| &*def.name));
         let hint = nearest(&name.value, known).map(|near| format!("; there is `{near}`")).unwrap_or_default();
         if !name.value.is_empty() {
             item.error(name.at, &format!("the spec has no command and no type `{}`{hint}", name.value));
@@ -65,8 +65,8 @@ impl<'s> Draft<'s, '_> {
             let fields = item.items(part.key(), "field");
             added.extend(fields.iter().map(|field| self.add_field(item, field, (&target, variant.as_ref(), *part))));
         }
-        if let Target::Type(name) = &target {
-            added.extend(item.items("value", "value").iter().map(|value| self.add_value(value, name)));
+        if let Target::Type(id) = target {
+            added.extend(item.items("value", "value").iter().map(|value| self.add_value(value, id)));
         }
         if added.is_empty() {
             item.error(
@@ -99,13 +99,13 @@ impl<'s> Draft<'s, '_> {
     }
 
     /// Adds a value to an enum; false if nothing changes.
-    fn add_value(&mut self, item: &Item<'_, 's>, name: &str) -> bool {
-        let repeated = match self.spec.type_mut(name).map(|def| &mut def.kind) {
-            Some(TypeKind::IntEnum(values)) => {
+    fn add_value(&mut self, item: &Item<'_, 's>, id: TypeId) -> bool {
+        let repeated = match &mut self.spec.types[id.0].kind {
+            TypeKind::IntEnum(values) => {
                 let wire = read::wire_int(item).value;
                 add_value(item, values, read::enum_value(item, wire))
             }
-            Some(TypeKind::TextEnum(values)) => {
+            TypeKind::TextEnum(values) => {
                 let wire = item.required_text("wire").value;
                 add_value(item, values, read::enum_value(item, wire))
             }
@@ -188,11 +188,9 @@ impl<'s> Draft<'s, '_> {
         self.edits.push((item.at, item.what.clone(), target.clone()));
         match target {
             Target::Command(wire) => self.changed.commands.insert(wire.clone()),
-            Target::Type(name) => {
-                if let Some(def) = self.spec.type_def(name) {
-                    self.index.type_body(name, &def.kind);
-                }
-                self.changed.types.insert(name.clone())
+            Target::Type(id) => {
+                self.index.define(self.spec[*id].clone());
+                self.changed.types.insert(*id)
             }
         };
     }
@@ -216,9 +214,9 @@ impl Draft<'_, '_> {
                 let is_wrong = !command.reply_certain && command.reply.iter().any(|field| !field.optional);
                 return is_wrong.then_some(read::OPTIONAL_ONLY);
             }
-            Target::Type(name) => match &self.spec.type_def(name)?.kind {
+            Target::Type(id) => match &self.spec[*id].kind {
                 // One that does not fit is left out of the packet.
-                TypeKind::Object(fields) if name == STATUS_TYPE => {
+                TypeKind::Object(fields) if self.spec.status_type() == Some(*id) => {
                     return fields.iter().any(|field| !field.optional).then_some(OPTIONAL_STATUS);
                 }
                 TypeKind::Array { fields, .. } => in_order(fields),
@@ -229,9 +227,6 @@ impl Draft<'_, '_> {
         (!is_right).then_some(read::OPTIONAL_LAST)
     }
 }
-
-/// The type of the packets of port 10000.
-const STATUS_TYPE: &str = "RobotStatus";
 
 const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";
 const SAME: &str = "the spec says the same already; this override changes nothing and can be deleted";
@@ -286,11 +281,11 @@ fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part)
                 Request::Choice(choice) => (choice, true),
             }
         }
-        Target::Type(name) => match &mut spec.type_mut(name)?.kind {
-            TypeKind::Object(fields) => return Some(List::object(fields, &[])),
-            TypeKind::Array { fields, .. } => return Some(List::array(fields)),
-            TypeKind::Choice(choice) => (choice, false),
-            _ => {
+        Target::Type(id) => match &mut spec.types[id.0] {
+            TypeDef { kind: TypeKind::Object(fields), .. } => return Some(List::object(fields, &[])),
+            TypeDef { kind: TypeKind::Array { fields, .. }, .. } => return Some(List::array(fields)),
+            TypeDef { kind: TypeKind::Choice(choice), .. } => (choice, false),
+            TypeDef { name, .. } => {
                 item.error(item.at, &format!("`{name}` has no fields"));
                 return None;
             }
@@ -333,9 +328,5 @@ fn add_value<T: PartialEq>(item: &Item<'_, '_>, values: &mut Vec<EnumValue<T>>, 
 impl Spec {
     fn command_mut(&mut self, wire: &str) -> Option<&mut Command> {
         self.topics.iter_mut().flat_map(|topic| &mut topic.commands).find(|command| command.wire == wire)
-    }
-
-    fn type_mut(&mut self, name: &str) -> Option<&mut TypeDef> {
-        self.topics.iter_mut().flat_map(|topic| &mut topic.types).find(|def| def.name == name)
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Pack;
-use crate::model::{Command, Spec, Topic, TypeDef};
+use crate::model::{Command, Spec, Topic, TypeDef, TypeId};
 use crate::names::to_camel;
 
 /// A pack as a module of generated code.
@@ -17,8 +17,8 @@ pub struct Module {
     pub changed: BTreeSet<String>,
     /// The `cmdName`s of the commands that the pack repeats as the spec has them.
     pub repeated_commands: BTreeSet<String>,
-    /// The names of the types that the pack repeats as the spec has them.
-    pub repeated_types: BTreeSet<String>,
+    /// The types that the pack repeats as the spec has them.
+    pub repeated_types: BTreeSet<TypeId>,
 }
 
 impl Module {
@@ -52,7 +52,7 @@ impl Pack {
         let types = self.affected_types();
         let is_affected = |command: &Command| {
             self.changed.commands.contains(&command.wire)
-                || command.fields().any(|field| uses(field.ty.named(), &types))
+                || command.fields().any(|field| field.ty.named().is_some_and(|id| types.contains(&id)))
         };
         let mut own = self.topic.clone();
         let mut topics = self.spec.topics.clone();
@@ -63,7 +63,7 @@ impl Pack {
             topic.commands = kept;
             changed.extend(commands.iter().map(|command| command.wire.clone()));
             own.commands.extend(commands);
-            let (affected, kept): (Vec<_>, _) = topic.types.drain(..).partition(|def| types.contains(&*def.name));
+            let (affected, kept): (Vec<_>, _) = topic.types.drain(..).partition(|id| types.contains(id));
             topic.types = kept;
             own.types.extend(affected);
         }
@@ -71,25 +71,27 @@ impl Pack {
         // What is both repeated and changed is changed.
         let repeated_commands = &self.changed.repeated_commands - &changed;
         let repeated_types = &self.changed.repeated_types - &types;
-        Module { topic: own, spec: Spec { topics }, changed, repeated_commands, repeated_types }
+        Module {
+            topic: own,
+            spec: Spec { topics, types: self.spec.types.clone() },
+            changed,
+            repeated_commands,
+            repeated_types,
+        }
     }
 
     /// The types that the pack changes, and those that are made of them.
-    fn affected_types(&self) -> BTreeSet<String> {
+    fn affected_types(&self) -> BTreeSet<TypeId> {
         let mut affected = self.changed.types.clone();
         loop {
-            let is_new = |def: &&TypeDef| {
-                !affected.contains(&def.name) && def.kind.names().any(|name| uses(Some(name), &affected))
+            let is_new = |(id, def): &(TypeId, &TypeDef)| {
+                !affected.contains(id) && def.kind.parts().any(|part| affected.contains(&part))
             };
-            let more: Vec<_> = self.spec.types().filter(is_new).map(|def| def.name.clone()).collect();
+            let more: Vec<_> = self.spec.types().filter(is_new).map(|(id, _)| id).collect();
             if more.is_empty() {
                 return affected;
             }
             affected.extend(more);
         }
     }
-}
-
-fn uses(name: Option<&str>, types: &BTreeSet<String>) -> bool {
-    name.is_some_and(|name| types.contains(name))
 }

@@ -2,7 +2,7 @@
 
 use super::common::{Unique, element_name, required_doc, snake_name, versions};
 use crate::item::{Item, Placed};
-use crate::model::{Field, Range, Type};
+use crate::model::{Field, Range, Scalar, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::resolve::Index;
 use crate::type_text;
@@ -141,7 +141,6 @@ fn check_name(item: &Item<'_, '_>, name: &Placed<'_, String>) {
 }
 
 fn check_field(item: &Item<'_, '_>, field: &Field) {
-    let scalar = innermost(&field.ty);
     if field.range.min.zip(field.range.max).is_some_and(|(min, max)| min > max) {
         item.error(item.at, "`min` is greater than `max`");
     }
@@ -152,14 +151,14 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
         item.error(item.at, "`advisory` is for a range: give `min` or `max`");
     }
     let is_whole = match &field.ty {
-        Type::Bool { .. } => true,
+        Type::Scalar(_) => true,
         Type::Python(inner) => !needs_key(inner),
         other => !needs_key(other),
     };
     if !is_whole || needs_key(&field.ty) && (field.wire.is_empty() || field.or_raw) {
         item.error(item.at, NEEDS_KEY);
     }
-    if field.ascii && *scalar != Type::Text {
+    if field.ascii && field.ty.scalar() != Some(&Scalar::Text) {
         item.error(item.at, "`ascii` is for text");
     }
     if field.disputed.len() == 1 {
@@ -175,20 +174,14 @@ fn needs_key(ty: &Type) -> bool {
     match ty {
         Type::Python(_) => true,
         Type::List(element) | Type::Array(element, _) => needs_key(element),
-        other => other.has_words(),
+        Type::Scalar(scalar) => scalar.truth_words().is_some(),
+        Type::Named(_) => false,
     }
 }
 
 /// True for a number, and for an array of numbers.
 fn is_number(ty: &Type) -> bool {
-    matches!(innermost(ty), Type::Int | Type::Float)
-}
-
-fn innermost(ty: &Type) -> &Type {
-    match ty {
-        Type::List(element) | Type::Array(element, _) | Type::Python(element) => innermost(element),
-        other => other,
-    }
+    ty.scalar().is_some_and(Scalar::is_number)
 }
 
 fn range(item: &Item<'_, '_>) -> Range {
@@ -210,18 +203,18 @@ pub(super) fn wrapped_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Ty
 
 fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
     let text = item.required_text("type");
-    let mut ty = match type_text::parse(&text.value) {
+    let mut ty = match type_text::parse(&text.value, &mut |name| index.type_id(name)) {
         Ok(ty) => ty,
         Err(message) => {
             if !text.value.is_empty() {
                 item.error(text.at, &message);
             }
-            return Type::Json;
+            return Type::Scalar(Scalar::Json);
         }
     };
     if let Some(written) = item.json_scalars("written") {
-        match (innermost_mut(&mut ty), written.value.as_slice()) {
-            (Type::Bool { off, on }, [no, yes]) if are_told_apart(no, yes) => {
+        match (scalar_mut(&mut ty), written.value.as_slice()) {
+            (Some(Scalar::Bool { off, on }), [no, yes]) if are_told_apart(no, yes) => {
                 no.clone_into(off);
                 yes.clone_into(on);
             }
@@ -243,9 +236,10 @@ fn are_told_apart(no: &str, yes: &str) -> bool {
     is_readable(&no) && is_readable(&yes) && no != yes && !is_same_number && no != "true" && yes != "false"
 }
 
-fn innermost_mut(ty: &mut Type) -> &mut Type {
+fn scalar_mut(ty: &mut Type) -> Option<&mut Scalar> {
     match ty {
-        Type::List(element) | Type::Array(element, _) | Type::Python(element) => innermost_mut(element),
-        other => other,
+        Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) => scalar_mut(inner),
+        Type::Scalar(scalar) => Some(scalar),
+        Type::Named(_) => None,
     }
 }

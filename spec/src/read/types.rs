@@ -3,10 +3,11 @@
 use super::common::{Unique, camel_name, keyword, required_doc, wire_int};
 use super::field::{elements, fields, wrapped_type};
 use crate::item::{Item, Placed};
-use crate::model::{Choice, EnumValue, Field, TypeDef, TypeKind, Variant};
+use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::Index;
 
-pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDef {
+/// Reads a type, and gives its definition to the index.
+pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId {
     let name = camel_name(item);
     index.type_name(item, &name);
     let kinds = [("object", 0), ("array", 1), ("enum", 2), ("choice", 3), ("wrapper", 4)];
@@ -19,10 +20,12 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeDe
         Some(3) => TypeKind::Choice(array_choice(item, index)),
         Some(_) => TypeKind::Wrapper(wrapped_type(item, index), item.text("unit").map(|text| text.value)),
     };
-    index.type_body(&name.value, &kind);
-    let def = TypeDef { name: name.value, doc: required_doc(item), kind };
+    if name.value == STATUS_TYPE && !matches!(kind, TypeKind::Object(_)) {
+        item.error(item.at, "the status packet is an object");
+    }
+    let id = index.define(TypeDef { name: name.value, doc: required_doc(item), kind });
     item.finish();
-    def
+    id
 }
 
 fn array_choice<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Choice {

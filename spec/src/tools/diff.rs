@@ -92,7 +92,7 @@ pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     for pair in pairs(&placed(old, |topic| &topic.commands), &placed(new, |topic| &topic.commands), command_key) {
         commands(&mut differ, &pair);
     }
-    for pair in pairs(&placed(old, |topic| &topic.types), &placed(new, |topic| &topic.types), type_key) {
+    for pair in pairs(&types(old), &types(new), type_key) {
         named_types(&mut differ, &pair);
     }
     for pair in pairs(&old.errors().collect::<Vec<_>>(), &new.errors().collect::<Vec<_>>(), |error| error.wire) {
@@ -127,6 +127,10 @@ type Placed<'s, T> = (&'s Topic, &'s T);
 
 fn placed<'s, T>(spec: &'s Spec, items: impl Fn(&'s Topic) -> &'s [T]) -> Vec<Placed<'s, T>> {
     spec.topics.iter().flat_map(|topic| items(topic).iter().map(move |item| (topic, item))).collect()
+}
+
+fn types(spec: &Spec) -> Vec<Placed<'_, TypeDef>> {
+    spec.topics.iter().flat_map(|topic| spec.types_of(topic).map(move |(_, def)| (topic, def))).collect()
 }
 
 fn command_key(placed: &Placed<'_, Command>) -> String {

@@ -37,7 +37,7 @@ fn index_by_topic(out: &mut String, spec: &Spec) {
             let first = first_sentence(&command.doc).0;
             let _ = writeln!(out, "- {}: {}", command_link(command), escape(first));
         }
-        let types: Vec<_> = topic.types.iter().map(|def| types::name_link(&def.name)).collect();
+        let types: Vec<_> = spec.types_of(topic).map(|(_, def)| types::name_link(&def.name)).collect();
         if !types.is_empty() {
             let _ = writeln!(out, "- Types: {}", types.join(", "));
         }
@@ -86,7 +86,7 @@ fn chapter(out: &mut String, spec: &Spec, topic: &Topic) {
     for command in &topic.commands {
         command::render(out, spec, command);
     }
-    for def in &topic.types {
+    for def in spec.types_of(topic) {
         types::render(out, spec, def);
     }
     error_codes(out, &topic.errors);

@@ -10,9 +10,6 @@ mod describe;
 mod lenient;
 mod message;
 
-/// The type of the packets of port 10000.
-const STATUS: &str = "RobotStatus";
-
 /// A JSON Schema of all messages, in the draft 2020-12.
 ///
 /// The schema as a whole describes a message of port 10001, request or reply. Its `$defs` are:
@@ -47,11 +44,11 @@ pub fn schema(spec: &Spec) -> Value {
     defs.add("request", alternatives("oneOf", &requests));
     defs.add("reply", alternatives("anyOf", &replies));
     defs.add("refusal", message::refusal());
-    for def in spec.types() {
-        defs.named(&def.name, Form::Received);
+    for (id, _) in spec.types() {
+        defs.named(id, Form::Received);
     }
-    if spec.type_def(STATUS).is_some() {
-        let status = defs.named(STATUS, Form::Received);
+    if let Some(id) = spec.status_type() {
+        let status = defs.named(id, Form::Received);
         defs.add("status", status);
     }
     root(&defs.finish())

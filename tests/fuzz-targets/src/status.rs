@@ -6,7 +6,6 @@ use jaka_dynamic::{Reading, status_departures};
 use jaka_proto::framing;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Encode, Reader, Value, Writer};
-use jaka_spec::TypeKind;
 
 use crate::builtin::SPEC;
 
@@ -71,11 +70,7 @@ fn outermost(path: &str) -> &str {
 
 /// The Rust name of the field with which a path on the wire begins.
 fn rust_name(path: &str) -> String {
-    let fields = match SPEC.type_def("RobotStatus").map(|def| &def.kind) {
-        Some(TypeKind::Object(fields)) => fields.as_slice(),
-        _ => &[],
-    };
-    let field = fields.iter().find(|field| field.wire == outermost(path));
+    let field = SPEC.status_fields().iter().find(|field| field.wire == outermost(path));
     field.map_or_else(|| path.to_owned(), |field| field.name.clone())
 }
 

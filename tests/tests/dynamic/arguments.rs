@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use jaka_dynamic::{AdvisoryRanges, Argument};
 use jaka_proto::Request;
 use jaka_proto::wire::Writer;
-use jaka_spec::Type;
+use jaka_spec::{Scalar, Type};
 use serde_json::{Map, Value};
 
 use super::{SPEC, command, object, pack};
@@ -197,26 +197,26 @@ fn the_examples_can_be_typed() {
 #[test]
 fn values_are_read_by_their_types() {
     let spec = pack();
-    let named = |name: &str| Type::Named(name.to_owned());
-    let flag = || Type::Bool { off: "\"out\"".to_owned(), on: "\"in\"".to_owned() };
+    let named = |name: &str| Type::Named(spec.type_id(name).expect("the pack has it"));
+    let flag = || Type::Scalar(Scalar::Bool { off: "\"out\"".to_owned(), on: "\"in\"".to_owned() });
     let list = |element: Type| Type::List(Box::new(element));
     let read = [
-        (Type::Float, "20"),
-        (Type::Float, "-2.5e1"),
-        (Type::Float, "nan"),
-        (Type::Float, "1e999"),
-        (Type::Float, "fast"),
-        (Type::Int, "20"),
-        (Type::Int, "20.0"),
-        (Type::Int, "20.5"),
+        (Type::Scalar(Scalar::Float), "20"),
+        (Type::Scalar(Scalar::Float), "-2.5e1"),
+        (Type::Scalar(Scalar::Float), "nan"),
+        (Type::Scalar(Scalar::Float), "1e999"),
+        (Type::Scalar(Scalar::Float), "fast"),
+        (Type::Scalar(Scalar::Int), "20"),
+        (Type::Scalar(Scalar::Int), "20.0"),
+        (Type::Scalar(Scalar::Int), "20.5"),
         (flag(), "on"),
         (flag(), "True"),
         (flag(), "0"),
         (flag(), "in"),
         (flag(), "2"),
-        (Type::Text, " a,b "),
-        (Type::Json, "{\"a\": [1]}"),
-        (Type::Json, "a b"),
+        (Type::Scalar(Scalar::Text), " a,b "),
+        (Type::Scalar(Scalar::Json), "{\"a\": [1]}"),
+        (Type::Scalar(Scalar::Json), "a b"),
         (named("Mode"), "very-fast"),
         (named("Mode"), "1"),
         (named("Mode"), "7"),
@@ -224,12 +224,12 @@ fn values_are_read_by_their_types() {
         (named("Tool"), "GRIPPER"),
         (named("Tool"), "grip"),
         (named("Tool"), "hammer"),
-        (list(Type::Float), "0,90, -90.5"),
-        (list(Type::Float), "[0, 90]"),
-        (list(Type::Float), ""),
-        (list(Type::Float), "0,,1"),
+        (list(Type::Scalar(Scalar::Float)), "0,90, -90.5"),
+        (list(Type::Scalar(Scalar::Float)), "[0, 90]"),
+        (list(Type::Scalar(Scalar::Float)), ""),
+        (list(Type::Scalar(Scalar::Float)), "0,,1"),
         (list(flag()), "[on, off]"),
-        (list(list(Type::Int)), "[[1],[2]]"),
+        (list(list(Type::Scalar(Scalar::Int))), "[[1],[2]]"),
         (named("Pair"), "on,slow"),
         (named("Pair"), "{\"on\": true, \"mode\": 0}"),
         (named("Pair"), "on,slow,3"),

@@ -5,7 +5,7 @@ use jaka_dynamic::{AdvisoryRanges, Problem};
 use jaka_proto::Request;
 use jaka_proto::check::NotSent;
 use jaka_proto::wire::Writer;
-use jaka_spec::{Field, Type, TypeKind};
+use jaka_spec::{Field, Scalar, Shape, Type};
 use jaka_tests::{any_request, any_request_of, printed};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -75,24 +75,21 @@ fn tamed(message: &Value) -> Value {
 
 fn tame(field: &Field, ty: &Type, value: &mut Value) {
     let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
-    match ty {
+    match SPEC.shape(ty) {
         #[expect(clippy::cast_possible_truncation, reason = "any whole number in range will do")]
-        Type::Int => *value = (value.as_f64().expect("a number").clamp(min, max) as i64).into(),
-        Type::Float => *value = value.as_f64().expect("a number").clamp(min, max).into(),
-        Type::Text => *value = value.as_str().expect("a text").replace(|c: char| !(' '..='~').contains(&c), "?").into(),
-        Type::Named(name) => match &SPEC.type_def(name).expect("the spec is resolved").kind {
-            TypeKind::IntEnum(values) if values.iter().all(|listed| *value != listed.wire) => {
-                *value = values[0].wire.into();
-            }
-            TypeKind::TextEnum(values) if values.iter().all(|listed| *value != listed.wire) => {
-                *value = values[0].wire.clone().into();
-            }
-            TypeKind::Array { fields, .. } => {
-                let elements = value.as_array_mut().expect("an array");
-                fields.iter().zip(elements).for_each(|(field, element)| tame(field, &field.ty, element));
-            }
-            _ => {}
-        },
+        Shape::Scalar(Scalar::Int) => *value = (value.as_f64().expect("a number").clamp(min, max) as i64).into(),
+        Shape::Scalar(Scalar::Float) => *value = value.as_f64().expect("a number").clamp(min, max).into(),
+        Shape::Scalar(Scalar::Text) => {
+            *value = value.as_str().expect("a text").replace(|c: char| !(' '..='~').contains(&c), "?").into();
+        }
+        Shape::IntEnum(values) if values.iter().all(|listed| *value != listed.wire) => *value = values[0].wire.into(),
+        Shape::TextEnum(values) if values.iter().all(|listed| *value != listed.wire) => {
+            *value = values[0].wire.clone().into();
+        }
+        Shape::Tuple { fields, .. } => {
+            let elements = value.as_array_mut().expect("an array");
+            fields.iter().zip(elements).for_each(|(field, element)| tame(field, &field.ty, element));
+        }
         _ => {}
     }
 }

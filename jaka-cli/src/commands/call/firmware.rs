@@ -1,6 +1,6 @@
 //! Holding a request against the controller's firmware.
 
-use jaka_spec::{Command, Field, Request as Body, Spec, Type, TypeKind, Versions};
+use jaka_spec::{Command, Field, Request as Body, Shape, Spec, Type, Versions};
 use jaka_sync::{Client, Error, FirmwareRange, FirmwareVersion, NotInFirmware};
 use serde_json::Value;
 
@@ -65,22 +65,16 @@ impl FirmwareCheck<'_> {
     }
 
     fn value(&self, place: &str, ty: &Type, value: &Value) -> Option<(String, FirmwareRange)> {
-        match ty {
-            Type::List(element) | Type::Array(element, _) => {
+        match self.spec.shape(ty) {
+            Shape::List(element, _) => {
                 let mut elements = value.as_array()?.iter().enumerate();
                 elements.find_map(|(index, value)| self.value(&format!("{place}[{index}]"), element, value))
             }
-            Type::Named(name) => match &self.spec.type_def(name)?.kind {
-                TypeKind::Object(fields) => {
-                    keyed(fields, value).find_map(|(field, value)| self.field(place, field, value))
-                }
-                TypeKind::Array { fields, .. } => {
-                    fields.iter().zip(value.as_array()?).find_map(|(field, value)| self.field(place, field, value))
-                }
-                TypeKind::Wrapper(ty, _) => self.value(place, ty, value),
-                _ => None,
-            },
-            _ => None,
+            Shape::Object(fields) => keyed(fields, value).find_map(|(field, value)| self.field(place, field, value)),
+            Shape::Tuple { fields, .. } => {
+                fields.iter().zip(value.as_array()?).find_map(|(field, value)| self.field(place, field, value))
+            }
+            Shape::Scalar(_) | Shape::Python(_) | Shape::IntEnum(_) | Shape::TextEnum(_) | Shape::Choice(_) => None,
         }
     }
 }

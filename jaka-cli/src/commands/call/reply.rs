@@ -1,7 +1,7 @@
 //! Replies as a table: the fields by their names in Rust, with units.
 
 use jaka_dynamic::value as read;
-use jaka_spec::{Choice, Command, ENVELOPE, EnumValue, Field, Spec, Type, TypeKind};
+use jaka_spec::{Choice, Command, ENVELOPE, EnumValue, Field, Scalar, Shape, Spec, Type};
 use jaka_sync::proto::python;
 use jaka_sync::proto::text::{visible, visible_json};
 use jaka_sync::proto::wire::{Decode, Reader};
@@ -81,12 +81,13 @@ impl ReplyTable<'_> {
     }
 
     fn value(&mut self, place: &str, ty: &Type, unit: Option<&str>, value: &Value) {
-        match (ty, value) {
-            (Type::Python(inner), Value::String(literal)) => match python::to_json(literal) {
+        let unit = self.spec.unit(ty).or(unit);
+        match (self.spec.shape(ty), value) {
+            (Shape::Python(inner), Value::String(literal)) => match python::to_json(literal) {
                 Ok(text) => self.value(place, inner, unit, &json(&text)),
                 Err(_) => self.add(place, plain(value)),
             },
-            (Type::List(element) | Type::Array(element, _), Value::Array(items)) if self.has_parts(element) => {
+            (Shape::List(element, _), Value::Array(items)) if self.has_parts(element) => {
                 if items.is_empty() {
                     self.add(place, "none".to_owned());
                 }
@@ -94,29 +95,18 @@ impl ReplyTable<'_> {
                     self.value(&format!("{place}[{index}]"), element, unit, item);
                 }
             }
-            (Type::List(element) | Type::Array(element, _), Value::Array(items)) => {
+            (Shape::List(element, _), Value::Array(items)) => {
                 let texts: Vec<_> = items.iter().map(|item| self.scalar(element, item)).collect();
                 self.add(place, if texts.is_empty() { "none".to_owned() } else { with_unit(&texts.join(", "), unit) });
             }
-            (Type::Named(name), _) => self.named(place, name, unit, value),
-            _ => {
+            (Shape::Object(fields), Value::Object(object)) => self.object(place, fields, object),
+            (Shape::Tuple { fields, .. }, Value::Array(elements)) => self.elements(place, fields, elements),
+            (Shape::Choice(choice), Value::Array(elements)) => self.choice(place, choice, elements),
+            (shape, _) => {
                 let text = self.scalar(ty, value);
                 // What is no number has no unit, such as a word in place of a list.
-                self.add(place, with_unit(&text, unit.filter(|_| matches!(ty, Type::Int | Type::Float))));
-            }
-        }
-    }
-
-    fn named(&mut self, place: &str, name: &str, unit: Option<&str>, value: &Value) {
-        let spec = self.spec;
-        match (spec.type_def(name).map(|def| &def.kind), value) {
-            (Some(TypeKind::Object(fields)), Value::Object(object)) => self.object(place, fields, object),
-            (Some(TypeKind::Array { fields, .. }), Value::Array(elements)) => self.elements(place, fields, elements),
-            (Some(TypeKind::Choice(choice)), Value::Array(elements)) => self.choice(place, choice, elements),
-            (Some(TypeKind::Wrapper(ty, own)), _) => self.value(place, ty, own.as_deref().or(unit), value),
-            _ => {
-                let text = self.scalar(&Type::Named(name.to_owned()), value);
-                self.add(place, text);
+                let is_number = matches!(shape, Shape::Scalar(scalar) if scalar.is_number());
+                self.add(place, with_unit(&text, unit.filter(|_| is_number)));
             }
         }
     }
@@ -134,21 +124,17 @@ impl ReplyTable<'_> {
 
     /// True for a type whose values take rows of their own.
     fn has_parts(&self, ty: &Type) -> bool {
-        match ty {
-            Type::List(_) | Type::Array(..) | Type::Python(_) => true,
-            Type::Named(name) => match self.spec.type_def(name).map(|def| &def.kind) {
-                Some(TypeKind::Object(_) | TypeKind::Array { .. } | TypeKind::Choice(_)) => true,
-                Some(TypeKind::Wrapper(ty, _)) => self.has_parts(ty),
-                _ => false,
-            },
-            _ => false,
+        match self.spec.shape(ty) {
+            Shape::List(..) | Shape::Python(_) | Shape::Object(_) | Shape::Tuple { .. } | Shape::Choice(_) => true,
+            Shape::Scalar(_) | Shape::IntEnum(_) | Shape::TextEnum(_) => false,
         }
     }
 
     /// A single value in the spec's form, whatever form the controller used.
     fn scalar(&self, ty: &Type, value: &Value) -> String {
         let text = plain(value);
-        if matches!(ty, Type::Json | Type::Text) || value.is_array() || value.is_object() || value.is_null() {
+        let is_as_it_is = matches!(self.spec.shape(ty), Shape::Scalar(Scalar::Json | Scalar::Text));
+        if is_as_it_is || value.is_array() || value.is_object() || value.is_null() {
             return text;
         }
         let Ok(value) = read(self.spec, ty, value.as_str().unwrap_or(&text)) else { return text };
@@ -159,19 +145,17 @@ impl ReplyTable<'_> {
     }
 
     /// The name of an enum's value.
-    fn value_name(&self, ty: &Type, value: &Value) -> Option<&str> {
-        let Type::Named(name) = ty else { return None };
-        match &self.spec.type_def(name)?.kind {
-            TypeKind::IntEnum(values) => named(values, |listed| value.as_i64() == Some(*listed)),
-            TypeKind::TextEnum(values) => named(values, |listed| value.as_str() == Some(listed)),
-            TypeKind::Wrapper(ty, _) => self.value_name(ty, value),
+    fn value_name(&self, ty: &Type, value: &Value) -> Option<String> {
+        match self.spec.shape(ty) {
+            Shape::IntEnum(values) => named(values, |listed| value.as_i64() == Some(*listed)),
+            Shape::TextEnum(values) => named(values, |listed| value.as_str() == Some(listed)),
             _ => None,
         }
     }
 }
 
-fn named<T>(values: &[EnumValue<T>], is_it: impl Fn(&T) -> bool) -> Option<&str> {
-    values.iter().find(|value| is_it(&value.wire)).map(|value| value.name.as_str())
+fn named<T>(values: &[EnumValue<T>], is_it: impl Fn(&T) -> bool) -> Option<String> {
+    values.iter().find(|value| is_it(&value.wire)).map(|value| value.name.clone())
 }
 
 fn member(outer: &str, name: &str) -> String {

@@ -3,15 +3,12 @@
 use std::fmt::Write;
 
 use jaka_dynamic::{Departure, DepartureKind, Reading, notation};
-use jaka_spec::{Source, Spec, TypeKind, load_pack};
+use jaka_spec::{Source, Spec, load_pack};
 use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;
 
 use super::finding::{Finding, Findings};
 use super::location::{self, Location};
-
-/// The type of status packets.
-const STATUS: &str = "RobotStatus";
 
 /// A pack with the keys that the spec does not know; none if there are no such keys.
 ///
@@ -24,8 +21,9 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
         let fields = spec.command(&finding.name).map_or(&[][..], |command| &command.reply);
         draft.take(finding, |path| location::find(spec, &finding.name, "reply", fields, path));
     }
-    if let Some(TypeKind::Object(fields)) = spec.type_def(STATUS).map(|def| &def.kind) {
-        draft.take(&findings.status, |path| location::find(spec, STATUS, "field", fields, path));
+    if let Some(id) = spec.status_type() {
+        let (name, fields) = (&spec[id].name, spec.status_fields());
+        draft.take(&findings.status, |path| location::find(spec, name, "field", fields, path));
     }
     (!draft.added.is_empty()).then(|| draft.text + &draft.suggestions)
 }

@@ -1,6 +1,6 @@
 //! Where in the spec a departure is.
 
-use jaka_spec::{Field, Spec, Type, TypeKind};
+use jaka_spec::{Field, Shape, Spec, Type};
 
 /// What of the spec a pack would change.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,15 +37,12 @@ fn rest<'p>(path: &'p str, key: &str) -> Option<&'p str> {
 
 /// The type with fields that a path goes on into, its fields, and what follows of the path.
 fn inside<'s, 'p>(spec: &'s Spec, ty: &'s Type, path: &'p str) -> Option<(&'s str, &'s [Field], &'p str)> {
-    match ty {
-        Type::List(element) | Type::Array(element, _) => {
-            inside(spec, element, path.strip_prefix('[')?.split_once(']')?.1)
+    let ty = spec.unwrapped(ty);
+    match spec.shape(ty) {
+        Shape::List(element, _) => inside(spec, element, path.strip_prefix('[')?.split_once(']')?.1),
+        Shape::Object(fields) | Shape::Tuple { fields, .. } => {
+            Some((&spec[ty.named()?].name, fields, path.strip_prefix('.')?))
         }
-        Type::Named(name) => match &spec.type_def(name)?.kind {
-            TypeKind::Object(fields) | TypeKind::Array { fields, .. } => Some((name, fields, path.strip_prefix('.')?)),
-            TypeKind::Wrapper(ty, _) => inside(spec, ty, path),
-            _ => None,
-        },
-        _ => None,
+        Shape::Scalar(_) | Shape::Python(_) | Shape::IntEnum(_) | Shape::TextEnum(_) | Shape::Choice(_) => None,
     }
 }

@@ -1,10 +1,10 @@
 //! The fields of requests, replies and types.
 
+use super::Impact;
 use super::collect::{Differ, pairs};
 use super::command::versions;
-use super::{Impact, rust};
 use crate::words;
-use crate::{Field, Range, Type, is_floats};
+use crate::{Field, Range, Scalar, Type, is_floats};
 
 /// What holds the fields, as far as that decides what their changes mean.
 pub(super) struct Holder {
@@ -30,7 +30,7 @@ pub(super) enum Checks {
 impl Checks {
     /// A type is checked where requests have it.
     pub(super) fn of_type(d: &Differ<'_>, name: &str) -> Self {
-        let is_sent = [d.old, d.new].iter().all(|spec| rust::is_checked(spec, name));
+        let is_sent = [d.old, d.new].iter().all(|spec| spec.type_id(name).is_some_and(|id| spec.sent().contains(&id)));
         if is_sent { Self::Sent } else { Self::Received }
     }
 
@@ -118,22 +118,18 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
 
 /// Compares the types of a field or a wrapper.
 pub(super) fn field_type(d: &mut Differ<'_>, place: &str, old: &Type, new: &Type) {
-    if rust::same_type(old, new) {
-        d.value(place, "form on the wire", &form(old), &form(new), Impact::Minor);
+    let (was, is) = (d.old.notation(old), d.new.notation(new));
+    if d.same_type(old, new) {
+        d.value(place, "form on the wire", &form(was, old), &form(is, new), Impact::Minor);
     } else {
-        d.value(place, "type", &words::notation(old), &words::notation(new), Impact::Major);
+        d.value(place, "type", &was, &is, Impact::Major);
     }
 }
 
 /// The notation, with how false and true are written.
-fn form(ty: &Type) -> String {
-    let mut innermost = ty;
-    while let Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) = innermost {
-        innermost = inner;
-    }
-    let notation = words::notation(ty);
-    match innermost {
-        Type::Bool { off, on } => format!("{notation} written [{off}, {on}]"),
+fn form(notation: String, ty: &Type) -> String {
+    match ty.scalar() {
+        Some(Scalar::Bool { off, on }) => format!("{notation} written [{off}, {on}]"),
         _ => notation,
     }
 }

@@ -5,17 +5,13 @@ use std::fmt::{Display, Write as _};
 use super::fields;
 use super::markdown::{Table, code, escape, link};
 use crate::words::first_sentence;
-use crate::{EnumValue, Spec, Type, TypeDef, TypeKind};
+use crate::{EnumValue, Scalar, Shape, Spec, Type, TypeDef, TypeId, TypeKind};
 
 /// The type in words, with a link to a named one.
 pub(super) fn words(spec: &Spec, ty: &Type) -> String {
     match ty {
-        Type::Bool { off, on } => format!("{} or {}", code(off), code(on)),
-        Type::Int => "integer".to_owned(),
-        Type::Float => "number".to_owned(),
-        Type::Text => "string".to_owned(),
-        Type::Json => "any JSON".to_owned(),
-        Type::Named(name) => format!("{} ({})", name_link(name), shape(spec, name)),
+        Type::Scalar(scalar) => scalar_words(scalar)[0].clone(),
+        Type::Named(id) => format!("{} ({})", name_link(&spec[*id].name), shape(spec, ty)),
         Type::List(element) => format!("array of {}", plural(spec, element)),
         Type::Array(element, len) => format!("array of {len} {}", plural(spec, element)),
         Type::Python(inner) => format!("string that holds a Python literal: {}", words(spec, inner)),
@@ -24,31 +20,40 @@ pub(super) fn words(spec: &Spec, ty: &Type) -> String {
 
 fn plural(spec: &Spec, ty: &Type) -> String {
     match ty {
-        Type::Int => "integers".to_owned(),
-        Type::Float => "numbers".to_owned(),
-        Type::Text => "strings".to_owned(),
+        Type::Scalar(scalar) => scalar_words(scalar)[1].clone(),
         Type::List(_) | Type::Array(..) => words(spec, ty).replacen("array", "arrays", 1),
-        Type::Named(name) => format!("{} (each: {})", name_link(name), shape(spec, name)),
-        other => words(spec, other),
+        Type::Named(id) => format!("{} (each: {})", name_link(&spec[*id].name), shape(spec, ty)),
+        Type::Python(_) => words(spec, ty),
+    }
+}
+
+/// One and many.
+fn scalar_words(scalar: &Scalar) -> [String; 2] {
+    match scalar {
+        Scalar::Bool { off, on } => [(); 2].map(|()| format!("{} or {}", code(off), code(on))),
+        Scalar::Int => ["integer", "integers"].map(str::to_owned),
+        Scalar::Float => ["number", "numbers"].map(str::to_owned),
+        Scalar::Text => ["string", "strings"].map(str::to_owned),
+        Scalar::Json => ["any JSON", "any JSON"].map(str::to_owned),
     }
 }
 
 /// What a named type is in JSON.
-fn shape(spec: &Spec, name: &str) -> String {
-    let shape = match spec.type_def(name).map(|def| &def.kind) {
-        Some(TypeKind::IntEnum(_)) => "integer",
-        Some(TypeKind::TextEnum(_)) => "string",
-        Some(TypeKind::Array { .. } | TypeKind::Choice(_)) => "array",
-        Some(TypeKind::Wrapper(ty, unit)) => return wrapped(spec, ty, unit.as_deref()),
-        Some(TypeKind::Object(_)) | None => "object",
+fn shape(spec: &Spec, ty: &Type) -> String {
+    let shape = match spec.shape(ty) {
+        Shape::IntEnum(_) => "integer",
+        Shape::TextEnum(_) => "string",
+        Shape::Tuple { .. } | Shape::Choice(_) => "array",
+        Shape::Object(_) => "object",
+        Shape::Scalar(_) | Shape::Python(_) | Shape::List(..) => return wrapped(spec, ty),
     };
     shape.to_owned()
 }
 
 /// What a wrapper is in JSON, such as `array of 6 numbers, in deg`.
-fn wrapped(spec: &Spec, ty: &Type, unit: Option<&str>) -> String {
-    let unit = unit.map(|unit| format!(", in {unit}")).unwrap_or_default();
-    words(spec, ty) + &unit
+fn wrapped(spec: &Spec, ty: &Type) -> String {
+    let unit = spec.unit(ty).map(|unit| format!(", in {unit}")).unwrap_or_default();
+    words(spec, spec.unwrapped(ty)) + &unit
 }
 
 fn heading(name: &str) -> String {
@@ -60,7 +65,7 @@ pub(super) fn name_link(name: &str) -> String {
 }
 
 /// A named type in full.
-pub(super) fn render(out: &mut String, spec: &Spec, def: &TypeDef) {
+pub(super) fn render(out: &mut String, spec: &Spec, (id, def): (TypeId, &TypeDef)) {
     let _ = writeln!(out, "### {}\n\n{}\n", heading(&def.name), escape(&def.doc));
     match &def.kind {
         TypeKind::Object(fields) => {
@@ -84,8 +89,8 @@ pub(super) fn render(out: &mut String, spec: &Spec, def: &TypeDef) {
             *out += "A string:\n\n";
             enum_values(out, values);
         }
-        TypeKind::Wrapper(ty, unit) => {
-            let _ = writeln!(out, "On the wire: {}.\n", wrapped(spec, ty, unit.as_deref()));
+        TypeKind::Wrapper(..) => {
+            let _ = writeln!(out, "On the wire: {}.\n", wrapped(spec, &Type::Named(id)));
         }
     }
 }

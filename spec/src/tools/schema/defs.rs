@@ -5,7 +5,7 @@ use std::fmt::Display;
 use serde_json::{Map, Value, json};
 
 use super::{alternatives, describe, lenient};
-use crate::{Choice, EnumValue, Field, Spec, Type, TypeDef, TypeKind};
+use crate::{Choice, EnumValue, Field, Scalar, Spec, Type, TypeDef, TypeId, TypeKind};
 
 /// How a value is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,12 +38,13 @@ impl<'s> Defs<'s> {
     }
 
     /// The reference to a named type, which is defined if it is not yet.
-    pub(super) fn named(&mut self, name: &str, form: Form) -> Value {
+    pub(super) fn named(&mut self, id: TypeId, form: Form) -> Value {
+        let def = &self.spec[id];
         let key = match form {
-            Form::Sent => name.to_owned(),
-            Form::Received => format!("lenient.{name}"),
+            Form::Sent => def.name.clone(),
+            Form::Received => format!("lenient.{}", def.name),
         };
-        if let Some(def) = self.spec.type_def(name).filter(|_| !self.defs.contains_key(&key)) {
+        if !self.defs.contains_key(&key) {
             let schema = self.definition(def, form);
             self.add(&key, schema);
         }
@@ -116,26 +117,34 @@ impl<'s> Defs<'s> {
         if field.name != field.wire {
             schema = with(schema, "title", field.name.clone());
         }
-        with(schema, "description", describe::field(field))
+        with(schema, "description", describe::field(self.spec, field))
     }
 
     fn value(&mut self, ty: &Type, form: Form) -> Value {
-        match (ty, form) {
-            (Type::List(element), _) => json!({ "type": "array", "items": self.value(element, form) }),
-            (Type::Array(element, len), _) => {
+        match ty {
+            Type::List(element) => json!({ "type": "array", "items": self.value(element, form) }),
+            Type::Array(element, len) => {
                 json!({ "type": "array", "items": self.value(element, form), "minItems": len, "maxItems": len })
             }
-            (Type::Named(name), _) => self.named(name, form),
-            (Type::Json, _) => json!({}),
-            (Type::Text | Type::Python(_), _) => json!({ "type": "string" }),
-            (Type::Bool { off, on }, Form::Sent) if off == "false" && on == "true" => json!({ "type": "boolean" }),
-            (Type::Bool { off, on }, Form::Sent) => json!({ "enum": [scalar(off), scalar(on)] }),
-            (Type::Bool { off, on }, Form::Received) => lenient::boolean([off, on]),
-            (Type::Int, Form::Sent) => json!({ "type": "integer" }),
-            (Type::Int, Form::Received) => lenient::integer(),
-            (Type::Float, Form::Sent) => json!({ "type": "number" }),
-            (Type::Float, Form::Received) => lenient::number(),
+            Type::Named(id) => self.named(*id, form),
+            Type::Python(_) => json!({ "type": "string" }),
+            Type::Scalar(scalar) => match form {
+                Form::Sent => sent(scalar),
+                Form::Received => lenient::scalar(scalar),
+            },
         }
+    }
+}
+
+/// A scalar in the one form in which the client sends it.
+fn sent(scalar: &Scalar) -> Value {
+    match scalar {
+        Scalar::Bool { off, on } if off == "false" && on == "true" => json!({ "type": "boolean" }),
+        Scalar::Bool { off, on } => json!({ "enum": [parsed(off), parsed(on)] }),
+        Scalar::Int => json!({ "type": "integer" }),
+        Scalar::Float => json!({ "type": "number" }),
+        Scalar::Text => json!({ "type": "string" }),
+        Scalar::Json => json!({}),
     }
 }
 
@@ -181,7 +190,7 @@ fn number(value: f64) -> Value {
 }
 
 /// The value of a JSON text of the spec.
-fn scalar(json: &str) -> Value {
+fn parsed(json: &str) -> Value {
     serde_json::from_str(json).unwrap_or_else(|_| json!(json))
 }
 

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use crate::words;
-use crate::{Command, EnumValue, Field, Type};
+use crate::{Command, EnumValue, Field, Spec, Type};
 
 /// The texts that are not empty, as paragraphs.
 pub(super) fn join(texts: &[&str]) -> String {
@@ -17,9 +17,9 @@ pub(super) fn unit(unit: Option<&str>) -> String {
 }
 
 /// What a field means, in which unit, and what sources disagree on.
-pub(super) fn field(field: &Field) -> String {
+pub(super) fn field(spec: &Spec, field: &Field) -> String {
     let python = match &field.ty {
-        Type::Python(inner) => format!("The value of the Python literal is {}.", words::notation(inner)),
+        Type::Python(inner) => format!("The value of the Python literal is {}.", spec.notation(inner)),
         _ => String::new(),
     };
     let newer = if field.range.advisory { "Newer firmware takes more than this range." } else { "" };

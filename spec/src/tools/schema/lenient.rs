@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::defs::reference;
-use crate::Variant;
+use crate::{Scalar, Variant};
 
 const NUMBER: &str = "lenient.float";
 const INTEGER: &str = "lenient.int";
@@ -46,9 +46,15 @@ pub(super) fn definitions() -> Map<String, Value> {
     .collect()
 }
 
-/// A number in any form.
-pub(super) fn number() -> Value {
-    reference(NUMBER)
+/// A scalar in any form.
+pub(super) fn scalar(scalar: &Scalar) -> Value {
+    match scalar {
+        Scalar::Bool { off, on } => boolean([off, on]),
+        Scalar::Int => integer(),
+        Scalar::Float => reference(NUMBER),
+        Scalar::Text => json!({ "type": "string" }),
+        Scalar::Json => json!({}),
+    }
 }
 
 /// A whole number in any form.
@@ -57,7 +63,7 @@ pub(super) fn integer() -> Value {
 }
 
 /// A truth value in any form, or as one of two words.
-pub(super) fn boolean(forms: [&str; 2]) -> Value {
+fn boolean(forms: [&str; 2]) -> Value {
     let words = forms.map(|form| form.trim_matches('"'));
     let usual = ["true", "false", "0", "1"];
     if words.iter().all(|word| usual.contains(&word.to_ascii_lowercase().as_str())) {
