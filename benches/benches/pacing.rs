@@ -88,13 +88,14 @@ impl Way {
 
     fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
         let monitor: Monitor = Config::new().connect_monitor(robot.status)?;
-        let mut robot = Robot::new(Client::connect(robot.commands)?, monitor).move_without_status();
-        let mut session = robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
+        let mut robot = Robot::new(Client::connect(robot.commands)?, monitor).allow_motion_without_status();
+        let mut session =
+            robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
         let (cpu, start) = (process::thread_cpu(), Instant::now());
         let mut behind = Vec::new();
         while session.time() < time {
             let due = session.time();
-            session.joints_by([0.0; 6])?;
+            session.send_joint_offset([0.0; 6])?;
             behind.push((due, micros(start.elapsed()) - micros(due)));
         }
         let beats = session.time();

@@ -54,13 +54,15 @@ fn a_pipeline_allocates_nothing_once_its_window_has_been_full() {
 #[test]
 fn a_set_point_allocates_nothing_but_room_for_how_late_it_was() {
     let monitor: Monitor = Config::new().connect_monitor(status()).expect("the server listens");
-    let mut robot = Robot::new(Client::connect(commands()).expect("the server listens"), monitor).move_without_status();
+    let mut robot =
+        Robot::new(Client::connect(commands()).expect("the server listens"), monitor).allow_motion_without_status();
     // Room for answers that a busy machine lets wait.
     let mut pipeline = robot.client().pipeline(100);
     (0..100).try_for_each(|_| pipeline.send(&set_point())).expect("it answers");
     pipeline.finish().expect("it answers");
-    let mut session = robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30))).expect("it answers");
-    let mut send = |count| (0..count).try_for_each(|_| session.joints_by([0.0; 6])).expect("it answers");
+    let mut session =
+        robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30))).expect("it answers");
+    let mut send = |count| (0..count).try_for_each(|_| session.send_joint_offset([0.0; 6])).expect("it answers");
     // The report's list has room for 128 then.
     send(65);
     assert_eq!(measure(|| send(60)).count_total, 0);

@@ -110,7 +110,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
     let controller = controller(Firmware::Document);
     let mut stream = StatusStream::connect(controller.status_addr()).expect("the port is open");
     stream.next_packet().expect("a packet comes");
-    let mut packet: Value = serde_json::from_str(stream.last_packet().expect("it is kept")).expect("packets are JSON");
+    let mut packet: Value = serde_json::from_str(stream.packet_text().expect("it is kept")).expect("packets are JSON");
     packet["brakeState"] = json!(1);
     packet["extio"]["watch dog"] = json!(true);
     let status = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");

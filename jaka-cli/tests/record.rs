@@ -113,7 +113,7 @@ fn session(config: &Config, commands: SocketAddr, status: SocketAddr) -> Result<
     client.power_on()?;
     let text = |stream: &mut StatusStream| {
         stream.next_packet()?;
-        Ok(stream.last_packet().unwrap_or_default().to_owned())
+        Ok(stream.packet_text().unwrap_or_default().to_owned())
     };
     (0..3).map(|_| text(&mut packets)).collect()
 }

@@ -46,12 +46,12 @@ fn write_csv(monitor: &Monitor, time: Duration, out: &mut impl Write) -> Result<
     let start = Instant::now();
     let mut rows = 0;
     while let Some(left) = time.checked_sub(start.elapsed()) {
-        let Some(packet) = packets.next_within(left) else { break };
+        let Some(packet) = packets.next_packet_within(left) else { break };
         writeln!(out, "{}", row(&packet, start))?;
         rows += 1;
     }
     eprintln!("{rows} packets written, {} dropped", packets.dropped());
-    if let Some(cause) = monitor.disconnect() {
+    if let Some(cause) = monitor.disconnect_cause() {
         return Err(format!("the status connection ended: {cause}").into());
     }
     if rows == 0 {

@@ -110,7 +110,7 @@ fn recover(robot: &mut Robot, target: &Target) -> Result<(), Box<dyn Error>> {
     // Whether the arm is still enabled is up to the controller.
     robot.power_up(Duration::from_secs(60))?;
     robot.acknowledge();
-    println!("  acknowledged; what still holds motions back: {:?}", robot.latch());
+    println!("  acknowledged; what still holds motions back: {:?}", robot.unacknowledged());
     Ok(())
 }
 

@@ -34,7 +34,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     println!("\nTurning joint 6 for {seconds} s");
     let start = robot.client().get_joint_pos()?.joint_position;
     let config = ServoConfig::new().busy_wait(spin);
-    let mut session = robot.servo(&config)?;
+    let mut session = robot.enter_servo_mode(&config)?;
     let end = Duration::from_secs(seconds);
     // Not by the clock: where this thread gets the processor late, the motion is delayed, and does not jump.
     let mut times = (0..).map(|set_point| config.period() * set_point).take_while(|time| *time < end);

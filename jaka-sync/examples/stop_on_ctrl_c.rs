@@ -101,7 +101,7 @@ fn swing(robot: &mut Robot, stop: &Stop) -> Result<(), Box<dyn Error>> {
 
 /// Where joint 1 rests: a stop takes its time.
 fn joint_1(robot: &mut Robot) -> Result<f64, jaka_sync::Error> {
-    robot.monitor().next()?;
+    robot.monitor().next_packet()?;
     robot.monitor().wait_until(|status| status.in_position == Some(true), Duration::from_secs(5))?;
     Ok(robot.client().get_joint_pos()?.joint_position.0[0])
 }

@@ -34,6 +34,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connecti
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 #[derive(Debug)]
+#[must_use = "dropping a client closes its connection"]
 pub struct Client {
     link: Arc<Link>,
     config: Config,
@@ -260,7 +261,7 @@ impl Client {
     }
 
     /// What broke the connection, if something did.
-    pub fn disconnect(&self) -> Option<Arc<Disconnect>> {
+    pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.link.broken()
     }
 

@@ -50,6 +50,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 /// monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its thread: while
 /// that connects anew, for up to [`Config::connect_timeout`].
 #[derive(Debug)]
+#[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
     board: Arc<Board<S>>,
     thread: Option<JoinHandle<()>>,
@@ -81,7 +82,7 @@ impl<S> Snapshot<S> {
     ///
     /// ```no_run
     /// # let monitor = jaka_sync::Monitor::connect("10.5.5.100")?;
-    /// let now = monitor.next()?;
+    /// let now = monitor.next_packet()?;
     /// let is_stopped = now.status.protective_stop == Some(true) || now.is_unfit("protective_stop");
     /// # Ok::<(), jaka_sync::Error>(())
     /// ```
@@ -198,19 +199,19 @@ impl<S: 'static> Monitor<S> {
     ///
     /// # Errors
     /// [`ErrorKind::Disconnected`] if the connection has ended, so that old news is not taken for new.
-    pub fn latest(&self) -> Result<Option<Arc<Snapshot<S>>>, Error> {
+    pub fn newest_packet(&self) -> Result<Option<Arc<Snapshot<S>>>, Error> {
         let state = self.board.lock();
         ended(&state)?;
         Ok(state.latest.clone())
     }
 
     /// The newest packet, however old, and also after the connection has ended.
-    pub fn last(&self) -> Option<Arc<Snapshot<S>>> {
+    pub fn last_known_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.board.lock().latest.clone()
     }
 
     /// The newest packet, if the connection is there and the packet is fresh.
-    pub(crate) fn current(&self) -> Result<Arc<Snapshot<S>>, StatusProblem> {
+    pub(crate) fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem> {
         let state = self.board.lock();
         if let Some(cause) = state.ended.clone() {
             return Err(StatusProblem::Ended { cause });
@@ -237,15 +238,15 @@ impl<S: 'static> Monitor<S> {
 
     /// True if no packet has come for longer than [`Config::stale_after`].
     pub fn is_stale(&self) -> bool {
-        self.last().is_none_or(|snapshot| snapshot.age() > self.stale_after)
+        self.last_known_packet().is_none_or(|snapshot| snapshot.age() > self.stale_after)
     }
 
     /// Waits for the next packet that comes.
     ///
     /// # Errors
     /// [`ErrorKind::StatusTimeout`] after the reply timeout; [`ErrorKind::Disconnected`] if the connection has ended.
-    pub fn next(&self) -> Result<Arc<Snapshot<S>>, Error> {
-        let now = self.last().map_or(0, |snapshot| snapshot.number);
+    pub fn next_packet(&self) -> Result<Arc<Snapshot<S>>, Error> {
+        let now = self.last_known_packet().map_or(0, |snapshot| snapshot.number);
         self.wait_for(self.timeout, |snapshot| snapshot.number > now)
     }
 
@@ -345,7 +346,7 @@ impl<S: 'static> Monitor<S> {
     }
 
     /// What ended the connection, if something did.
-    pub fn disconnect(&self) -> Option<Arc<Disconnect>> {
+    pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.board.lock().ended.clone()
     }
 }

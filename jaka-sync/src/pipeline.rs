@@ -36,6 +36,7 @@ use crate::{Client, Error};
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 #[derive(Debug)]
+#[must_use = "dropping a pipeline gives up its outstanding replies; `finish` waits for them"]
 pub struct Pipeline<'c> {
     client: &'c mut Client,
     window: usize,

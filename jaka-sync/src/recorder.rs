@@ -74,6 +74,7 @@ const BLOCK: usize = 64 << 10;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use = "a recorder records the connections of the configurations that it is given to"]
 pub struct Recorder(Arc<Shared>);
 
 /// What the clones of a recorder share. Dropping it ends the thread.

@@ -2,6 +2,7 @@
 
 mod batch;
 mod explain;
+mod latch;
 mod motion;
 mod outcome;
 mod position;
@@ -14,22 +15,21 @@ mod wait;
 mod watch;
 
 use std::fmt::Display;
-use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
+use self::latch::Latch;
 pub use self::motion::Motion;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 pub use self::readiness::StatusProblem;
 pub use self::stops::RobotStop;
-use self::stops::Stops;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
-use crate::{Client, Config, Error, ErrorKind, Monitor, ServoConfig, ServoSession};
+use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
 ///
@@ -63,16 +63,17 @@ use crate::{Client, Config, Error, ErrorKind, Monitor, ServoConfig, ServoSession
 ///
 /// After a protective stop, an emergency stop or a silent status port, motions are refused until
 /// [`acknowledge`](Self::acknowledge) is called: somebody should have looked first. They are refused also while the status is
-/// stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or enabled again, on its own.
+/// stale, missing or unreadable ([`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown)). Nothing is ever sent again, or enabled again, on its own.
 #[derive(Debug)]
+#[must_use = "dropping a robot closes its connections, and its stop handles can no longer stop the arm"]
 pub struct Robot {
     client: Client,
     monitor: Arc<Monitor>,
     grace: Grace,
     silence: Duration,
     moves_without_status: bool,
-    /// What must be acknowledged before the arm moves again. The monitor's thread sets it, too.
-    latched: Arc<Mutex<Option<Outcome>>>,
+    /// What must be acknowledged before the arm moves again.
+    latch: Latch,
     batch: Option<Batch>,
     /// How often frames had been changed when the last motion was sent.
     frame_changes: u64,
@@ -80,16 +81,13 @@ pub struct Robot {
     query: Option<Query>,
     /// True if the last wait saw the arm at rest by the controller's answers, and nothing was sent since.
     rests: bool,
-    stops: Arc<Stops>,
-    /// The stops that this robot's program has been told of.
-    stops_told: u64,
 }
 
 impl Robot {
     /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
     ///
     /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] where the address names a port, which can be only one of
+    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`](crate::ErrorKind::PortInAddress) where the address names a port, which can be only one of
     /// the two. [`Config::connect_robot_at`] takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect_robot(address)
@@ -101,21 +99,17 @@ impl Robot {
     pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
         let monitor = monitor.into();
         let grace = Grace { time: Duration::from_millis(400), packets: 3 };
-        let latched = Arc::default();
-        latch_on_stops(&monitor, &latched);
         Self {
             client,
+            latch: Latch::new(&monitor),
             monitor,
             grace,
             silence: Duration::from_secs(2),
             moves_without_status: false,
-            latched,
             batch: None,
             frame_changes: 0,
             query: None,
             rests: false,
-            stops: Arc::default(),
-            stops_told: 0,
         }
     }
 
@@ -125,15 +119,13 @@ impl Robot {
     ///
     /// It is also how long the arm may take to begin: if it has not left its position by then, the motion is taken to have had no
     /// length, or, where its target is known and the arm is not there, to have been stopped.
-    #[must_use]
-    pub fn start_grace(mut self, time: Duration, packets: u32) -> Self {
+    pub fn with_start_grace(mut self, time: Duration, packets: u32) -> Self {
         self.grace = Grace { time, packets: packets.max(1) };
         self
     }
 
     /// Sets how long status packets may stay away while a motion is waited for. 2 s by default.
-    #[must_use]
-    pub fn status_silence(mut self, time: Duration) -> Self {
+    pub fn with_status_silence(mut self, time: Duration) -> Self {
         self.silence = time;
         self
     }
@@ -141,8 +133,7 @@ impl Robot {
     /// Sends motions and set-points also while the status is stale, missing or unreadable.
     ///
     /// A stop that the status would show is not seen then. For programs that see to the robot's state by other means.
-    #[must_use]
-    pub fn move_without_status(mut self) -> Self {
+    pub fn allow_motion_without_status(mut self) -> Self {
         self.moves_without_status = true;
         self
     }
@@ -176,9 +167,9 @@ impl Robot {
     /// Where a motion by an offset is the first, the controller is asked before where the arm is.
     ///
     /// # Errors
-    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
-    /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
-    /// packet shows a stop) and [`ErrorKind::NotSentInTime`].
+    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`](crate::ErrorKind::NotAcknowledged) (a stop or a silent status has not
+    /// been acknowledged), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown) (the status is stale, missing or unreadable), [`ErrorKind::NotReady`](crate::ErrorKind::NotReady) (the newest
+    /// packet shows a stop) and [`ErrorKind::NotSentInTime`](crate::ErrorKind::NotSentInTime).
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO))
     }
@@ -242,7 +233,7 @@ impl Robot {
         let outcome = self.watch(&mut wait, timeout);
         self.rests = wait.failure.is_none() && outcome.is_at_rest();
         if outcome.latches() {
-            lock(&self.latched).get_or_insert_with(|| outcome.clone());
+            self.latch.set(&outcome);
         }
         if matches!(outcome, Outcome::Deadline) {
             // The motions may go on: they can be waited for again.
@@ -255,7 +246,7 @@ impl Robot {
     ///
     /// # Errors
     /// As [`ServoSession`] says at "Entering".
-    pub fn servo(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
+    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
         ServoSession::enter(self, config)
     }
 
@@ -265,49 +256,26 @@ impl Robot {
     }
 
     pub(crate) fn check_latch(&self) -> Result<(), Error> {
-        not_latched(self.latch())
+        self.latch.check()
     }
 
     /// What must be acknowledged before the arm moves again, if something must.
     ///
     /// A stop latches whenever a packet shows it, also between motions; one that was asked for through a [`RobotStop`] where
     /// no [`MotionEnd`] has told of it.
-    pub fn latch(&self) -> Option<Outcome> {
-        lock(&self.latched).clone().or_else(|| self.stops.pending(self.stops_told))
+    pub fn unacknowledged(&self) -> Option<Outcome> {
+        self.latch.unacknowledged()
     }
 
     /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving. A stop that is on its
     /// way still does.
     pub fn acknowledge(&mut self) {
-        *lock(&self.latched) = None;
-        self.stops_told = self.stops.begun();
+        self.latch.acknowledge();
         self.batch = None;
     }
 
     /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
     pub fn stop_handle(&self) -> RobotStop {
-        RobotStop::new(self.client.stop_handle(), Arc::clone(&self.stops), self.monitor.waker())
+        RobotStop::new(self.client.stop_handle(), Arc::clone(self.latch.stops()), self.monitor.waker())
     }
-}
-
-fn not_latched(latch: Option<Outcome>) -> Result<(), Error> {
-    latch.map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
-}
-
-fn lock(latched: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {
-    latched.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Has the monitor latch a robot at each stop that a packet shows, for as long as the robot lives.
-fn latch_on_stops(monitor: &Monitor, latched: &Arc<Mutex<Option<Outcome>>>) {
-    let latched = Arc::downgrade(latched);
-    monitor.observe_first(move |snapshot| {
-        let Some(latched) = latched.upgrade() else {
-            return ControlFlow::Break(());
-        };
-        if let Some(stop) = trouble::stop(&snapshot.status) {
-            lock(&latched).get_or_insert(stop);
-        }
-        ControlFlow::Continue(())
-    });
 }

@@ -15,6 +15,7 @@ pub use self::session::ServoSession;
 
 /// How a [`ServoSession`] runs.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use = "a configuration does nothing until servo mode is entered with it"]
 pub struct ServoConfig {
     pub(crate) step_count: u32,
     pub(crate) filter: Option<SetServoMoveFilter>,
@@ -47,25 +48,22 @@ impl ServoConfig {
         Self::default()
     }
 
-    /// Sets the servo period to so many controller cycles of 8 ms: 1 by default and at least, 12 at most, which [`Robot::servo`]
+    /// Sets the servo period to so many controller cycles of 8 ms: 1 by default and at least, 12 at most, which [`Robot::enter_servo_mode`]
     /// checks.
     ///
-    /// [`Robot::servo`]: crate::Robot::servo
-    #[must_use]
+    /// [`Robot::enter_servo_mode`]: crate::Robot::enter_servo_mode
     pub fn step_count(mut self, cycles: u32) -> Self {
         self.step_count = cycles.max(1);
         self
     }
 
     /// Sets the filter that smooths the set-points, before servo mode is entered. By default it stays as it is.
-    #[must_use]
     pub fn filter(mut self, filter: SetServoMoveFilter) -> Self {
         self.filter = Some(filter);
         self
     }
 
     /// Sets how long the controller may take to enter servo mode. 5 s by default.
-    #[must_use]
     pub fn enter_timeout(mut self, timeout: Duration) -> Self {
         self.enter_timeout = timeout;
         self
@@ -73,7 +71,6 @@ impl ServoConfig {
 
     /// Sets for how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU time.
     /// Not at all by default; 200 µs suit a usual Linux system.
-    #[must_use]
     pub fn busy_wait(mut self, time: Duration) -> Self {
         self.busy_wait = time;
         self
@@ -82,7 +79,6 @@ impl ServoConfig {
     /// Sets how much may be unanswered, as the time that these set-points take: 100 ms by default, and three set-points at least.
     ///
     /// Then the session ends. It is also as much as the arm may still move where the link stalls.
-    #[must_use]
     pub fn max_unanswered(mut self, time: Duration) -> Self {
         self.max_unanswered = time;
         self

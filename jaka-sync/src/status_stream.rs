@@ -33,6 +33,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 #[derive(Debug)]
+#[must_use = "dropping a stream closes its connection"]
 pub struct StatusStream {
     stream: TcpStream,
     tap: Tap,
@@ -128,7 +129,7 @@ impl StatusStream {
     }
 
     /// The text of the last packet, as it came; with `\udcNN` for each byte that is no UTF-8.
-    pub fn last_packet(&self) -> Option<&str> {
+    pub fn packet_text(&self) -> Option<&str> {
         (!self.packet.is_empty()).then_some(&*self.packet)
     }
 

@@ -30,6 +30,7 @@ use crate::link::{Link, Outgoing, Right};
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use = "a stop handle stops nothing until `stop` is called"]
 pub struct StopHandle {
     link: Arc<Link>,
     timeout: Duration,

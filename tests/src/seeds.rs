@@ -81,7 +81,7 @@ fn packets() -> Vec<String> {
         let controller = builder.start().expect("loopback has free ports");
         let mut status = StatusStream::connect(controller.status_addr()).expect("the controller listens");
         status.next_packet().expect("a packet comes on connecting");
-        status.last_packet().expect("it is kept").to_owned()
+        status.packet_text().expect("it is kept").to_owned()
     };
     let partial = [r#"{"torqsensor": [[0,0,0],[1]], "homed": [0, 1, 1]}"#, r#"{"len": 2, "homed": "?"}"#];
     Firmware::ALL.iter().map(packet).chain(partial.map(str::to_owned)).collect()

@@ -288,7 +288,7 @@ fn reply_to(command: &CommandInfo) -> String {
 fn a_late_reply_that_was_read_before_leaves_no_doubt_about_the_next_command_of_its_name() {
     let (_server, client, stop) = read_ahead(&reply_to(StopProgram::INFO));
     assert!(stop.stop().expect_err("nobody answers").is_timeout());
-    assert!(client.disconnect().is_none());
+    assert!(client.disconnect_cause().is_none());
 }
 
 #[test]

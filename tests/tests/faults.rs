@@ -35,7 +35,7 @@ fn assert_usable(controller: &Controller, client: &mut Client) {
     controller.set_state(|state| state.joint_position = joints.into());
     assert_eq!(client.get_joint_pos().expect("the connection works").joint_position, joints.into());
     assert!(!client.get_robot_state().expect("the connection works").enabled);
-    assert!(client.disconnect().is_none());
+    assert!(client.disconnect_cause().is_none());
 }
 
 /// The connection is broken for good: nothing is sent any more, and the first cause is told again.
@@ -49,7 +49,7 @@ fn assert_broken(controller: &Controller, client: &mut Client, cause: &str) {
         assert!(source.to_string().contains(cause), "`{source}` does not say `{cause}`");
     }
     assert_eq!(controller.requests().len(), before);
-    let told = client.disconnect().expect("it can be asked too").to_string();
+    let told = client.disconnect_cause().expect("it can be asked too").to_string();
     assert!(told.contains(cause), "`{told}` does not say `{cause}`");
 }
 

@@ -55,9 +55,9 @@ fn it_keeps_the_newest_however_fast_packets_come() {
     }
     let is_last = |status: &RobotStatus| status.joint_actual_position == Some(JointPosition([49.9; 6]));
     let last = monitor.wait_until(is_last, LONG).expect("the last packet comes");
-    assert_eq!(monitor.latest().expect("it is connected").expect("there is one").number, last.number);
+    assert_eq!(monitor.newest_packet().expect("it is connected").expect("there is one").number, last.number);
     // The queue holds the last ones, and counts those it dropped; those that were passed over came to it, too.
-    let kept: Vec<_> = std::iter::from_fn(|| slow.try_next()).collect();
+    let kept: Vec<_> = std::iter::from_fn(|| slow.try_next_packet()).collect();
     assert!(kept.len() <= 10 && is_last(&kept[kept.len() - 1].status));
     assert!(kept.is_sorted_by_key(|snapshot| snapshot.number));
     let statistics = monitor.statistics();
@@ -94,10 +94,10 @@ fn an_observer_that_panics_is_not_called_again_and_the_monitor_goes_on() {
     let packets = monitor.subscribe(8);
     for n in 1..=3 {
         put(&controller, f64::from(n));
-        packets.next_within(LONG).expect("the packet comes");
+        packets.next_packet_within(LONG).expect("the packet comes");
     }
     assert_eq!(receiver.iter().count(), 1);
-    assert!(monitor.latest().is_ok_and(|latest| latest.is_some()));
+    assert!(monitor.newest_packet().is_ok_and(|latest| latest.is_some()));
 }
 
 #[test]
@@ -114,9 +114,9 @@ fn an_observer_may_drop_the_monitor() {
     };
     observe(monitor.lock().expect("nobody panics").as_ref().expect("it is there"));
     put(&controller, 1.0);
-    packets.next_within(LONG).expect("the packet comes");
+    packets.next_packet_within(LONG).expect("the packet comes");
     // Its thread comes to its end, and ends the subscription.
-    assert!(packets.next_within(LONG).is_none());
+    assert!(packets.next_packet_within(LONG).is_none());
     assert!(monitor.lock().expect("nobody panics").is_none());
 }
 
@@ -170,9 +170,9 @@ fn an_ended_connection_is_told_and_nothing_hangs() {
     controller.disconnect();
     let error = monitor.wait_until(|_| false, LONG).expect_err("the connection has ended");
     assert!(error.is_disconnected());
-    assert!(monitor.latest().is_err_and(|error| error.is_disconnected()));
-    assert!(monitor.last().is_some() && monitor.disconnect().is_some());
-    assert!(queue.next_within(LONG).is_none() && queue.is_closed());
+    assert!(monitor.newest_packet().is_err_and(|error| error.is_disconnected()));
+    assert!(monitor.last_known_packet().is_some() && monitor.disconnect_cause().is_some());
+    assert!(queue.next_packet_within(LONG).is_none() && queue.is_closed());
 }
 
 #[test]
@@ -186,7 +186,7 @@ fn it_connects_anew_where_asked_to() {
         let since = Instant::now();
         while monitor.statistics().reconnects < n {
             assert!(since.elapsed() < LONG, "it does not connect anew");
-            monitor.next().expect("packets go on");
+            monitor.next_packet().expect("packets go on");
         }
     }
     let address = controller.status_addr();
@@ -229,7 +229,7 @@ fn a_type_of_ones_own_is_decoded_in_place_of_the_whole_packet() {
     let controller = Controller::start().expect("loopback has free ports");
     let monitor: Monitor<Joints> =
         Config::new().connect_monitor(controller.status_addr()).expect("the controller listens");
-    let found = monitor.next().expect("a packet comes");
+    let found = monitor.next_packet().expect("a packet comes");
     assert_eq!(found.status, Joints(Some(controller.state().joint_position)));
 }
 

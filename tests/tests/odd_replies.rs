@@ -53,7 +53,7 @@ fn assert_usable(client: &mut Client) {
         client.get_joint_pos().expect("the connection lives").joint_position,
         [1.0, 2.0, 3.0, 4.0, 5.0, 6.0].into()
     );
-    assert!(client.disconnect().is_none());
+    assert!(client.disconnect_cause().is_none());
 }
 
 /// What replies may have that is odd: the value of a key.

@@ -126,7 +126,7 @@ fn what_is_no_object_is_an_error_and_the_stream_goes_on() {
         send(&controller, odd);
         let error = status.next_packet().expect_err(odd);
         assert!(matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }), "{odd}: {error:?}");
-        assert_eq!(status.last_packet(), Some(odd));
+        assert_eq!(status.packet_text(), Some(odd));
     }
     send(&controller, br#"{"len": 28, "enabled": true}"#);
     assert_eq!(status.next_packet().expect("it goes on").enabled, Some(true));

@@ -40,7 +40,7 @@ fn lenient() -> Config {
 
 fn ready() -> (Controller, Robot) {
     let controller = arm_with([], PERIOD);
-    let robot = robot_of(&controller, &lenient()).status_silence(LONG);
+    let robot = robot_of(&controller, &lenient()).with_status_silence(LONG);
     (controller, robot)
 }
 
@@ -151,14 +151,14 @@ fn packets_of_the_motion_before_do_not_end_this_one_by_default() {
 #[test]
 fn no_motion_is_sent_while_the_newest_packet_shows_a_stop() {
     let controller = arm_with([], ms(500));
-    let mut robot = robot_of(&controller, &lenient()).status_silence(LONG);
+    let mut robot = robot_of(&controller, &lenient()).with_status_silence(LONG);
     controller.collide();
     robot.monitor().wait_until(|status| status.protective_stop == Some(true), LONG).expect("packets come");
-    while robot.latch().is_none() {
+    while robot.unacknowledged().is_none() {
         thread::yield_now();
     }
     robot.acknowledge();
-    let newest = robot.monitor().last().expect("packets came");
+    let newest = robot.monitor().last_known_packet().expect("packets came");
     assert_eq!(newest.status.protective_stop, Some(true));
     let _ = robot.start(&to(5.0, 40.0));
     assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out while the newest packet shows a stop");
@@ -181,7 +181,7 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
     let mut robot = Robot::new(config.connect_client(controller.command_addr()).expect("listens"), monitor);
     controller.collide();
     saw.recv_timeout(LONG).expect("packets come");
-    let newest = robot.monitor().last().expect("packets came");
+    let newest = robot.monitor().last_known_packet().expect("packets came");
     assert_eq!(newest.status.protective_stop, Some(true));
     let _ = robot.start(&to(5.0, 40.0));
     assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out while the newest packet shows a stop");
@@ -228,7 +228,7 @@ fn a_stop_that_only_a_packet_passed_over_shows_latches() {
     thread::sleep(ms(100));
     controller.link(Port::Status).to_client().release();
     thread::sleep(ms(300));
-    assert!(robot.latch().is_some(), "a packet showed a protective stop");
+    assert!(robot.unacknowledged().is_some(), "a packet showed a protective stop");
 }
 
 #[test]
@@ -249,7 +249,7 @@ fn a_predicate_that_stops_the_arm_does_not_hang() {
 fn no_motion_is_sent_behind_its_deadline() {
     let controller = arm_with([], PERIOD);
     let config = Config::new().stale_after(ms(1000));
-    let mut robot = robot_of(&controller, &config).status_silence(LONG);
+    let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
     controller.link(Port::Status).to_client().hold();
     thread::sleep(ms(1300));
     let result = thread::scope(|scope| {
@@ -267,14 +267,14 @@ fn no_motion_is_sent_behind_its_deadline() {
 fn a_session_on_a_broken_connection_says_that_servo_mode_may_be_on() {
     let (controller, mut robot) = ready();
     let error = {
-        let mut session = robot.servo(&ServoConfig::new()).expect("it enters");
+        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("it enters");
         for _ in 0..10 {
-            session.joints_by([0.01, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("fine");
+            session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("fine");
         }
         controller.inject_for("servo_j", Fault::Instead(b"{nonsense}".to_vec()));
         let mut go = || -> Result<(), Error> {
             for _ in 0..100 {
-                session.joints_by([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
+                session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
             }
             Ok(())
         };
@@ -313,7 +313,7 @@ fn no_motion_is_sent_on_the_first_packet_of_a_backlog() {
     let config = Config::new().stale_after(ms(1000)).reply_timeout(ms(3000));
     let mut gone_out = 0;
     for _ in 0..2 {
-        let mut robot = robot_of(&controller, &config).status_silence(LONG);
+        let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
         let before = sent(&controller, "joint_move");
         controller.link(Port::Status).to_client().hold();
         thread::sleep(ms(1100));
@@ -368,11 +368,11 @@ fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
 fn a_stop_that_fails_behind_an_acknowledgement_keeps_the_next_motion_back() {
     let controller = arm_with([], PERIOD);
     let config = lenient().reply_timeout(ms(800));
-    let mut robot = robot_of(&controller, &config).status_silence(LONG);
+    let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
     controller.link(Port::Command).to_controller().hold();
     let stop = robot.stop_handle();
     let stopping = thread::spawn(move || stop.stop());
-    while robot.latch().is_none() {
+    while robot.unacknowledged().is_none() {
         thread::yield_now();
     }
     robot.acknowledge();
@@ -392,7 +392,7 @@ fn servo_mode_is_not_entered_while_the_arm_moves() {
     delayed(&controller, ms(1500));
     robot.client().joint_move(&to(40.0, 20.0)).expect("accepted");
     thread::sleep(ms(300));
-    let session = robot.servo(&ServoConfig::new());
+    let session = robot.enter_servo_mode(&ServoConfig::new());
     let state = controller.state();
     drop(session);
     assert!(state.at_rest || !state.servo_mode, "servo mode was entered while the arm moved");
@@ -401,7 +401,7 @@ fn servo_mode_is_not_entered_while_the_arm_moves() {
 #[test]
 fn a_refused_motion_is_told_within_its_deadline() {
     let controller = arm_with([Habit::LateQueries(Some(ms(3000)))], PERIOD);
-    let mut robot = robot_of(&controller, &lenient()).status_silence(LONG);
+    let mut robot = robot_of(&controller, &lenient()).with_status_silence(LONG);
     robot.start(&to(90.0, 10.0)).expect("accepted");
     let far = MoveL {
         pose: Pose { x: 9000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 },
@@ -418,7 +418,7 @@ fn a_refused_motion_is_told_within_its_deadline() {
 fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_told_of() {
     let controller = arm_with([], PERIOD);
     let config = lenient().reply_timeout(ms(1500));
-    let mut robot = robot_of(&controller, &config).status_silence(LONG);
+    let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
     robot.start(&to(40.0, 10.0)).expect("accepted");
     let (one, two) = (robot.stop_handle(), robot.stop_handle());
     controller.inject_for("stop_program", Fault::Drop);

@@ -80,7 +80,7 @@ fn assert_usable(controller: &Controller, client: &mut Client) {
     controller.set_state(|state| state.joint_position = joints.into());
     assert_eq!(client.get_joint_pos().expect("the connection works").joint_position, joints.into());
     client.stop_handle().stop().expect("the connection works");
-    assert!(client.disconnect().is_none());
+    assert!(client.disconnect_cause().is_none());
 }
 
 #[test]

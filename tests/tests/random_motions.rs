@@ -96,7 +96,7 @@ fn connect(controller: &Controller) -> Robot {
     let monitor: Monitor = config().connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     let client = config().connect_client(controller.command_addr()).expect("the controller listens");
-    Robot::new(client, monitor).start_grace(Duration::from_millis(300), 3)
+    Robot::new(client, monitor).with_start_grace(Duration::from_millis(300), 3)
 }
 
 impl Rig {
@@ -129,11 +129,11 @@ impl Rig {
             assert!(since.elapsed() < LONG, "the arm comes to rest");
             thread::sleep(Duration::from_millis(2));
         }
-        if self.robot.client().disconnect().is_some() || self.robot.monitor().disconnect().is_some() {
+        if self.robot.client().disconnect_cause().is_some() || self.robot.monitor().disconnect_cause().is_some() {
             self.robot = connect(&self.controller);
         }
         self.robot.acknowledge();
-        self.robot.monitor().next().expect("packets come");
+        self.robot.monitor().next_packet().expect("packets come");
         // A motion that has not been waited for has ended by now.
         let _ = self.robot.wait(Duration::ZERO);
         self.robot.acknowledge();
@@ -418,7 +418,8 @@ fn one_session(rig: &mut Rig, number: u32) {
     thread::scope(|scope| {
         let controller = &*controller;
         scope.spawn(move || trouble.run(controller));
-        let result = robot.servo(&ServoConfig::new().max_unanswered(bound)).and_then(|session| go(session, count));
+        let result =
+            robot.enter_servo_mode(&ServoConfig::new().max_unanswered(bound)).and_then(|session| go(session, count));
         tally.sessions += 1;
         tally.sessions_ended += u32::from(result.is_err());
         let most = if result.is_ok() { 1.0 } else { bound.as_secs_f64() / 0.008 + 1.0 };
@@ -434,7 +435,7 @@ fn one_session(rig: &mut Rig, number: u32) {
 fn go(mut session: ServoSession<'_>, count: u32) -> Result<(), Error> {
     for at in 0..count {
         let step = if at / 20 % 2 == 0 { STEP } else { -STEP };
-        session.joints_by([step, 0.0, 0.0, 0.0, 0.0, step / 2.0])?;
+        session.send_joint_offset([step, 0.0, 0.0, 0.0, 0.0, step / 2.0])?;
     }
     session.finish().map(drop)
 }

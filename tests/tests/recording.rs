@@ -68,7 +68,7 @@ fn garbage_between_status_packets_is_recorded_by_monitors() {
         for piece in [b"\x01\x02".as_slice(), b"\x03", b"\x04{\"len\": 7}"] {
             robot.send_status(piece);
         }
-        assert_eq!(seen.next_within(LIMIT).expect("the packet is found").status.length, Some(7));
+        assert_eq!(seen.next_packet_within(LIMIT).expect("the packet is found").status.length, Some(7));
         monitor.statistics().dropped_bytes
     });
     assert!(skipped >= 2);

@@ -81,9 +81,10 @@ fn motions_and_servo_sessions_of_a_robot_are_replayed() {
             acceleration: None,
         };
         robot.run(&request, LIMIT).expect("it is sent").reached().expect("nothing is in the way");
-        let mut session =
-            robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30))).expect("the arm is enabled");
-        (0..25).try_for_each(|_| session.joints_by([0.01; 6])).expect("set-points are sent");
+        let mut session = robot
+            .enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))
+            .expect("the arm is enabled");
+        (0..25).try_for_each(|_| session.send_joint_offset([0.01; 6])).expect("set-points are sent");
         let report = session.finish().expect("servo mode is left");
         (report.cycles, report.accepted, report.refused, report.unanswered)
     };

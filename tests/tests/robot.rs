@@ -37,16 +37,18 @@ fn ready() -> (Controller, Robot) {
         Config::new().stale_after(LONG).connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|_| true, LONG).expect("the first packet comes at once");
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
-    let robot = Robot::new(client, monitor).start_grace(Duration::ZERO, 4).status_silence(LONG);
+    let robot = Robot::new(client, monitor).with_start_grace(Duration::ZERO, 4).with_status_silence(LONG);
     (controller, robot)
 }
 
 /// Lets a cycle pass, and waits until the monitor has its packet, so that it is never more than one behind.
 fn step(controller: &Controller, monitor: &Monitor) {
-    let before = monitor.last().map_or(0, |snapshot| snapshot.number);
+    let before = monitor.last_known_packet().map_or(0, |snapshot| snapshot.number);
     controller.advance(CYCLE);
     let since = Instant::now();
-    while monitor.disconnect().is_none() && monitor.last().is_none_or(|snapshot| snapshot.number == before) {
+    while monitor.disconnect_cause().is_none()
+        && monitor.last_known_packet().is_none_or(|snapshot| snapshot.number == before)
+    {
         assert!(since.elapsed() < LONG, "the packet does not come");
         thread::yield_now();
     }
@@ -135,7 +137,7 @@ fn a_stop_ends_the_wait_at_once() {
     let stop = robot.stop_handle();
     let end = disturbed(&controller, &mut robot, || stop.stop().expect("the controller takes the stop"));
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
-    assert!(robot.latch().is_none(), "a stop that was asked for needs no acknowledgement");
+    assert!(robot.unacknowledged().is_none(), "a stop that was asked for needs no acknowledgement");
 }
 
 #[test]
@@ -263,10 +265,10 @@ fn a_stop_between_motions_latches_too() {
     step(&controller, &monitor);
     robot.client().clear_error().expect("it answers");
     step(&controller, &monitor);
-    assert!(matches!(robot.latch(), Some(Outcome::ProtectiveStop)));
+    assert!(matches!(robot.unacknowledged(), Some(Outcome::ProtectiveStop)));
     assert!(robot.start(&to(0.0)).is_err());
     robot.acknowledge();
-    assert!(robot.latch().is_none());
+    assert!(robot.unacknowledged().is_none());
 }
 
 #[test]
@@ -334,7 +336,7 @@ fn a_lost_status_is_told_and_latches() {
     assert!(robot.start(&to(0.0)).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
 
     let (controller, robot) = ready();
-    let mut robot = robot.status_silence(Duration::from_millis(50));
+    let mut robot = robot.with_status_silence(Duration::from_millis(50));
     controller.status_fault(StatusFault::Silent);
     robot.start(&to(40.0)).expect("it is accepted");
     assert!(matches!(robot.wait(LONG).outcome, Outcome::StatusLost { cause: None, .. }));

@@ -27,7 +27,10 @@ fn ready() -> (Controller, Robot) {
     monitor.wait_until(|status| status.enabled == Some(true), Duration::from_secs(30)).expect("packets come");
     let client: Client = config.connect_client(controller.command_addr()).expect("the controller listens");
     let silence = Duration::from_millis(500);
-    (controller, Robot::new(client, monitor).start_grace(Duration::from_millis(100), 3).status_silence(silence))
+    (
+        controller,
+        Robot::new(client, monitor).with_start_grace(Duration::from_millis(100), 3).with_status_silence(silence),
+    )
 }
 
 fn short_move() -> JointMove {
@@ -90,10 +93,11 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
 fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
     for fault in Fault::one_of_each() {
         let (controller, mut robot) = ready();
-        let mut session = robot.servo(&ServoConfig::new().max_unanswered(SLACK)).expect("the arm is enabled");
+        let mut session =
+            robot.enter_servo_mode(&ServoConfig::new().max_unanswered(SLACK)).expect("the arm is enabled");
         controller.inject_for("servo_j", fault.clone());
         let since = Instant::now();
-        let failed = (0..20).find_map(|_| session.joints_by([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
+        let failed = (0..20).find_map(|_| session.send_joint_offset([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
         let finished = session.finish();
         assert!(since.elapsed() < SLACK, "{fault}: {:?}", since.elapsed());
         let requests = controller.requests();

@@ -55,10 +55,10 @@ fn every_set_point_is_sent_in_order_and_answered() {
     let (controller, mut robot) = ready();
     let start = controller.state().joint_position.0;
     let filter = SetServoMoveFilter::JointLowPass { cutoff_frequency: 0.5 };
-    let mut session = robot.servo(&patient().filter(filter)).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient().filter(filter)).expect("the arm is enabled");
     assert!(controller.state().servo_mode);
     for _ in 0..100 {
-        session.joints_by(STEP).expect("servo mode is on");
+        session.send_joint_offset(STEP).expect("servo mode is on");
     }
     arrives(&controller, |status| {
         status.joint_actual_position.is_some_and(|at| (at.0[0] - start[0] - 10.0).abs() < 1e-6)
@@ -80,7 +80,7 @@ fn every_set_point_is_sent_in_order_and_answered() {
 fn a_closure_gives_set_points_until_it_breaks() {
     let (controller, mut robot) = ready();
     let start = controller.state().joint_position.0;
-    let mut session = robot.servo(&patient().step_count(2)).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient().step_count(2)).expect("the arm is enabled");
     let mut times = Vec::new();
     let end = session.run(|time, status| {
         assert!(status.is_some(), "the monitor has packets");
@@ -103,12 +103,12 @@ fn a_closure_gives_set_points_until_it_breaks() {
 fn the_tool_centre_point_follows_set_points_too() {
     let (controller, mut robot) = ready();
     let start = controller.state().tcp_pose;
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     for n in 1..=20 {
-        session.pose(Pose { z: start.z + 0.1 * f64::from(n), ..start }).expect("servo mode is on");
+        session.send_pose(Pose { z: start.z + 0.1 * f64::from(n), ..start }).expect("servo mode is on");
     }
     for _ in 0..10 {
-        session.pose_by([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]).expect("servo mode is on");
+        session.send_pose_offset([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]).expect("servo mode is on");
     }
     let is_there = |at: Pose| (at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01;
     arrives(&controller, |status| status.actual_position.is_some_and(is_there));
@@ -119,15 +119,15 @@ fn the_tool_centre_point_follows_set_points_too() {
 #[test]
 fn a_step_that_is_too_fast_is_not_sent() {
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
-    let error = session.joints_by([1.5, 0.0, 0.0, 0.0, 0.0, 0.0]).expect_err("that is 187.5 deg/s");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
+    let error = session.send_joint_offset([1.5, 0.0, 0.0, 0.0, 0.0, 0.0]).expect_err("that is 187.5 deg/s");
     assert_eq!(
         error.to_string(),
         "`servo_j` was not sent: field `joint_position[0]` is a step of 1.500 deg, \
          allowed is a step of at most 1.440 deg each 8ms (180 deg/s)"
     );
-    assert!(session.joints([0.0; 6]).is_err_and(|error| error.is_invalid_argument()));
-    session.joints_by(STEP).expect("a slow one is sent");
+    assert!(session.send_joints([0.0; 6]).is_err_and(|error| error.is_invalid_argument()));
+    session.send_joint_offset(STEP).expect("a slow one is sent");
     let report = session.finish().expect("it was accepted");
     assert_eq!(report.cycles, 1);
     assert_eq!(controller.requests().iter().filter(|request| request.contains("servo_j")).count(), 1);
@@ -136,10 +136,11 @@ fn a_step_that_is_too_fast_is_not_sent() {
 #[test]
 fn a_refusal_is_told_soon_and_servo_mode_is_left() {
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
-    session.joints_by(STEP).expect("servo mode is on");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
+    session.send_joint_offset(STEP).expect("servo mode is on");
     controller.set_state(|state| state.servo_mode = false);
-    let error = (0..CYCLES).find_map(|_| session.joints_by(STEP).err()).expect("a refusal comes within some cycles");
+    let error =
+        (0..CYCLES).find_map(|_| session.send_joint_offset(STEP).err()).expect("a refusal comes within some cycles");
     let refusal = error.refusal().expect("the controller refuses");
     assert_eq!(refusal.code, ErrorCode(-1));
     drop(session);
@@ -151,15 +152,15 @@ fn a_refusal_is_told_soon_and_servo_mode_is_left() {
 fn answers_that_another_call_reads_count_too() {
     let (controller, mut robot) = ready();
     let stop = robot.client().stop_handle();
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
-    session.joints_by(STEP).expect("servo mode is on");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
+    session.send_joint_offset(STEP).expect("servo mode is on");
     stop.stop().expect("its reply comes behind that of the set-point");
     let report = session.finish().expect("the set-point was accepted");
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, 1, 0));
 
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     controller.set_state(|state| state.servo_mode = false);
-    session.joints_by(STEP).expect("its answer has not come");
+    session.send_joint_offset(STEP).expect("its answer has not come");
     stop.stop().expect("its reply comes behind that of the set-point");
     let error = session.finish().expect_err("the set-point was refused");
     assert_eq!(error.refusal().map(|refusal| refusal.code), Some(ErrorCode(-1)));
@@ -168,12 +169,12 @@ fn answers_that_another_call_reads_count_too() {
 #[test]
 fn servo_mode_is_left_on_drop_and_on_panic() {
     let (controller, mut robot) = ready();
-    drop(robot.servo(&patient()).expect("the arm is enabled"));
+    drop(robot.enter_servo_mode(&patient()).expect("the arm is enabled"));
     assert_eq!(last_change(&controller.requests()), LEFT);
     robot.client().is_in_servomove().expect("it answers");
     let panicked = catch_unwind(AssertUnwindSafe(|| {
-        let mut session = robot.servo(&patient()).expect("the arm is enabled");
-        session.joints_by(STEP).expect("servo mode is on");
+        let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
+        session.send_joint_offset(STEP).expect("servo mode is on");
         panic!("a bug in the user's program");
     }));
     assert!(panicked.is_err());
@@ -183,12 +184,12 @@ fn servo_mode_is_left_on_drop_and_on_panic() {
 #[test]
 fn answers_that_never_come_are_counted_and_hold_nothing_up() {
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     for _ in 0..3 {
         controller.inject_for("servo_j", Fault::Drop);
     }
     for _ in 0..20 {
-        session.joints_by(STEP).expect("nothing is refused");
+        session.send_joint_offset(STEP).expect("nothing is refused");
     }
     let report = session.finish().expect("nothing was refused");
     assert_eq!((report.cycles, report.accepted, report.unanswered), (20, 17, 3));
@@ -198,17 +199,17 @@ fn answers_that_never_come_are_counted_and_hold_nothing_up() {
 #[test]
 fn a_stop_or_a_lost_connection_ends_the_session() {
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     controller.collide();
-    let error = (0..CYCLES).find_map(|_| session.joints_by(STEP).err()).expect("the stop is noticed");
+    let error = (0..CYCLES).find_map(|_| session.send_joint_offset(STEP).err()).expect("the stop is noticed");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. } | ErrorKind::Refused { .. }), "{error:?}");
     drop(session);
-    assert!(robot.servo(&patient()).is_err(), "nobody has looked");
+    assert!(robot.enter_servo_mode(&patient()).is_err(), "nobody has looked");
 
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&patient()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     controller.disconnect();
-    let error = (0..CYCLES).find_map(|_| session.joints_by(STEP).err()).expect("the loss is noticed");
+    let error = (0..CYCLES).find_map(|_| session.send_joint_offset(STEP).err()).expect("the loss is noticed");
     let is_told = matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }) && error.is_disconnected();
     assert!(is_told || matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
     let error = session.finish().expect_err("servo mode cannot be left").to_string();
@@ -223,8 +224,8 @@ fn no_set_point_goes_out_behind_a_stop() {
     let config = patient().step_count(12);
     std::thread::scope(|scope| {
         let sending = scope.spawn(|| {
-            let mut session = robot.servo(&config).expect("the arm is enabled");
-            (0..100).find_map(|_| session.joints_by(STEP).err())
+            let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
+            (0..100).find_map(|_| session.send_joint_offset(STEP).err())
         });
         let is_set_point = |request: &String| request.contains("servo_j");
         let mut received = 1;

@@ -32,7 +32,7 @@ fn robot_of(controller: &Controller, config: &Config) -> Robot {
 /// A robot for which packets of a minute ago are fresh, so that the test alone decides what is stale.
 fn ready() -> (Controller, Robot) {
     let controller = arm();
-    let robot = robot_of(&controller, &Config::new().stale_after(LONG)).status_silence(LONG);
+    let robot = robot_of(&controller, &Config::new().stale_after(LONG)).with_status_silence(LONG);
     (controller, robot)
 }
 
@@ -207,11 +207,13 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     let error = robot.run(&to(5.0, 60.0), LONG).expect_err("nobody knows how the arm is");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }) && !error.may_have_run(), "{error:?}");
     assert!(
-        robot.servo(&ServoConfig::new()).is_err_and(|error| matches!(error.kind(), ErrorKind::StatusUnknown { .. }))
+        robot
+            .enter_servo_mode(&ServoConfig::new())
+            .is_err_and(|error| matches!(error.kind(), ErrorKind::StatusUnknown { .. }))
     );
     assert_eq!(controller.requests().len(), before);
     // A program that says that it does without is not kept back.
-    let mut robot = robot.move_without_status();
+    let mut robot = robot.allow_motion_without_status();
     robot.start(&to(5.0, 60.0)).expect("it is reachable");
     controller.link(Port::Status).to_client().release();
 
@@ -220,7 +222,7 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     controller.link(Port::Status).to_client().set(LinkFault::None);
     controller.status_fault(StatusFault::CloseAfter(0));
     let since = Instant::now();
-    while robot.monitor().disconnect().is_none() && since.elapsed() < LONG {
+    while robot.monitor().disconnect_cause().is_none() && since.elapsed() < LONG {
         thread::yield_now();
     }
     let error = robot.start(&to(5.0, 60.0)).expect_err("nobody knows how the arm is");
@@ -250,7 +252,7 @@ fn a_stop_key_that_does_not_fit_keeps_the_arm_from_moving() {
 #[test]
 fn a_wait_whose_packets_cannot_be_read_says_so() {
     let (controller, robot) = ready();
-    let mut robot = robot.status_silence(Duration::from_millis(300));
+    let mut robot = robot.with_status_silence(Duration::from_millis(300));
     robot.start(&to(40.0, 20.0)).expect("it is reachable");
     controller.status_fault(StatusFault::Instead(br#"{"len": 40, "inpos": true, "protective_stop": 7}"#.to_vec()));
     let end = robot.wait(LONG);
@@ -283,7 +285,7 @@ fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
     for _ in 0..1000 {
         controller.inject_for("is_in_servomove", Fault::Instead(not_in.to_vec()));
     }
-    let error = robot.servo(&ServoConfig::new().enter_timeout(Duration::from_millis(300)));
+    let error = robot.enter_servo_mode(&ServoConfig::new().enter_timeout(Duration::from_millis(300)));
     let error = error.expect_err("the controller says that it is not in servo mode");
     assert!(
         matches!(error.kind(), ErrorKind::NotReady { .. }) && error.to_string().contains("did not enter"),
@@ -336,8 +338,8 @@ fn moves_on(controller: &Controller, for_time: Duration) -> f64 {
 fn set_points_do_not_gather_behind_a_link_that_is_held() {
     const STEP: f64 = 0.08;
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
-    let slow = |session: &mut jaka_sync::ServoSession<'_>| session.joints_by([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let slow = |session: &mut jaka_sync::ServoSession<'_>| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
     for _ in 0..20 {
         slow(&mut session).expect("answers come");
     }
@@ -357,14 +359,14 @@ fn set_points_do_not_gather_behind_a_link_that_is_held() {
 #[test]
 fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
     let (controller, mut robot) = ready();
-    let mut session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
     controller.link(Port::Command).hold();
     let error = thread::scope(|scope| {
         scope.spawn(|| {
             thread::sleep(Duration::from_millis(400));
             controller.link(Port::Command).release();
         });
-        (0..2000).find_map(|_| session.joints_by([0.02; 6]).err()).expect("nothing is answered")
+        (0..2000).find_map(|_| session.send_joint_offset([0.02; 6]).err()).expect("nothing is answered")
     });
     assert!(matches!(error.kind(), ErrorKind::SetPointsUnanswered { .. }) && error.may_have_run(), "{error:?}");
     drop(session);
@@ -376,9 +378,9 @@ fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
 fn set_points_end_with_the_status() {
     let controller = arm();
     let mut robot = robot_of(&controller, &Config::new().stale_after(Duration::from_millis(300)));
-    let mut session = robot.servo(&ServoConfig::new().max_unanswered(LONG)).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(&ServoConfig::new().max_unanswered(LONG)).expect("the arm is at rest");
     controller.link(Port::Status).to_client().hold();
-    let error = (0..2000).find_map(|_| session.joints_by([0.001; 6]).err()).expect("the status is stale");
+    let error = (0..2000).find_map(|_| session.send_joint_offset([0.001; 6]).err()).expect("the status is stale");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
     assert!(!controller.state().servo_mode);
 }
@@ -390,7 +392,7 @@ fn servo_mode_is_left_where_entering_it_was_not_answered() {
         let config = Config::new().reply_timeout(Duration::from_millis(300)).stale_after(LONG);
         let mut robot = robot_of(&controller, &config);
         controller.inject_for("servo_move", fault.clone());
-        let error = robot.servo(&ServoConfig::new()).expect_err("its reply does not come in time");
+        let error = robot.enter_servo_mode(&ServoConfig::new()).expect_err("its reply does not come in time");
         assert!(error.may_have_run(), "{fault}: {error:?}");
         let is_left = !controller.state().servo_mode;
         assert!(is_left || matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }), "{fault}: {error:?}");
@@ -403,7 +405,7 @@ fn servo_mode_is_left_where_entering_it_was_not_answered() {
 #[test]
 fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
     let (controller, mut robot) = ready();
-    let session = robot.servo(&ServoConfig::new()).expect("the arm is at rest");
+    let session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
     drop(session);
     let requests = controller.requests();
     let first = |part: &str| requests.iter().position(|request| request.contains(part)).expect("it was sent");
@@ -411,7 +413,7 @@ fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
     // Before it, whether the arm is at rest; in it, where it is.
     assert!(first("get_joint_pos") < first("servo_move"), "{requests:?}");
     assert!(first("is_in_servomove") < last("get_joint_pos"), "{requests:?}");
-    let error = robot.servo(&ServoConfig::new().step_count(1000)).expect_err("a period of 8 s");
+    let error = robot.enter_servo_mode(&ServoConfig::new().step_count(1000)).expect_err("a period of 8 s");
     assert!(error.is_invalid_argument(), "{error:?}");
 }
 
@@ -419,7 +421,7 @@ fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
 fn servo_mode_is_not_asked_for_while_the_arm_moves() {
     let (controller, mut robot) = ready();
     robot.start(&to(20.0, 40.0)).expect("it is reachable");
-    let error = robot.servo(&ServoConfig::new()).expect_err("a motion has not been waited for");
+    let error = robot.enter_servo_mode(&ServoConfig::new()).expect_err("a motion has not been waited for");
     assert!(matches!(error.kind(), ErrorKind::NotReady { .. }), "{error:?}");
     assert!(!controller.requests().iter().any(|request| request.contains("servo_move")));
     assert_there(&controller, &robot.wait(LONG), 20.0);
@@ -430,7 +432,7 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
     monitor.wait_until(|status| status.in_position == Some(false), LONG).expect("the arm moves");
     drop(robot);
     let mut robot = Robot::new(Client::connect(controller.command_addr()).expect("the controller listens"), monitor);
-    drop(robot.servo(&ServoConfig::new()).expect("the arm has come to rest"));
+    drop(robot.enter_servo_mode(&ServoConfig::new()).expect("the arm has come to rest"));
     assert!((joint_1(&controller) - 30.0).abs() < 0.01);
 }
 

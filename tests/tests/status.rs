@@ -26,7 +26,7 @@ fn packets_show_the_state() {
     let packet = status.next_packet().expect("a packet comes");
     assert_eq!((packet.powered_on, packet.enabled), (Some(true), Some(true)));
     assert_eq!(packet.joint_actual_position, Some([1.5, -2.0, 3.0, 0.0, 0.0, 0.25].into()));
-    let length = status.last_packet().expect("it is kept").len();
+    let length = status.packet_text().expect("it is kept").len();
     assert_eq!(packet.length, i64::try_from(length).ok());
 }
 
@@ -119,7 +119,7 @@ fn a_field_that_does_not_fit_is_absent_and_told() {
     assert_eq!((packet.length, packet.enabled), (Some(42), None));
     let unfit: Vec<_> = status.unfit().iter().map(ToString::to_string).collect();
     assert_eq!(unfit, ["field `enabled`: expected a truth value, found `\"perhaps\"`"]);
-    assert_eq!(status.last_packet(), Some("{\"len\": 42, \"enabled\": \"perhaps\"}"));
+    assert_eq!(status.packet_text(), Some("{\"len\": 42, \"enabled\": \"perhaps\"}"));
     controller.publish();
     status.next_packet().expect("the next one fits");
     assert_eq!(status.unfit(), []);

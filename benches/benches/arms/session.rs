@@ -29,9 +29,9 @@ fn connect(robot: Addresses) -> Result<Robot, jaka_sync::Error> {
 }
 
 fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
-    let mut session = robot.servo(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
+    let mut session = robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
     while session.time() < time {
-        session.joints_by([0.0; 6])?;
+        session.send_joint_offset([0.0; 6])?;
     }
     let beats = session.time().as_nanos() / PERIOD.as_nanos();
     let report = session.finish()?;

@@ -43,12 +43,12 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
 
 fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
     let monitor: Monitor = Config::new().connect_monitor(status)?;
-    let mut robot = Robot::new(Client::connect(commands)?, monitor).move_without_status();
+    let mut robot = Robot::new(Client::connect(commands)?, monitor).allow_motion_without_status();
     // It spins, so that it need not be asleep at the beat.
     let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));
-    let mut session = robot.servo(&config)?;
+    let mut session = robot.enter_servo_mode(&config)?;
     for _ in 0..count {
-        session.joints_by([0.0; 6])?;
+        session.send_joint_offset([0.0; 6])?;
     }
     session.finish()?;
     Ok(())

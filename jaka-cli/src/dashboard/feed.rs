@@ -49,7 +49,7 @@ impl Feed {
 
     /// Brings the view up to date.
     pub(crate) fn update(&mut self, view: &mut View) {
-        while let Some(packet) = self.queue.try_next() {
+        while let Some(packet) = self.queue.try_next_packet() {
             self.take(&packet, view);
             self.newest = Some(packet);
         }
@@ -109,7 +109,7 @@ impl Feed {
             skipped: found.skipped,
             unfit: found.unfit + found.resyncs,
             reconnects: found.reconnects,
-            ended: self.monitor.disconnect().map(|cause| cause.to_string()),
+            ended: self.monitor.disconnect_cause().map(|cause| cause.to_string()),
         }
     }
 

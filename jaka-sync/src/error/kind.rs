@@ -94,7 +94,7 @@ pub enum ErrorKind {
         says: Option<String>,
     },
     /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
-    /// program that must do without it, [`Robot::move_without_status`](crate::Robot::move_without_status).
+    /// program that must do without it, [`Robot::allow_motion_without_status`](crate::Robot::allow_motion_without_status).
     StatusUnknown {
         /// Why it is not known, and what helps.
         problem: StatusProblem,

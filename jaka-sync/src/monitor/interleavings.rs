@@ -79,7 +79,7 @@ fn who_watches_sees_newer_packets_only() {
         assert!(watched.is_err_and(|error| error.is_disconnected()));
         assert!(seen.is_sorted_by(|a, b| a < b) && seen.iter().all(|number| *number <= 2), "{seen:?}");
         sending.join().expect("it does not panic");
-        assert_eq!(monitor.last().map(|packet| packet.number), Some(2));
+        assert_eq!(monitor.last_known_packet().map(|packet| packet.number), Some(2));
     });
 }
 
@@ -117,7 +117,7 @@ fn a_subscription_has_each_packet_and_then_its_end() {
         let subscription = monitor.subscribe(1);
         let sending = thread::spawn(move || two_packets(worker));
         let received: Vec<_> =
-            std::iter::from_fn(|| subscription.next_within(LONG)).map(|packet| packet.number).collect();
+            std::iter::from_fn(|| subscription.next_packet_within(LONG)).map(|packet| packet.number).collect();
         sending.join().expect("it does not panic");
         assert!(subscription.is_closed());
         assert!(received == [1, 2] || (received == [2] && subscription.dropped() == 1), "{received:?}");

@@ -11,6 +11,7 @@ use crate::sync::{Condvar, Mutex, MutexGuard};
 ///
 /// A reader that is too slow loses the oldest, and can see how many.
 #[derive(Debug)]
+#[must_use = "packets are queued only as long as the subscription lives"]
 pub struct Subscription<S> {
     queue: Arc<Queue<S>>,
 }
@@ -62,12 +63,12 @@ impl<S> Subscription<S> {
     }
 
     /// The next packet, if one waits.
-    pub fn try_next(&self) -> Option<Arc<Snapshot<S>>> {
+    pub fn try_next_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.queue.lock().waiting.pop_front()
     }
 
     /// The next packet, waited for at most `timeout`; `None` if none has come, or none will come any more.
-    pub fn next_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
+    pub fn next_packet_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
         let since = Instant::now();
         let mut items = self.queue.lock();
         loop {

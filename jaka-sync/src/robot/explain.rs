@@ -101,7 +101,7 @@ impl Robot {
         if refusal.code == ErrorCode::PERMISSION_DENIED {
             return Some(Explanation::NoRemoteControl);
         }
-        let newest = self.monitor.last();
+        let newest = self.monitor.last_known_packet();
         let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.clone());
         let state = self.client.call_within(&GetRobotState, PATIENCE.min(timeout));
         (status.powered_on, status.enabled) = match state {

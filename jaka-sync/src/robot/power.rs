@@ -83,7 +83,7 @@ impl Robot {
 
     fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
         let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
-        let says = self.monitor.last().and_then(|last| monitor::in_words(&last));
+        let says = self.monitor.last_known_packet().and_then(|last| monitor::in_words(&last));
         self.client.link().attach(ErrorKind::StateTimeout { after, packets, says }.into())
     }
 }

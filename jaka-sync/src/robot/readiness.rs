@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
 
-use super::{Explanation, Outcome, Robot, lock, trouble};
+use super::{Explanation, Outcome, Robot, trouble};
 use crate::{Disconnect, Error, ErrorKind, Snapshot};
 
 /// Why the state of a robot is not known.
@@ -75,14 +75,14 @@ impl StdError for StatusProblem {
 impl Robot {
     /// The newest packet, if it is fresh and can be read. Where none has come lately, waits a little for one.
     fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
-        let now = self.monitor.current();
+        let now = self.monitor.fresh_packet();
         if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
             return readable(now);
         }
         let patience = self.monitor.stale_after().min(timeout);
-        // What has come of it, `current` says.
-        let _ = self.monitor.watch(patience, |_| self.monitor.current().ok());
-        readable(self.monitor.current())
+        // What has come of it, `fresh_packet` says.
+        let _ = self.monitor.watch(patience, |_| self.monitor.fresh_packet().ok());
+        readable(self.monitor.fresh_packet())
     }
 
     /// The same for what must not be done without it, unless the program has said that it does without.
@@ -97,14 +97,14 @@ impl Robot {
     /// Keeps back what would move the arm behind a stop (one that has begun by the time of the write is on the wire before it, or
     /// will be sent behind it), or while the robot's state is not known.
     pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<> {
-        let (latched, stops, told) = (Arc::clone(&self.latched), Arc::clone(&self.stops), self.stops_told);
+        let latch = self.latch.clone();
         let monitor = (!self.moves_without_status).then(|| Arc::clone(&self.monitor));
         move || {
             if let Some(monitor) = &monitor {
-                let newest = readable(monitor.current()).map_err(unknown)?;
+                let newest = readable(monitor.fresh_packet()).map_err(unknown)?;
                 check_stops(&newest)?;
             }
-            super::not_latched(lock(&latched).clone().or_else(|| stops.pending(told)))
+            latch.check()
         }
     }
 }

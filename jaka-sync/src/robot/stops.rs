@@ -66,6 +66,7 @@ impl Drop for UnderWay<'_> {
 ///
 /// This is no emergency stop; people are protected by the robot's own safety functions alone.
 #[derive(Debug, Clone)]
+#[must_use = "a stop handle stops nothing until `stop` is called"]
 pub struct RobotStop {
     handle: StopHandle,
     stops: Arc<Stops>,

@@ -40,7 +40,7 @@ impl Robot {
             let found = self.monitor.watch(patience, |newest| self.observe(newest, wait, &mut heard));
             match found {
                 Ok(Some(Next::Ended(outcome))) => return self.told(outcome),
-                Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect(), unreadable: None },
+                Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect_cause(), unreadable: None },
                 Ok(_) if left.is_zero() => return Outcome::Deadline,
                 Ok(_) if heard.at.elapsed() >= self.silence => return heard.lost(),
                 Ok(_) => {}
@@ -61,7 +61,7 @@ impl Robot {
 
     /// Looks at the newest packet and at the stops: what is next, if they tell it.
     fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Next> {
-        if self.stops.taken() > self.stops_told {
+        if self.latch.has_untold_stop() {
             return Some(Next::Ended(Outcome::Stopped));
         }
         let outcome = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
@@ -93,10 +93,10 @@ impl Robot {
     /// A stop that the outcome tells of is told.
     fn told(&mut self, outcome: Outcome) -> Outcome {
         if matches!(outcome, Outcome::Stopped) {
-            self.stops_told = self.stops_told.max(self.stops.taken());
+            self.latch.tell_stops();
         }
         // Where the target is not known, it may be at rest because of a stop whose reply has not come.
-        let is_stopping = self.stops.is_under_way() && matches!(outcome, Outcome::AtRest);
+        let is_stopping = self.latch.stops().is_under_way() && matches!(outcome, Outcome::AtRest);
         if is_stopping { Outcome::Stopped } else { outcome }
     }
 }

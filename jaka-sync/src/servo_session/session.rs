@@ -18,14 +18,14 @@ use crate::{Error, ErrorKind, Robot, Snapshot};
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
 
-/// The robot in servo mode, from [`Robot::servo`]: set-points go out at the beat of the servo period, and their answers are
+/// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out at the beat of the servo period, and their answers are
 /// counted, not waited for.
 ///
 /// Each call sends one set-point at the next beat, and fails within a period if the controller has refused an earlier one.
 /// Dropping the session leaves servo mode, also while a panic unwinds; [`finish`](Self::finish) does it with a report.
 ///
 /// # Entering
-/// [`Robot::servo`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not been waited for, and
+/// [`Robot::enter_servo_mode`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not been waited for, and
 /// where the controller acknowledges servo mode and does not enter it; with [`ErrorKind::NotAcknowledged`] after a stop, with
 /// [`ErrorKind::StatusUnknown`] where the status is stale, missing or unreadable, and as [`Client::call`](crate::Client::call). If
 /// something fails after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
@@ -40,14 +40,15 @@ const MAX_SPEED: f64 = 180.0;
 /// ```no_run
 /// # use jaka_sync::{Robot, ServoConfig};
 /// let mut robot = Robot::connect("10.5.5.100")?;
-/// let mut session = robot.servo(&ServoConfig::new())?;
+/// let mut session = robot.enter_servo_mode(&ServoConfig::new())?;
 /// for _ in 0..125 {
-///     session.joints_by([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
+///     session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
 /// }
 /// let report = session.finish()?;
 /// println!("{} set-points, 99 % within {:?}", report.cycles, report.lateness(0.99));
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
+#[must_use = "dropping a session leaves servo mode; `finish` does so, too, and reports"]
 pub struct ServoSession<'r> {
     pub(super) robot: &'r mut Robot,
     pub(super) config: ServoConfig,
@@ -77,7 +78,7 @@ impl ServoSession<'_> {
     /// - [`ErrorKind::NotAcknowledged`]: a protective or emergency stop. [`ErrorKind::Disconnected`]: the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: nothing passes on one of the ports; the session has ended.
     ///   [`ErrorKind::ServoModeNotLeft`]: it has ended so, and servo mode may be on. [`ErrorKind::SessionEnded`]: it had ended before.
-    pub fn joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
+    pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
         self.check_speed(target)?;
         let request = ServoJ {
@@ -93,8 +94,8 @@ impl ServoSession<'_> {
     /// Waits for the next beat and sends a set-point by an offset of all joints from the one before.
     ///
     /// # Errors
-    /// As [`joints`](Self::joints).
-    pub fn joints_by(&mut self, offset: impl Into<JointPosition>) -> Result<(), Error> {
+    /// As [`send_joints`](Self::send_joints).
+    pub fn send_joint_offset(&mut self, offset: impl Into<JointPosition>) -> Result<(), Error> {
         let offset = offset.into();
         let (from, to) = (JointPosition([0.0; 6]), offset);
         self.check_step(from, to)?;
@@ -113,8 +114,8 @@ impl ServoSession<'_> {
     /// The speeds of the joints that follow from it are the controller's to check.
     ///
     /// # Errors
-    /// As [`joints`](Self::joints), but for the speed.
-    pub fn pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
+    /// As [`send_joints`](Self::send_joints), but for the speed.
+    pub fn send_pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
         let request =
             ServoP { pose: target.into(), mode: MoveMode::Absolute, step_count: Some(self.config.step_count.into()) };
         self.last = None;
@@ -124,8 +125,8 @@ impl ServoSession<'_> {
     /// Waits for the next beat and sends a set-point by an offset of the tool centre point.
     ///
     /// # Errors
-    /// As [`pose`](Self::pose).
-    pub fn pose_by(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
+    /// As [`send_pose`](Self::send_pose).
+    pub fn send_pose_offset(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
         let request =
             ServoP { pose: offset.into(), mode: MoveMode::Relative, step_count: Some(self.config.step_count.into()) };
         self.last = None;
@@ -139,15 +140,15 @@ impl ServoSession<'_> {
     /// which may be refused as too fast; one that counts its set-points is delayed instead.
     ///
     /// # Errors
-    /// As [`joints`](Self::joints).
+    /// As [`send_joints`](Self::send_joints).
     pub fn run<B>(
         &mut self,
         mut next: impl FnMut(Duration, Option<&Snapshot>) -> ControlFlow<B, JointPosition>,
     ) -> Result<B, Error> {
         loop {
-            let status: Option<Arc<Snapshot>> = self.robot.monitor().last();
+            let status: Option<Arc<Snapshot>> = self.robot.monitor().last_known_packet();
             match next(self.time(), status.as_deref()) {
-                ControlFlow::Continue(target) => self.joints(target)?,
+                ControlFlow::Continue(target) => self.send_joints(target)?,
                 ControlFlow::Break(end) => return Ok(end),
             }
         }

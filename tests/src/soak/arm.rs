@@ -92,7 +92,7 @@ impl Arm {
                 self.place.peak.look();
             }
             calls::one(&mut self, &mut current);
-            if current.silent >= SILENT || current.robot.client().disconnect().is_some() {
+            if current.silent >= SILENT || current.robot.client().disconnect_cause().is_some() {
                 self.leave(current);
             } else {
                 session = Some(current);
@@ -122,7 +122,7 @@ impl Arm {
 
     /// Ends a connection: by what broke it, or because the program wants it to.
     fn leave(&mut self, mut session: Session) {
-        let is_broken = session.robot.client().disconnect().is_some();
+        let is_broken = session.robot.client().disconnect_cause().is_some();
         self.tally.one(if is_broken { "connections broken" } else { "connections left" });
         let connection = session.end(&self.place, &mut self.tally);
         self.connections.push(connection);

@@ -46,7 +46,7 @@ pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     }
     let config = ServoConfig::new().enter_timeout(ENTER);
     let config = if arm.random.one_in(2) { config.max_unanswered(LONG) } else { config };
-    let outcome = match session.robot.servo(&config) {
+    let outcome = match session.robot.enter_servo_mode(&config) {
         Ok(servo) => go_through(arm, servo),
         Err(error) => Outcome { sent: not_entered(&error), result: Err(error) },
     };
@@ -136,7 +136,7 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
     for at in 0..count {
         let step = if at % 2 == 0 { 0.05 } else { -0.05 };
         let offset = [step, 0.0, 0.0, 0.0, 0.0, f64::from(arm.serial()) * 1e-7].into();
-        let result = servo.joints_by(offset);
+        let result = servo.send_joint_offset(offset);
         let command = ServoJ { mode: MoveMode::Relative, joint_position: offset, step_count: Some(1) };
         sent.push((text(&command), set_point(&result), 1));
         failed = result.err();

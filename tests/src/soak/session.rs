@@ -53,8 +53,8 @@ impl Session {
         observe(&monitor, &place.rate, &place.findings);
         let client = config.connect_client(place.ports.commands)?;
         // So short that a motion that is stopped is soon known to be.
-        let robot = Robot::new(client, monitor).start_grace(Duration::from_millis(60), 3);
-        let mut robot = robot.status_silence(Duration::from_millis(400));
+        let robot = Robot::new(client, monitor).with_start_grace(Duration::from_millis(60), 3);
+        let mut robot = robot.with_status_silence(Duration::from_millis(400));
         // One that ends the robot's waits, and one of which the robot does not know.
         let (stop, unknown_stop) = (robot.stop_handle(), robot.client().stop_handle());
         Ok(Self {

@@ -74,7 +74,7 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
         assert_latched(cell, &mut robot);
     }
     // The next motion has all the time that it needs.
-    let next = next(cell, &mut robot.status_silence(LIMIT));
+    let next = next(cell, &mut robot.with_status_silence(LIMIT));
     Seen { first, beside: None, next }
 }
 

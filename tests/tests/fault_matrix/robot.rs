@@ -32,7 +32,7 @@ pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
         _ => Duration::ZERO,
     };
     let silence = if cell.expected.first == Outcome::StatusLost { STALE } else { LIMIT };
-    Robot::new(cell.client(), monitor).start_grace(grace, 4).status_silence(silence)
+    Robot::new(cell.client(), monitor).with_start_grace(grace, 4).with_status_silence(silence)
 }
 
 /// Does something while the controller's time goes on; where packets are not to come, for as long as a motion takes.
@@ -61,13 +61,13 @@ pub(crate) fn notice(cell: &Cell<'_>, robot: &Robot, expected: Outcome) {
         cell.controller.advance(PERIOD);
     }
     until(cell, "the monitor does not notice it", || {
-        robot.monitor().disconnect().is_some() || robot.monitor().is_stale()
+        robot.monitor().disconnect_cause().is_some() || robot.monitor().is_stale()
     });
 }
 
 /// Waits until packets come again, where they are to, and are those of now.
 pub(crate) fn recover(cell: &Cell<'_>, robot: &Robot) {
-    if cell.then == Outcome::StatusUnknown || robot.monitor().disconnect().is_some() {
+    if cell.then == Outcome::StatusUnknown || robot.monitor().disconnect_cause().is_some() {
         return;
     }
     until(cell, "packets do not come again", || {

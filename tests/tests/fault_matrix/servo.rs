@@ -91,10 +91,10 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
     let config = ServoConfig::new();
     let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
     let sent = cell.received(ServoJ::INFO.name);
-    let mut session = robot.servo(&config)?;
+    let mut session = robot.enter_servo_mode(&config)?;
     then();
     let count = if is_to_succeed { SET_POINTS } else { MOST_SET_POINTS };
-    let failed = (0..count).find_map(|_| session.joints_by([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
+    let failed = (0..count).find_map(|_| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]).err());
     let finished = session.finish();
     if let Some(error) = failed {
         return Err(error);

@@ -49,7 +49,7 @@ fn next(stream: &mut StatusStream) -> Result<String, Outcome> {
             _ => return Err(Outcome::NoReply(chain(&error))),
         }
     }
-    Ok(stream.last_packet().unwrap_or_default().to_owned())
+    Ok(stream.packet_text().unwrap_or_default().to_owned())
 }
 
 fn add_new(departures: &mut Vec<Departure>, more: Vec<Departure>) {

@@ -57,7 +57,7 @@ impl Packets {
             Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => Err(error),
             _ => Ok(()),
         })?;
-        Ok(self.stream.last_packet().unwrap_or_default().to_owned())
+        Ok(self.stream.packet_text().unwrap_or_default().to_owned())
     }
 
     /// Reads until a packet is due. Those before are read too, so that none is old and the controller need not wait.

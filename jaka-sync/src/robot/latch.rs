@@ -1,0 +1,80 @@
+//! What keeps motions back until it has been acknowledged.
+
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::stops::Stops;
+use super::{Outcome, trouble};
+use crate::{Error, ErrorKind, Monitor};
+
+/// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, and stops of
+/// handles of which no [`MotionEnd`](super::MotionEnd) has told.
+///
+/// A clone knows of all that comes later, but not of what is told or acknowledged later.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Latch {
+    /// Set by the monitor's thread, too. Locked after the link's state; nothing else is locked under it.
+    outcome: Arc<Mutex<Option<Outcome>>>,
+    stops: Arc<Stops>,
+    /// The number of the latest stop that the program has been told of.
+    told: u64,
+}
+
+impl Latch {
+    /// Is set at each stop that a packet of the monitor shows, for as long as the robot lives.
+    pub(super) fn new(monitor: &Monitor) -> Self {
+        let latch = Self::default();
+        let outcome = Arc::downgrade(&latch.outcome);
+        monitor.observe_first(move |snapshot| {
+            let Some(outcome) = outcome.upgrade() else {
+                return ControlFlow::Break(());
+            };
+            if let Some(stop) = trouble::stop(&snapshot.status) {
+                lock(&outcome).get_or_insert(stop);
+            }
+            ControlFlow::Continue(())
+        });
+        latch
+    }
+
+    /// Sets it. What has set it first stays.
+    pub(super) fn set(&self, outcome: &Outcome) {
+        lock(&self.outcome).get_or_insert_with(|| outcome.clone());
+    }
+
+    /// What must be acknowledged, if something must.
+    pub(super) fn unacknowledged(&self) -> Option<Outcome> {
+        lock(&self.outcome).clone().or_else(|| self.stops.pending(self.told))
+    }
+
+    /// Fails while something must be acknowledged.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.unacknowledged().map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
+    }
+
+    /// Says that somebody has looked. A stop that is on its way still keeps motions back.
+    pub(super) fn acknowledge(&mut self) {
+        *lock(&self.outcome) = None;
+        self.told = self.stops.begun();
+    }
+
+    /// The stops of the robot's handles.
+    pub(super) fn stops(&self) -> &Arc<Stops> {
+        &self.stops
+    }
+
+    /// True if the controller has taken a stop of which the program has not been told.
+    pub(super) fn has_untold_stop(&self) -> bool {
+        self.stops.taken() > self.told
+    }
+
+    /// The program is told of the stops that the controller has taken.
+    pub(super) fn tell_stops(&mut self) {
+        self.told = self.told.max(self.stops.taken());
+    }
+}
+
+/// Every change is made whole before the lock is left.
+fn lock(outcome: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {
+    outcome.lock().unwrap_or_else(PoisonError::into_inner)
+}
