@@ -55,7 +55,7 @@ fn assert_broken(controller: &Controller, client: &mut Client, cause: &str) {
 
 /// The cause of a broken connection, of a call that had been sent.
 fn cause_of(error: Error) -> String {
-    match error.kind() {
+    match error.into_kind() {
         ErrorKind::Disconnected { command: Some(_), sent: true, cause, .. } => format!("{cause:?}"),
         other => panic!("the connection should be broken: {other:?}"),
     }

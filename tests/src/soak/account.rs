@@ -19,10 +19,7 @@ pub(super) enum Fate {
 
 impl Fate {
     pub(super) fn of<T>(result: &Result<T, Error>) -> Self {
-        let error = match result {
-            Ok(_) => return Self::Seen,
-            Err(error) => error,
-        };
+        let Err(error) = result else { return Self::Seen };
         match error.kind() {
             ErrorKind::Refused { .. } | ErrorKind::UnexpectedReply { .. } | ErrorKind::ReplyLost { .. } => Self::Seen,
             _ if error.may_have_run() => Self::Sent,

@@ -60,8 +60,8 @@ fn number_in(reply: &str) -> u32 {
 
 /// A refusal shows whose it is by its code.
 pub(crate) fn got(result: Result<u32, Error>) -> Got {
-    match result.as_ref().map_err(Error::kind) {
-        Ok(number) => Got::Reply(*number),
+    match result.map_err(Error::into_kind) {
+        Ok(number) => Got::Reply(number),
         Err(ErrorKind::Refused { refusal, .. }) => {
             Got::Reply(u32::try_from(refusal.code.0).expect("the server numbers its replies"))
         }
