@@ -6,7 +6,7 @@ use crate::common::{Peer, json};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader, Typed, Value};
 use jaka_sim::{Builder, Controller, Delays, Firmware, State};
-use jaka_spec::{Spec, TypeKind};
+use jaka_spec::Spec;
 
 /// The last key of the document's sample.
 const LAST_OF_DOCUMENT: &str = "netState";
@@ -26,9 +26,7 @@ fn spec() -> Spec {
 
 /// The keys of the spec's packet, in its order.
 fn packet_keys(spec: &Spec) -> Vec<String> {
-    let kind = &spec.type_def("RobotStatus").expect("the spec has a packet").kind;
-    let TypeKind::Object(fields) = kind else { panic!("a packet is an object") };
-    fields.iter().map(|field| field.wire.clone()).collect()
+    spec.status_fields().iter().map(|field| field.wire.clone()).collect()
 }
 
 fn keys(text: &str) -> Vec<String> {
