@@ -10,29 +10,28 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto-derive", &["jaka-spec"]),
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
-    ("jaka-sim", &["jaka-proto", "jaka-spec"]),
-    ("jaka-cli", &["jaka-sim", "jaka-spec", "jaka-sync"]),
+    ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
+    ("jaka-sim", &["jaka-dynamic", "jaka-proto", "jaka-spec"]),
+    ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 
 /// What stands in a circle nevertheless.
 const CIRCLES: &[(&str, &[&str])] = &[
     ("spec", &["model", "words"]),
     ("spec", &["pack", "read", "resolve"]),
-    ("jaka-proto", &["check", "command", "envelope", "error_code", "wire"]),
     // A configuration makes what is made of it, and an error says what became of a robot's motion.
     (
         "jaka-sync",
         &[
-            "address",
             "client",
             "config",
+            "connection",
             "error",
             "link",
             "monitor",
             "pipeline",
             "receive",
             "recorder",
-            "reply",
             "resync",
             "robot",
             "servo_session",
