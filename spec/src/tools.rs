@@ -17,5 +17,5 @@ mod reference;
 mod schema;
 
 pub use diff::{Change, Impact, diff, impact, summary};
-pub use reference::reference;
+pub use reference::{reference, reference_zh};
 pub use schema::schema;

@@ -3,29 +3,41 @@
 use std::collections::BTreeSet;
 
 use expect_test::{expect, expect_file};
-use jaka_spec::tools::reference;
+use jaka_spec::tools::{reference, reference_zh};
 use jaka_spec::{Source, load, words};
 use jaka_tests::spec;
 
 #[test]
 fn the_committed_reference_is_that_of_the_spec() {
     expect_file!["../../spec/REFERENCE.md"].assert_eq(&reference(&spec()));
+    expect_file!["../../spec/REFERENCE.zh.md"].assert_eq(&reference_zh(&spec()));
 }
 
 #[test]
 fn every_link_leads_to_one_heading() {
-    let text = reference(&spec());
+    let (english, chinese) = (reference(&spec()), reference_zh(&spec()));
+    let editions = [("REFERENCE.md", &english), ("REFERENCE.zh.md", &chinese)];
+    let anchors = editions.map(|(file, text)| (file, anchors(text)));
+    for (here, text) in editions {
+        let links: Vec<_> = text.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+        for link in &links {
+            let (file, target) = link.split_once('#').unwrap_or((link, ""));
+            let file = if file.is_empty() { here } else { file };
+            let (_, anchors) =
+                anchors.iter().find(|(known, _)| *known == file).unwrap_or_else(|| panic!("`{link}` leads out"));
+            assert!(target.is_empty() || anchors.contains(target), "nothing has the anchor of `{link}`");
+        }
+        assert!(links.len() > spec().commands().count(), "{here}: an index links to each command");
+    }
+}
+
+/// The anchors of a text, each of one heading.
+fn anchors(text: &str) -> BTreeSet<String> {
     let mut anchors = BTreeSet::new();
-    for heading in headings(&text) {
+    for heading in headings(text) {
         assert!(anchors.insert(anchor(heading)), "two headings have the anchor of `{heading}`");
     }
-    let links: Vec<_> = text.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
-    for link in &links {
-        let target = link.strip_prefix('#').unwrap_or_else(|| panic!("`{link}` leads out of the reference"));
-        assert!(anchors.contains(target), "nothing has the anchor `{target}`");
-    }
-    let commands = spec().commands().count();
-    assert!(links.len() > 2 * commands, "both indexes link to each command");
+    anchors
 }
 
 #[test]

@@ -5,21 +5,25 @@ use std::fmt::Write as _;
 use crate::words::{self, first_sentence};
 use crate::{Command, ErrorCode, Spec, Topic};
 
+mod chinese;
 mod command;
 mod events;
 mod fields;
 mod markdown;
+mod pages;
 mod types;
 
 use markdown::{Table, code, escape, link};
 
+pub use chinese::reference_zh;
+
 /// A reference of the protocol in Markdown, for readers who write no Rust.
 ///
-/// It has an index by topic and one by section, then a chapter for each topic with its commands, types, error codes and events. The
-/// anchors are those that GitHub gives to headings.
+/// It begins with pages of prose, which are the same for every spec. Then it has an index by topic and one by section, and a chapter
+/// for each topic with its commands, types, error codes and events. The anchors are those that GitHub gives to headings.
 pub fn reference(spec: &Spec) -> String {
     let mut out = String::from("# The JAKA TCP protocol\n\n");
-    out += include_str!("reference/intro.md");
+    out += &pages::ENGLISH.join("\n");
     index_by_topic(&mut out, spec);
     index_by_section(&mut out, spec);
     for topic in &spec.topics {
@@ -52,16 +56,21 @@ fn index_by_topic(out: &mut String, spec: &Spec) {
 
 fn index_by_section(out: &mut String, spec: &Spec) {
     *out += "## Sections of the document\n\n";
-    let mut commands: Vec<_> =
-        spec.topics.iter().flat_map(|topic| topic.commands.iter().map(move |command| (topic, command))).collect();
-    commands.sort_by_key(|(_, command)| section_order(command));
     let mut table = Table::new(&["section", "command", "topic", "effect"]);
-    for (topic, command) in commands {
+    for (topic, command) in by_section(spec) {
         let section = command.section.clone().unwrap_or_default();
         let effect = words::effect(command.effect).to_owned();
         table.row([section, command_link(command), link(&topic.title, &topic.title), effect]);
     }
     table.render(out);
+}
+
+/// All commands with their topics, in the order of the document's sections.
+fn by_section(spec: &Spec) -> Vec<(&Topic, &Command)> {
+    let mut commands: Vec<_> =
+        spec.topics.iter().flat_map(|topic| topic.commands.iter().map(move |command| (topic, command))).collect();
+    commands.sort_by_key(|(_, command)| section_order(command));
+    commands
 }
 
 /// The section's numbers; what the document does not have comes last.

@@ -16,7 +16,12 @@ fn cell(text: &str) -> String {
 
 /// A link to the heading of this document whose text is `heading`.
 pub(super) fn link(text: &str, heading: &str) -> String {
-    format!("[{}](#{})", escape(text), anchor(heading))
+    link_into("", text, heading)
+}
+
+/// A link to the heading of `file` whose text is `heading`.
+pub(super) fn link_into(file: &str, text: &str, heading: &str) -> String {
+    format!("[{}]({file}#{})", escape(text), anchor(heading))
 }
 
 /// The anchor that GitHub gives to a heading: letters in lower case, digits, `-` and `_`, and `-` for each blank.
