@@ -197,6 +197,8 @@ fn documents_have_the_commands_of_packs() {
     let without = jaka(["spec", "doc"]);
     assert_eq!(without.out, jaka_spec::tools::reference(&jaka_spec::builtin().unwrap()));
     let with = jaka(["spec", "doc", "--pack", &pack("newer.toml")]);
+    let chinese = jaka(["spec", "doc", "--lang", "zh"]);
+    assert_eq!(chinese.out, jaka_spec::tools::reference_zh(&jaka_spec::builtin().unwrap()));
     assert!(!without.out.contains("get_motion_state") && with.out.contains("`get_motion_state`"));
     let path = scratch("schema.json");
     let run = jaka(["spec", "schema", "--pack", &pack("newer.toml"), "-o", &path.display().to_string()]);

@@ -6,7 +6,7 @@ mod document;
 mod files;
 
 use clap::{Args, Subcommand};
-use jaka_sync::proto::text::{visible_json, visible_lines};
+use jaka_sync::proto::text::visible_json;
 
 use crate::failure::Failure;
 
@@ -23,8 +23,7 @@ pub(crate) struct Spec {
 enum SpecCommand {
     Check(check::Check),
     Diff(diff::Diff),
-    /// Write the protocol's reference, in Markdown
-    Doc(document::Document),
+    Doc(document::Reference),
     /// Write the JSON Schema of all messages
     Schema(document::Document),
 }
@@ -34,7 +33,7 @@ impl Spec {
         match self.command {
             SpecCommand::Check(command) => command.run(),
             SpecCommand::Diff(command) => command.run(),
-            SpecCommand::Doc(command) => command.run(jaka_spec::tools::reference, visible_lines),
+            SpecCommand::Doc(command) => command.run(),
             SpecCommand::Schema(command) => command.run(document::schema, visible_json),
         }
     }

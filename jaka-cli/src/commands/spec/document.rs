@@ -4,12 +4,43 @@ use std::borrow::Cow;
 use std::fs;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use jaka_spec::{Spec, tools};
+use jaka_sync::proto::text::visible_lines;
 
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::SpecArgs;
+
+/// Write the protocol's reference, in Markdown.
+#[derive(Debug, Args)]
+pub(super) struct Reference {
+    /// The language: the Chinese edition has the front matter, the traps and the indexes, and links to `REFERENCE.md`
+    #[arg(long, value_enum, value_name = "LANGUAGE", default_value_t)]
+    lang: Language,
+    #[command(flatten)]
+    document: Document,
+}
+
+/// A language in which there is a reference.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum Language {
+    /// English
+    #[default]
+    En,
+    /// Chinese
+    Zh,
+}
+
+impl Reference {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let make = match self.lang {
+            Language::En => tools::reference,
+            Language::Zh => tools::reference_zh,
+        };
+        self.document.run(make, visible_lines)
+    }
+}
 
 #[derive(Debug, Args)]
 pub(super) struct Document {
