@@ -22,6 +22,7 @@ mod pipeline;
 mod properties;
 mod recording;
 mod reference;
+mod reference_pages;
 mod replay;
 mod robot;
 mod robot_faults;
