@@ -1,35 +1,85 @@
-//! The expansion, as committed for review.
+//! The expansion, as committed for review: the interface of all that is generated, and the full code for each shape.
+
+mod interface;
+
+use std::collections::BTreeSet;
 
 use expect_test::{expect, expect_file};
-use jaka_spec::{Module, Source};
+use jaka_spec::{Command, Field, Module, Request, Source, Spec, TypeKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::Scope;
-use crate::{client, compile_errors, error_codes, events, pack, request, topic};
+use crate::codec::{STATUS, Scope};
+use crate::{client, compile_errors, error_codes, pack, request, topic};
+use interface::interface;
 
 fn pretty(tokens: TokenStream) -> String {
     let file = syn::parse2(tokens).expect("the expansion is valid Rust");
     prettyplease::unparse(&file)
 }
 
-#[test]
-fn messages() {
-    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
-    for topic in &spec.topics {
-        if let Some(module) = topic::module(&spec, topic) {
-            expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&pretty(module));
-        }
-    }
-    expect_file!["../golden/request.rs"].assert_eq(&pretty(request::render(&spec)));
-    expect_file!["../golden/error_codes.rs"].assert_eq(&pretty(error_codes::render(&spec)));
-    expect_file!["../golden/events.rs"].assert_eq(&pretty(events::render(&spec)));
+fn builtin() -> Spec {
+    jaka_spec::builtin().expect("the built-in spec is correct")
 }
 
 #[test]
-fn client_methods() {
-    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
-    expect_file!["../golden/client.rs"].assert_eq(&pretty(client::methods(&spec)));
+fn the_interface_of_all_messages() {
+    let spec = builtin();
+    for topic in &spec.topics {
+        if let Some(module) = topic::module(&spec, topic) {
+            expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&interface(module));
+        }
+    }
+    expect_file!["../golden/request.rs"].assert_eq(&interface(request::render(&spec)));
+    expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
+    expect_file!["../golden/client.rs"].assert_eq(&interface(client::methods(&spec)));
+}
+
+/// A command of each shape: bare, with a reply, with required and optional fields, one argument, a choice.
+const COMMANDS: &[&str] = &[
+    "power_off",
+    "get_robot_state",
+    "joint_move",
+    "rapid_rate",
+    "get_extio_status",
+    "set_servo_move_filter",
+    "set_vel_compliant_ctrl",
+    "get_program_state",
+];
+
+#[test]
+fn the_full_expansion_for_each_shape() {
+    let spec = shapes(builtin());
+    let (messages, methods) = (topic::messages(&spec), client::methods(&spec));
+    expect_file!["../golden/shapes.rs"].assert_eq(&pretty(quote!(#messages #methods)));
+}
+
+/// The part of the spec that has one command of each shape, with the types that it needs.
+fn shapes(mut spec: Spec) -> Spec {
+    let commands = spec.commands().filter(|command| COMMANDS.contains(&&*command.wire));
+    let used = commands.flat_map(Command::fields).filter_map(|field| field.ty.named());
+    let mut names: BTreeSet<String> = used.map(str::to_owned).collect();
+    loop {
+        let known = spec.types().filter(|def| names.contains(&def.name));
+        let parts: Vec<_> = known.flat_map(|def| def.kind.names()).map(str::to_owned).collect();
+        let before = names.len();
+        names.extend(parts);
+        if names.len() == before {
+            break;
+        }
+    }
+    for topic in &mut spec.topics {
+        topic.commands.retain(|command| COMMANDS.contains(&&*command.wire));
+        topic.types.retain(|def| names.contains(&def.name));
+        for command in &mut topic.commands {
+            if let Request::Choice(choice) = &mut command.request {
+                choice.variants.truncate(2);
+            }
+        }
+        topic.errors.truncate(2);
+        topic.events.truncate(3);
+    }
+    spec
 }
 
 #[test]
@@ -155,7 +205,7 @@ const NEWER: Source<'_> = Source { path: "newer.toml", text: include_str!("../..
 const CHANGED: Source<'_> = Source { path: "changed.toml", text: include_str!("../../tests/pack-user/changed.toml") };
 
 fn module(source: Source<'_>) -> Module {
-    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
+    let spec = builtin();
     jaka_spec::load_pack(&spec, source).expect("the pack is correct").module()
 }
 
@@ -163,7 +213,23 @@ fn module(source: Source<'_>) -> Module {
 fn packs() {
     let sync = quote!(::jaka_sync);
     expect_file!["../golden/pack_newer.rs"].assert_eq(&pretty(pack::module(&module(NEWER), &sync)));
-    expect_file!["../golden/pack_changed.rs"].assert_eq(&pretty(pack::module(&module(CHANGED), &sync)));
+    // Of the status packet, which is long and as it was, only what the pack adds.
+    let mut changed = module(CHANGED);
+    let before = builtin();
+    let is_old = |field: &Field| status_fields(&before).iter().any(|old| old.name == field.name);
+    for def in changed.topic.types.iter_mut().filter(|def| def.name == STATUS) {
+        if let TypeKind::Object(fields) = &mut def.kind {
+            fields.retain(|field| !is_old(field));
+        }
+    }
+    expect_file!["../golden/pack_changed.rs"].assert_eq(&interface(pack::module(&changed, &sync)));
+}
+
+fn status_fields(spec: &Spec) -> &[Field] {
+    match spec.type_def(STATUS).map(|def| &def.kind) {
+        Some(TypeKind::Object(fields)) => fields,
+        _ => panic!("the spec has a status packet"),
+    }
 }
 
 #[test]
@@ -196,7 +262,7 @@ const STRANGE: Source<'_> = Source { path: "strange.toml", text: include_str!(".
 /// rustdoc tests what it takes for code, and `cargo test` of this pack's user does so: see there.
 #[test]
 fn no_text_of_a_pack_becomes_code() {
-    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
+    let spec = builtin();
     let pack = jaka_spec::load_pack(&spec, STRANGE).expect("the pack is correct");
     let text = pretty(pack::module(&pack.module(), &quote!(::jaka_sync)));
     let docs = text.lines().filter_map(|line| line.trim_start().strip_prefix("///"));
@@ -214,7 +280,7 @@ fn no_text_of_a_pack_becomes_code() {
 /// Each line is left out, or has another value: what loads is rendered, and is Rust.
 #[test]
 fn what_loads_can_be_rendered() {
-    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
+    let spec = builtin();
     // Without the changes of the status packet, whose code is long.
     let (new, _) = STRANGE.text.split_once("# What the spec has, changed").expect("the changes stand at the end");
     let lines: Vec<_> = new.lines().collect();

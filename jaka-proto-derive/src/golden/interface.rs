@@ -1,0 +1,78 @@
+//! Generated code without its bodies: what programs can name, with its docs.
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::{Attribute, File, ImplItem, Item, ItemImpl, TraitItem, Visibility, parse_quote};
+
+/// The public items, with empty bodies. Left out: what is hidden, the codec, and the checks of requests.
+pub(super) fn interface(tokens: TokenStream) -> String {
+    let mut file: File = syn::parse2(tokens).expect("the expansion is valid Rust");
+    file.items = items(file.items);
+    prettyplease::unparse(&file)
+}
+
+fn items(items: Vec<Item>) -> Vec<Item> {
+    items.into_iter().filter_map(item).collect()
+}
+
+fn item(item: Item) -> Option<Item> {
+    match item {
+        Item::Mod(mut module) if !is_hidden(&module.attrs) => {
+            if let Some((_, content)) = &mut module.content {
+                *content = items(std::mem::take(content));
+            }
+            Some(Item::Mod(module))
+        }
+        Item::Impl(block) => implementation(block).map(Item::Impl),
+        Item::Fn(mut function) => {
+            function.block = parse_quote!({});
+            Some(Item::Fn(function))
+        }
+        Item::Trait(mut block) => {
+            for item in &mut block.items {
+                if let TraitItem::Fn(method) = item {
+                    method.default = None;
+                }
+            }
+            Some(Item::Trait(block))
+        }
+        Item::Use(import) => is_public(&import.vis).then_some(Item::Use(import)),
+        Item::Macro(_) | Item::Mod(_) => None,
+        other => Some(other),
+    }
+}
+
+/// Public functions and constants of a type, or the fact that a trait is implemented.
+fn implementation(mut block: ItemImpl) -> Option<ItemImpl> {
+    let is_trait = block.trait_.is_some();
+    if block.trait_.as_ref().is_some_and(|(path, _)| {
+        let path: Vec<_> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        path.contains(&"wire".to_owned()) || path.contains(&"check".to_owned())
+    }) {
+        return None;
+    }
+    block.items.retain_mut(|item| match item {
+        ImplItem::Fn(function) if !is_trait && is_public(&function.vis) => {
+            function.block = parse_quote!({});
+            true
+        }
+        ImplItem::Const(constant) if !is_trait && is_public(&constant.vis) => {
+            // A number tells which code it is, a long list nothing.
+            if matches!(constant.expr, syn::Expr::Reference(_)) {
+                constant.expr = parse_quote!(_);
+            }
+            true
+        }
+        ImplItem::Type(_) => true,
+        _ => false,
+    });
+    (is_trait || !block.items.is_empty()).then_some(block)
+}
+
+fn is_public(visibility: &Visibility) -> bool {
+    matches!(visibility, Visibility::Public(_))
+}
+
+fn is_hidden(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| attribute.to_token_stream().to_string() == "# [doc (hidden)]")
+}
