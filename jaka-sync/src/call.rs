@@ -1,10 +1,10 @@
-//! What takes commands.
+//! What can send commands.
 
 use crate::{Client, Command, Error, Robot};
 
-/// What takes commands: a [`Client`], a [`Robot`], or a type of yours that passes them on.
+/// What can send commands: a [`Client`], a [`Robot`], or a type of your own that forwards them.
 ///
-/// The methods of a [pack](crate::pack) are there for all that implements this, and code can be generic over it:
+/// All types that implement this have the methods of [packs](crate::pack), and code can be generic over it:
 ///
 /// ```
 /// use jaka_sync::power::GetVersion;

@@ -23,8 +23,8 @@ use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connecti
 /// Each method sends one command and waits for its reply. A command that the controller refuses is an error, with the
 /// controller's code and message. A motion that was accepted has only begun.
 ///
-/// The command port serves one client. Dropping the client closes the connection, also where stop handles live, and leaves the
-/// robot as it is: motions that were accepted go on, and nobody can stop them but through a new connection.
+/// The command port serves one client. Dropping the client closes the connection, even if stop handles still exist, and leaves the
+/// robot as it is: motions that were accepted go on, and can only be stopped through a new connection.
 ///
 /// ```no_run
 /// use jaka_sync::Client;
@@ -47,7 +47,7 @@ impl Client {
     /// Connects to a controller: `10.5.5.100`, `robot.local`, `10.5.5.100:10001`, or a socket address.
     ///
     /// # Errors
-    /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
+    /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect_client(address)
     }
@@ -72,7 +72,7 @@ impl Client {
         self.call_within(command, self.timeout_of(C::INFO))
     }
 
-    /// Sends a command and waits for its reply at most `timeout`, whatever the spec and the configuration say.
+    /// Sends a command and waits for its reply for at most `timeout`, regardless of the spec and the configuration.
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -129,7 +129,7 @@ impl Client {
         info.deadline.unwrap_or_default().max(self.config.reply_timeout)
     }
 
-    /// What commands are checked against, beside the spec.
+    /// What commands are checked against, apart from the spec.
     fn rules(&self) -> Rules {
         Rules { ranges: self.config.advisory_ranges, firmware: self.firmware }
     }
@@ -156,21 +156,21 @@ impl Client {
         Ok(commands.iter().try_for_each(|command| command.check(self.rules()))?)
     }
 
-    /// The connection, for those who post.
+    /// The connection.
     pub(crate) fn link(&self) -> &Link {
         &self.link
     }
 
-    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, at least one and at
-    /// most 256.
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is limited to the
+    /// range from 1 to 256.
     pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
         Pipeline::new(self, window)
     }
 
-    /// Reads the controller's version once (`get_version`, 4.51), and from then on refuses, before it is sent, what the spec
-    /// says that this firmware does not have.
+    /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware does not have,
+    /// according to the spec, is refused before it is sent.
     ///
-    /// By default nothing is checked so. Raw calls and stop handles never are.
+    /// By default, firmware is not checked. Raw calls and stop handles are never checked.
     ///
     /// ```no_run
     /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
@@ -180,8 +180,8 @@ impl Client {
     /// ```
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`UnexpectedReply`](ErrorKind::UnexpectedReply) with the controller's text if that is no version.
-    /// The checks stay as they were then.
+    /// As [`call`](Self::call); [`UnexpectedReply`](ErrorKind::UnexpectedReply) with the controller's text if that is not a version.
+    /// The checks then stay as they were.
     pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
         let text = self.call(&GetVersion)?.version;
         let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
@@ -191,7 +191,7 @@ impl Client {
         Ok(firmware)
     }
 
-    /// Sets the firmware that requests are checked against, without asking the controller; none for no such checks.
+    /// Sets the firmware that requests are checked against, without asking the controller; `None` turns these checks off.
     pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
         self.firmware = firmware;
     }
@@ -201,10 +201,9 @@ impl Client {
         self.firmware
     }
 
-    /// Sends a command that the spec does not know, and gives back the whole reply as JSON.
+    /// Sends a command that the spec does not know, and returns the whole reply as JSON.
     ///
-    /// `parameters` is a JSON object with the fields beside `cmdName`, or null for none. They are sent as they are:
-    /// nothing is checked.
+    /// `parameters` is a JSON object with the fields other than `cmdName`, or null for none. They are sent unchecked.
     ///
     /// ```no_run
     /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
@@ -226,14 +225,13 @@ impl Client {
         found.map_err(|source| self.link.attach(unexpected(command, source)))
     }
 
-    /// Sends a request as it stands, byte for byte, and gives back the text of its reply, with `\udcNN` for each byte that is no
-    /// UTF-8.
+    /// Sends a request unchanged, byte for byte, and returns the text of its reply, with `\udcNN` for each byte that is not UTF-8.
     ///
-    /// `request` is a JSON object with a `cmdName`. For programs that write requests by other means than this crate's, such as
-    /// a command line or the replay of a log: nothing is checked beyond that.
+    /// `request` is a JSON object with a `cmdName`; nothing else is checked. For programs that write requests without this crate's
+    /// types, such as a command line or the replay of a log.
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `request` is no JSON object or has no `cmdName`.
+    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `request` is not a JSON object or has no `cmdName`.
     pub fn call_text(&mut self, request: &str, timeout: Duration) -> Result<&str, Error> {
         let envelope = Envelope::read(request);
         let command = envelope.as_ref().ok().and_then(|envelope| envelope.command.as_deref());
@@ -248,13 +246,13 @@ impl Client {
         Ok(&self.reply)
     }
 
-    /// The text of the last reply, as it came, also where it was a refusal or does not fit the spec; with `\udcNN` for each
-    /// byte that is no UTF-8.
+    /// The text of the last reply, as it came, even if it was a refusal or does not fit the spec; with `\udcNN` for each byte that is
+    /// not UTF-8.
     pub fn last_reply(&self) -> Option<&str> {
         (!self.reply.is_empty()).then_some(&*self.reply)
     }
 
-    /// How long a reply may take where the spec names no longer time: see
+    /// How long a reply may take, unless the spec gives the command a longer time: see
     /// [`Config::reply_timeout`](Config::reply_timeout).
     pub fn reply_timeout(&self) -> Duration {
         self.config.reply_timeout
@@ -273,13 +271,13 @@ impl Client {
     /// The controller's address.
     ///
     /// # Errors
-    /// The connection is closed, in the system's words.
+    /// The connection is closed.
     pub fn peer_addr(&self) -> io::Result<SocketAddr> {
         self.link.peer_addr()
     }
 }
 
-/// Closes the connection, so that another client can be served: stop handles then fail, and say why.
+/// Closes the connection, so that another client can be served. Stop handles then fail, and say why.
 impl Drop for Client {
     fn drop(&mut self) {
         self.link.close();
@@ -307,7 +305,7 @@ fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgum
     match parameters {
         Value::Null => {}
         Value::Object(fields) if fields.contains_key("cmdName") => {
-            return Err(invalid("cmdName", &fields["cmdName"], "given by the first argument alone"));
+            return Err(invalid("cmdName", &fields["cmdName"], "only given as the first argument"));
         }
         Value::Object(fields) => {
             for (key, value) in fields {

@@ -11,7 +11,7 @@ use crate::{Client, Error, ErrorKind, Monitor, Reconnect, Recorder, Robot, Statu
 
 /// How connections behave: timeouts, keepalive, frame size and checks; and what connects them.
 ///
-/// Each setting has a getter whose name begins with `get_`. Addresses are no settings: each `connect_` method takes its own. An
+/// Each setting has a getter whose name begins with `get_`. Addresses are not settings: each `connect_` method takes its own. An
 /// address without a port, such as `10.5.5.100` or `robot.local`, means the protocol's port for what is connected; one with a port,
 /// such as `10.5.5.100:10001` or a socket address, means that port. Since a robot has two ports, [`connect_robot`](Self::connect_robot)
 /// takes an address without a port, and [`connect_robot_at`](Self::connect_robot_at) two addresses.
@@ -159,7 +159,7 @@ impl Config {
         self.recorder.as_ref()
     }
 
-    /// Sets which status packets are recorded. All by default, which can be some 0.5 MB each second.
+    /// Sets which status packets are recorded. All by default, which can be about 0.5 MB each second.
     pub fn status_sampling(mut self, sampling: StatusSampling) -> Self {
         self.status_sampling = sampling;
         self
@@ -209,7 +209,7 @@ impl Config {
         self.connect_robot_at(&address, &address)
     }
 
-    /// Connects a [`Robot`] to a controller whose two ports have addresses of their own: a simulated one, or one behind a proxy.
+    /// Connects a [`Robot`] to a controller whose two ports have addresses of their own: a simulated one, or one that is reached through a proxy.
     ///
     /// ```
     /// use jaka_sim::Controller;

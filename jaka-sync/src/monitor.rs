@@ -31,7 +31,7 @@ use crate::recorder::Tap;
 use crate::sync::{Condvar, Mutex, MutexGuard};
 use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 
-/// Keeps the newest status packet of a controller: one thread reads port 10000 all the time and wakes who waits.
+/// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that wait for a state.
 ///
 /// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type, made by
 /// [`status_subset!`](crate::status_subset) or with a [`Decode`] of your own, so that no more is decoded than is used.
@@ -46,9 +46,9 @@ use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 ///
-/// The reader never falls behind: packets that come faster than they are used are dropped, the newest is kept. Several
-/// monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its thread: while
-/// that connects anew, for up to [`Config::connect_timeout`].
+/// The reader never falls behind: packets that come faster than they are used are dropped, and the newest is kept. Several
+/// monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its thread, which takes up to
+/// [`Config::connect_timeout`] if it is just reconnecting.
 #[derive(Debug)]
 #[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
@@ -58,7 +58,7 @@ pub struct Monitor<S = RobotStatus> {
     stale_after: Duration,
 }
 
-/// For how long after a silence packets may be those that a link has held.
+/// How long after a silence packets may be old ones that the network had held back.
 const SETTLING: Duration = Duration::from_millis(100);
 
 /// A status packet, and when it came.
@@ -71,14 +71,13 @@ pub struct Snapshot<S = RobotStatus> {
     pub received: Instant,
     /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
     pub number: u64,
-    /// The fields that the packet has and that do not fit, each once, with what was expected and what was found: they are
-    /// absent in [`status`](Self::status), where they say neither good nor bad. Usually none.
+    /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
+    /// [`status`](Self::status). Usually none.
     pub unfit: Vec<DecodeError>,
 }
 
 impl<S> Snapshot<S> {
-    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: what it says
-    /// is not known.
+    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its value is unknown.
     ///
     /// ```no_run
     /// # let monitor = jaka_sync::Monitor::connect("10.5.5.100")?;
@@ -121,7 +120,7 @@ struct State<S> {
     reconnecting: bool,
     /// When packets came again after a silence in which the last had become stale.
     resumed: Option<Instant>,
-    /// How often those who wait were to look again.
+    /// How often waiting threads were told to check again.
     wakes: u64,
     /// Threads that wait for a change.
     sleepers: usize,
@@ -159,7 +158,7 @@ impl<S> Board<S> {
         state
     }
 
-    /// Wakes those who wait. Where nobody does, which is usual, it takes no system call.
+    /// Wakes the threads that wait. If none does, which is usual, it takes no system call.
     fn wake(&self, mut state: MutexGuard<'_, State<S>>) {
         state.wakes += 1;
         let sleepers = state.sleepers;
@@ -174,7 +173,7 @@ impl Monitor<RobotStatus> {
     /// Connects to a controller's status port: `10.5.5.100`, or an address with a port.
     ///
     /// # Errors
-    /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
+    /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect_monitor(address)
     }
@@ -195,17 +194,17 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
 }
 
 impl<S: 'static> Monitor<S> {
-    /// The newest packet, if one has come.
+    /// The newest packet, if one has come; it may be old: see [`Snapshot::age`] and [`is_stale`](Self::is_stale).
     ///
     /// # Errors
-    /// [`ErrorKind::Disconnected`] if the connection has ended, so that old news is not taken for new.
+    /// [`ErrorKind::Disconnected`] if the connection has ended: no newer packet will come.
     pub fn newest_packet(&self) -> Result<Option<Arc<Snapshot<S>>>, Error> {
         let state = self.board.lock();
         ended(&state)?;
         Ok(state.latest.clone())
     }
 
-    /// The newest packet, however old, and also after the connection has ended.
+    /// The last packet that has come, even if the connection has ended since.
     pub fn last_known_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.board.lock().latest.clone()
     }
@@ -227,7 +226,7 @@ impl<S: 'static> Monitor<S> {
         if age > self.stale_after {
             return Err(StatusProblem::Stale { age });
         }
-        // A link that stalled delivers what it held: the first packets are old.
+        // A link that stalled delivers what it had held back: the first packets are old.
         let since = state.resumed.map(|resumed| latest.received.saturating_duration_since(resumed));
         if since.is_some_and(|since| since < SETTLING) { Err(StatusProblem::Resuming) } else { Ok(latest) }
     }
@@ -250,33 +249,33 @@ impl<S: 'static> Monitor<S> {
         self.wait_for(self.timeout, |snapshot| snapshot.number > now)
     }
 
-    /// Waits until a packet says what `wanted` asks for; the newest one counts, unless it is stale.
+    /// Waits until `wanted` is true of a packet. The newest one that has come counts, unless it is stale.
     ///
     /// # Errors
-    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came and said something else, [`ErrorKind::UnexpectedStatus`] if they could not
-    /// be read, [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
+    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none, [`ErrorKind::UnexpectedStatus`] if they could
+    /// not be read, [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
     }
 
-    /// Looks at each newest packet as it comes, and whenever [`Waker::wake`] says so, until `look` has found something;
-    /// `None` after `timeout`, and the error once the connection has ended.
+    /// Calls `find` with each newest packet as it comes, and after each [`Waker::wake`], until it has found something; `None` after
+    /// `timeout`, and the error once the connection has ended.
     pub(crate) fn watch<T>(
         &self,
         timeout: Duration,
-        mut look: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
+        mut find: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
     ) -> Result<Option<T>, Error> {
         let since = Instant::now();
-        let mut looked_at = 0;
+        let mut seen = 0;
         loop {
             let state = self.board.lock();
             let (latest, wakes, ended) = (state.latest.clone(), state.wakes, ended(&state));
             drop(state);
-            // Without the lock: others, a stop among them, wait for nobody who looks.
-            let latest = latest.filter(|snapshot| snapshot.number > looked_at);
-            looked_at = latest.as_ref().map_or(looked_at, |snapshot| snapshot.number);
-            if let Some(found) = look(latest.as_ref()) {
+            // Without the lock: other threads, which may send a stop, do not wait for this call.
+            let latest = latest.filter(|snapshot| snapshot.number > seen);
+            seen = latest.as_ref().map_or(seen, |snapshot| snapshot.number);
+            if let Some(found) = find(latest.as_ref()) {
                 return Ok(Some(found));
             }
             drop(latest);
@@ -292,7 +291,7 @@ impl<S: 'static> Monitor<S> {
         }
     }
 
-    /// What wakes those who [`watch`](Self::watch).
+    /// What wakes the threads in [`watch`](Self::watch).
     pub(crate) fn waker(&self) -> Waker<S> {
         Waker { board: Arc::clone(&self.board) }
     }
@@ -304,19 +303,19 @@ impl<S: 'static> Monitor<S> {
         found.ok_or_else(|| self.not_in_time(timeout, before))
     }
 
-    /// The error for a state that did not come, or for packets that did not.
+    /// The error for a state, or for packets, that did not come in time.
     fn not_in_time(&self, after: Duration, before: u64) -> Error {
         let packets = self.statistics().packets.saturating_sub(before);
         let state = self.board.lock();
         let kind = match (state.unfit.clone(), &state.latest) {
             (Some(source), _) => ErrorKind::UnexpectedStatus { source },
-            (None, Some(last)) if packets > 0 => ErrorKind::StateTimeout { after, packets, says: in_words(last) },
+            (None, Some(last)) if packets > 0 => ErrorKind::StateTimeout { after, packets, says: describe(last) },
             _ => ErrorKind::StatusTimeout { after },
         };
         state.tap.attach(kind.into())
     }
 
-    /// Every packet from now on, in a queue of at most `capacity`; if it is full, the oldest is dropped and counted.
+    /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and counted.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
         let queue = Arc::new(Queue::new(capacity));
         let mut state = self.board.lock();
@@ -328,9 +327,9 @@ impl<S: 'static> Monitor<S> {
         Subscription::new(queue)
     }
 
-    /// Calls `call` with every packet from now on, on the monitor's own thread, until it breaks.
+    /// Calls `call` with every packet from now on, on the monitor's own thread, until it returns `Break`.
     ///
-    /// Packets wait while it runs, so it should be short. If it panics, it is not called any more, and the monitor goes on.
+    /// Packets wait while it runs, so it should be short. If it panics, it is not called again, and the monitor goes on.
     pub fn observe(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
         self.board.lock().observers.add(call);
     }
@@ -340,7 +339,7 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().observers.add_own(call);
     }
 
-    /// How packets have been coming.
+    /// How regularly packets have come.
     pub fn statistics(&self) -> MonitorStatistics {
         self.board.lock().counters.statistics()
     }
@@ -351,7 +350,7 @@ impl<S: 'static> Monitor<S> {
     }
 }
 
-/// Wakes those who watch a monitor.
+/// Wakes the threads that watch a monitor.
 #[derive(Debug)]
 pub(crate) struct Waker<S> {
     board: Arc<Board<S>>,
@@ -365,13 +364,13 @@ impl<S> Clone for Waker<S> {
 
 impl<S> Waker<S> {
     pub(crate) fn wake(&self) {
-        // With the lock, so that nobody is between looking and waiting.
+        // With the lock, so that no thread is between checking and waiting.
         self.board.wake(self.board.lock());
     }
 }
 
-/// What a status packet says of the arm, in words; nothing for a choice of fields of the user's own.
-pub(crate) fn in_words<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
+/// What a status packet says about the arm; `None` for a choice of fields of the user's own.
+pub(crate) fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
     let status = (&snapshot.status as &dyn Any).downcast_ref::<RobotStatus>()?;
     let unfit = snapshot.unfit.iter().map(|error| format!("{} cannot be read", error.field()));
     let says = |holds: Option<bool>, yes: &str, no: &str| holds.map(|holds| if holds { yes } else { no }.to_owned());
@@ -397,7 +396,7 @@ impl<S> Drop for Monitor<S> {
         let mut state = self.board.lock();
         state.closing = true;
         if let Some(stream) = state.stream.take() {
-            // An error says that the connection has ended already.
+            // An error here means that the connection has ended already.
             let _ = stream.shutdown(std::net::Shutdown::Both);
         }
         self.board.wake(state);

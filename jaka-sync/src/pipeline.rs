@@ -4,21 +4,23 @@ use std::collections::VecDeque;
 
 use jaka_proto::Command;
 
+#[cfg(doc)]
+use crate::ErrorKind;
 use crate::link::MOST_OUTSTANDING;
 use crate::{Client, Error};
 
 /// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
 ///
-/// For many settings at once, such as outputs and variables, and for set-points at a beat of your own. The controller takes the
-/// commands in their order and answers each; its answers are counted, and up to a window of them is outstanding at once.
+/// For many settings at once, such as outputs and variables, and for set-points at a cycle of your own. The controller processes the
+/// commands in order and replies to each; the replies are counted, and up to a window of commands is outstanding at once.
 ///
-/// What the controller refuses is learnt late: up to a window of later commands have been sent by then, and may have run. Where one
-/// command must not go out unless the one before was accepted, call them one by one.
+/// A refusal is noticed late: up to a window of later commands have been sent by then, and may have run. If a command must not go
+/// out unless the one before was accepted, call them one by one.
 ///
-/// A stop handle's stop goes out between the commands, and behind those that are outstanding: the controller works them off first. So
-/// at most 256 commands are outstanding, those of dropped pipelines included.
+/// A stop goes out between the commands, and after those that are outstanding, which the controller processes first. So at most
+/// 256 commands are outstanding, including those of dropped pipelines.
 ///
-/// Dropping the pipeline gives up the answers that are outstanding; [`finish`](Self::finish) waits for them.
+/// Dropping the pipeline gives up the outstanding replies; [`finish`](Self::finish) waits for them.
 ///
 /// ```no_run
 /// use jaka_sync::Client;
@@ -43,7 +45,7 @@ pub struct Pipeline<'c> {
     outstanding: usize,
     sent: u64,
     accepted: u64,
-    /// What is to be told yet.
+    /// What has not been reported yet.
     failed: VecDeque<Error>,
 }
 
@@ -59,25 +61,26 @@ impl<'c> Pipeline<'c> {
         }
     }
 
-    /// Sends a command. Where the window is full, waits first until half of it has been answered.
+    /// Sends a command. If the window is full, first waits until half of it has been answered.
     ///
     /// # Errors
-    /// - [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument), [`ErrorKind::NotInFirmware`](crate::ErrorKind::NotInFirmware): as [`Client::call`].
-    /// - [`ErrorKind::Refused`](crate::ErrorKind::Refused), [`ErrorKind::Timeout`](crate::ErrorKind::Timeout), [`ErrorKind::ReplyLost`](crate::ErrorKind::ReplyLost), [`ErrorKind::UnexpectedReply`](crate::ErrorKind::UnexpectedReply): what became of an earlier
-    ///   command, which the error names. Each is told once.
-    /// - [`ErrorKind::Disconnected`](crate::ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have run.
-    /// - [`ErrorKind::NotSentInTime`](crate::ErrorKind::NotSentInTime): the controller took in too little, or answered too little, for this one to be sent.
+    /// - [`InvalidArgument`](ErrorKind::InvalidArgument), [`NotInFirmware`](ErrorKind::NotInFirmware): as [`Client::call`].
+    /// - [`Refused`](ErrorKind::Refused), [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost),
+    ///   [`UnexpectedReply`](ErrorKind::UnexpectedReply): what became of an earlier command, which the error names. Each is reported
+    ///   once.
+    /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have run.
+    /// - [`NotSentInTime`](ErrorKind::NotSentInTime): the controller accepted or answered too little in time for this command to be sent.
     ///
     /// After an error, this command was not sent, unless the error is `Disconnected` and says so.
     pub fn send<C: Command<Reply = ()>>(&mut self, command: &C) -> Result<(), Error> {
         self.send_all(std::slice::from_ref(command))
     }
 
-    /// Sends commands, several in one write where the window has room for them. Where it is full, waits as [`send`](Self::send) does.
+    /// Sends commands, several in one write if the window has room for them. If it is full, waits as [`send`](Self::send) does.
     ///
     /// # Errors
-    /// As [`send`](Self::send); [`sent`](Self::sent) tells how many have gone out. If one of the commands is an
-    /// [`InvalidArgument`](crate::ErrorKind::InvalidArgument), none of those was sent that the window had room for together with it.
+    /// As [`send`](Self::send); [`sent`](Self::sent) says how many have gone out. If one of the commands is an
+    /// [`InvalidArgument`](ErrorKind::InvalidArgument), none of those was sent that the window had room for together with it.
     pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
         let mut rest = commands;
         while !rest.is_empty() {
@@ -90,7 +93,7 @@ impl<'c> Pipeline<'c> {
         Ok(())
     }
 
-    /// Waits until there is room for a command at least, and says for how many.
+    /// Waits until there is room for at least one command, and returns for how many.
     fn wait_for_room(&mut self, command: &str) -> Result<usize, Error> {
         if self.outstanding >= self.window {
             self.wait(self.window / 2)?;
@@ -121,21 +124,21 @@ impl<'c> Pipeline<'c> {
         self.sent
     }
 
-    /// How many commands have been sent whose answers have not been looked at.
+    /// How many commands have been sent whose replies have not been processed.
     pub fn outstanding(&self) -> usize {
         self.outstanding
     }
 
-    /// How many commands have been accepted so far, by the answers that have been looked at.
+    /// How many commands have been accepted so far, by the replies that have been processed.
     pub fn accepted(&self) -> u64 {
         self.accepted
     }
 
-    /// Waits for the answers that are outstanding, each for the reply timeout since its command was sent, and says how many
-    /// commands were accepted in all.
+    /// Waits for the outstanding replies, each for the reply timeout since its command was sent, and returns how many commands were
+    /// accepted in all.
     ///
     /// # Errors
-    /// As [`send`](Self::send), for the first command of which it has not been told.
+    /// As [`send`](Self::send), for the first failure that has not been reported.
     pub fn finish(mut self) -> Result<u64, Error> {
         let waited = self.wait(0);
         self.failed.pop_front().map_or(waited, Err)?;
@@ -154,7 +157,7 @@ impl<'c> Pipeline<'c> {
 
 impl Drop for Pipeline<'_> {
     fn drop(&mut self) {
-        // What became of the others is told by `finish` alone.
+        // Only `finish` reports what became of the others.
         drop(self.client.link().forget_posted());
     }
 }

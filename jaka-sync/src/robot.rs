@@ -29,6 +29,8 @@ pub use self::stops::RobotStop;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
+#[cfg(doc)]
+use crate::ErrorKind;
 use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
@@ -58,12 +60,13 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// That a motion has ended is not believed of a status packet, which cannot show its age: when packets say that the arm is in
-/// position, the controller is asked where it is (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), as a rule once a motion.
+/// A status packet alone does not end a motion, because it cannot show its age: when packets say that the arm is in position,
+/// the controller is asked where it is (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), usually once for each motion.
 ///
 /// After a protective stop, an emergency stop or a silent status port, motions are refused until
-/// [`acknowledge`](Self::acknowledge) is called: somebody should have looked first. They are refused also while the status is
-/// stale, missing or unreadable ([`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown)). Nothing is ever sent again, or enabled again, on its own.
+/// [`acknowledge`](Self::acknowledge) is called: somebody should have checked the robot first. They are also refused while the status is
+/// stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or enabled
+/// again, automatically.
 #[derive(Debug)]
 #[must_use = "dropping a robot closes its connections, and its stop handles can no longer stop the arm"]
 pub struct Robot {
@@ -87,13 +90,13 @@ impl Robot {
     /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
     ///
     /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`](crate::ErrorKind::PortInAddress) where the address names a port, which can be only one of
+    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which can be only one of
     /// the two. [`Config::connect_robot_at`] takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect_robot(address)
     }
 
-    /// A robot of connections that have been made, to the same controller.
+    /// A robot of two connections to the same controller.
     ///
     /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor).
     pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
@@ -113,26 +116,26 @@ impl Robot {
         }
     }
 
-    /// Sets for how long the arm must be seen at rest, and how many packets must say so, where one answer of the controller does
-    /// not tell that the motion has ended: for several motions in a queue, a motion that ends where it began, an arm that stops
-    /// before its target. 0.4 s and three by default.
+    /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller is not enough to
+    /// say that the motion has ended: for several motions in a queue, a motion that ends where it began, an arm that stops before its
+    /// target. 0.4 s and three packets by default.
     ///
-    /// It is also how long the arm may take to begin: if it has not left its position by then, the motion is taken to have had no
-    /// length, or, where its target is known and the arm is not there, to have been stopped.
+    /// It is also how long the arm may take to begin: if it has not left its position by then, the motion counts as one without length,
+    /// or, if its target is known and the arm is not there, as stopped.
     pub fn with_start_grace(mut self, time: Duration, packets: u32) -> Self {
         self.grace = Grace { time, packets: packets.max(1) };
         self
     }
 
-    /// Sets how long status packets may stay away while a motion is waited for. 2 s by default.
+    /// Sets how long no status packet may come while a motion is waited for. 2 s by default.
     pub fn with_status_silence(mut self, time: Duration) -> Self {
         self.silence = time;
         self
     }
 
-    /// Sends motions and set-points also while the status is stale, missing or unreadable.
+    /// Allows motions and set-points while the status is stale, missing or unreadable.
     ///
-    /// A stop that the status would show is not seen then. For programs that see to the robot's state by other means.
+    /// A stop that the status would show is not noticed then. For programs that observe the robot's state by other means.
     pub fn allow_motion_without_status(mut self) -> Self {
         self.moves_without_status = true;
         self
@@ -140,7 +143,7 @@ impl Robot {
 
     /// The client, for all other commands.
     ///
-    /// Motions that are sent through it are not refused after a stop, and not waited for.
+    /// Motions that are sent through it are neither refused after a stop nor waited for.
     pub fn client(&mut self) -> &mut Client {
         self.rests = false;
         &mut self.client
@@ -155,7 +158,7 @@ impl Robot {
     ///
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
-    /// was accepted is told by the [`MotionEnd`].
+    /// was accepted is reported by the [`MotionEnd`].
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
         let since = Instant::now();
         self.send(motion, timeout)?;
@@ -164,12 +167,12 @@ impl Robot {
 
     /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
     ///
-    /// Where a motion by an offset is the first, the controller is asked before where the arm is.
+    /// If the first motion is one by an offset, the controller is asked first where the arm is.
     ///
     /// # Errors
-    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`](crate::ErrorKind::NotAcknowledged) (a stop or a silent status has not
-    /// been acknowledged), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown) (the status is stale, missing or unreadable), [`ErrorKind::NotReady`](crate::ErrorKind::NotReady) (the newest
-    /// packet shows a stop) and [`ErrorKind::NotSentInTime`](crate::ErrorKind::NotSentInTime).
+    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
+    /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
+    /// packet shows a stop) and [`ErrorKind::NotSentInTime`].
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO))
     }
@@ -187,7 +190,7 @@ impl Robot {
         match sent {
             Ok(()) => self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin),
             Err(error) => {
-                // It may be waited for all the same.
+                // It can be waited for all the same.
                 if error.may_have_run() {
                     self.accepted(Goal::Unknown, begin);
                 }
@@ -261,14 +264,13 @@ impl Robot {
 
     /// What must be acknowledged before the arm moves again, if something must.
     ///
-    /// A stop latches whenever a packet shows it, also between motions; one that was asked for through a [`RobotStop`] where
-    /// no [`MotionEnd`] has told of it.
+    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`MotionEnd`] has reported.
     pub fn unacknowledged(&self) -> Option<Outcome> {
         self.latch.unacknowledged()
     }
 
-    /// Says that somebody has looked: motions are sent again, if nothing else keeps the arm from moving. A stop that is on its
-    /// way still does.
+    /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is
+    /// on its way.
     pub fn acknowledge(&mut self) {
         self.latch.acknowledge();
         self.batch = None;

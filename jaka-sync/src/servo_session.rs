@@ -27,7 +27,7 @@ pub struct ServoConfig {
 /// The longest servo period, in controller cycles.
 const MOST_STEPS: u32 = 12;
 
-/// So many set-points may be unanswered however long their period is: answers take their time.
+/// This many set-points may be unanswered, however long their period is: replies take their time.
 const FEWEST_UNANSWERED: usize = 3;
 
 impl Default for ServoConfig {
@@ -43,12 +43,12 @@ impl Default for ServoConfig {
 }
 
 impl ServoConfig {
-    /// A set-point each 8 ms, with the filter as it is.
+    /// The defaults: a set-point each 8 ms, and the filter stays as it is.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Sets the servo period to so many controller cycles of 8 ms: 1 by default and at least, 12 at most, which [`Robot::enter_servo_mode`]
+    /// Sets the servo period, in controller cycles of 8 ms: 1 by default and at least, 12 at most, which [`Robot::enter_servo_mode`]
     /// checks.
     ///
     /// [`Robot::enter_servo_mode`]: crate::Robot::enter_servo_mode
@@ -69,16 +69,16 @@ impl ServoConfig {
         self
     }
 
-    /// Sets for how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU time.
-    /// Not at all by default; 200 µs suit a usual Linux system.
+    /// Sets how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU time. Zero by
+    /// default; 200 µs suit a usual Linux system.
     pub fn busy_wait(mut self, time: Duration) -> Self {
         self.busy_wait = time;
         self
     }
 
-    /// Sets how much may be unanswered, as the time that these set-points take: 100 ms by default, and three set-points at least.
+    /// Sets how many set-points may be unanswered, as the time that they take: 100 ms by default, and at least three set-points.
     ///
-    /// Then the session ends. It is also as much as the arm may still move where the link stalls.
+    /// With more, the session ends. It is also how far the arm may still move if the link stalls.
     pub fn max_unanswered(mut self, time: Duration) -> Self {
         self.max_unanswered = time;
         self

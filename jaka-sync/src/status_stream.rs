@@ -21,8 +21,8 @@ use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
 /// [`newest_packet`](Self::newest_packet) where the present matters, [`next_packet`](Self::next_packet) where every
 /// packet does. Several readers can be connected at once.
 ///
-/// A field that does not fit the spec is absent, and [`unfit`](Self::unfit) tells of it. Bytes that belong to no packet, such
-/// as one that breaks off, are passed over: the next packet is found behind them.
+/// A field that does not fit the spec is absent, and [`unfit`](Self::unfit) lists it. Bytes that do not belong to a complete packet are
+/// skipped up to the next packet.
 ///
 /// ```no_run
 /// use jaka_sync::StatusStream;
@@ -43,7 +43,7 @@ pub struct StatusStream {
     packet: String,
     unfit: Vec<DecodeError>,
     broken: Option<Arc<Disconnect>>,
-    /// Whether packets have come: what is no status port shows it with the first.
+    /// Whether packets have come. The first message shows whether this is the status port.
     has_packets: bool,
 }
 
@@ -51,7 +51,7 @@ impl StatusStream {
     /// Connects to a controller's status port: `10.5.5.100`, or an address with a port.
     ///
     /// # Errors
-    /// [`ErrorKind::Connect`] if nobody answers there within the connect timeout.
+    /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Config::new().connect_status(address)
     }
@@ -75,14 +75,14 @@ impl StatusStream {
     ///
     /// # Errors
     /// - [`StatusTimeout`](ErrorKind::StatusTimeout): no packet within the reply timeout.
-    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is no JSON object, or a [`Decode`] of your own refuses it; its
+    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is not a JSON object, or a [`Decode`] of your own refuses it; its
     ///   text is kept.
     /// - [`Disconnected`](ErrorKind::Disconnected): the stream is broken for good.
     pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
         self.next_packet_as()
     }
 
-    /// The same as another type: a [pack](crate::pack!)'s status packet with keys of newer firmware, or a choice of keys of your own.
+    /// The same, read as another type: a [pack](crate::pack!)'s status packet with keys of newer firmware, or a choice of keys of your own.
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -91,9 +91,9 @@ impl StatusStream {
         self.decode()
     }
 
-    /// The same into the value of an earlier packet, whose memory is used again: packets of the same shape take no allocation.
+    /// The same, read into the value of an earlier packet, whose memory is reused: packets of the same shape allocate nothing.
     ///
-    /// After an error what is there means nothing.
+    /// After an error, the value is meaningless.
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -110,7 +110,7 @@ impl StatusStream {
         self.newest_packet_as()
     }
 
-    /// The same as another type: see [`next_packet_as`](Self::next_packet_as).
+    /// The same, read as another type: see [`next_packet_as`](Self::next_packet_as).
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -119,7 +119,7 @@ impl StatusStream {
         self.decode()
     }
 
-    /// The same into the value of an earlier packet: see [`next_packet_into`](Self::next_packet_into).
+    /// The same, read into the value of an earlier packet: see [`next_packet_into`](Self::next_packet_into).
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -128,13 +128,13 @@ impl StatusStream {
         self.decode_into(status)
     }
 
-    /// The text of the last packet, as it came; with `\udcNN` for each byte that is no UTF-8.
+    /// The text of the packet that was read last, as it came; with `\udcNN` for each byte that is not UTF-8.
     pub fn packet_text(&self) -> Option<&str> {
         (!self.packet.is_empty()).then_some(&*self.packet)
     }
 
-    /// The fields that the last packet has and that do not fit, each once, with what was expected and what was found: they are
-    /// absent in what was read of it. Usually none.
+    /// The fields of the packet read last that do not fit the spec, each once, with what was expected and what was found: they are absent
+    /// in what was read of it. Usually none.
     ///
     /// [`DecodeError::is_in`] asks for a field by its name.
     pub fn unfit(&self) -> &[DecodeError] {

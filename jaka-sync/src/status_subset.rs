@@ -1,6 +1,6 @@
 //! A choice of fields of the status packet.
 
-/// Makes a struct with some fields of the status packet, for those who need no more.
+/// Makes a struct with some fields of the status packet, for programs that need no more.
 ///
 /// The fields are named as in [`RobotStatus`](crate::status::RobotStatus), and have the types and docs that they have there. Use
 /// the struct with [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and its neighbours, or as that which a
@@ -20,8 +20,8 @@
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 ///
-/// A packet takes a fraction of the time that all of it takes: the values of other keys are passed over by their quotes and
-/// brackets, and not looked at, so that a broken one among them goes unnoticed. A field that is named is read and checked as in a
+/// Reading it takes a fraction of the time that the whole packet takes: the values of other keys are skipped by their quotes and
+/// brackets, so that an error in one of them goes unnoticed. A field that is named is read and checked as in a
 /// full packet: a key that does not come is `None`, and so is one that does not fit or that comes twice, which
 /// [`StatusStream::unfit`](crate::StatusStream::unfit) and [`Snapshot::unfit`](crate::Snapshot::unfit) tell.
 ///

@@ -13,10 +13,11 @@ use crate::link::{Link, Outgoing, Right};
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
 ///
 /// The command goes out on the client's own connection: the command port serves one client. So the handle works as long as the client
-/// lives: dropping the client closes the connection, and [`stop`](Self::stop) says so. Keep the client for as long as the arm may move.
+/// lives: dropping the client closes the connection, and [`stop`](Self::stop) then fails. Keep the client for as long as the arm may move.
 ///
-/// A stop that waits to go out passes all other commands that do, between the pieces of a [`Pipeline`](crate::Pipeline), too. What
-/// has gone out before it is before it. This is no emergency stop; people are protected by the robot's own safety functions alone.
+/// A stop that waits to be sent goes before all other commands that wait, also between the writes of a [`Pipeline`](crate::Pipeline).
+/// The controller processes what was sent before it first. This is not an emergency stop: only the robot's own safety functions protect
+/// people.
 ///
 /// ```no_run
 /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
@@ -41,11 +42,11 @@ impl StopHandle {
         Self { link, timeout }
     }
 
-    /// Sends `stop_program` (4.23) and waits until the controller has taken it.
+    /// Sends `stop_program` (4.23) and waits until the controller has accepted it.
     ///
     /// # Errors
     /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
-    /// the client was dropped. Unless the call succeeds, expect the robot to move on.
+    /// the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
         let outgoing = Outgoing::of(StopProgram::INFO, self.timeout).by(Right::Stop);
         let write = &mut |out: &mut _| StopProgram.write_request(out);

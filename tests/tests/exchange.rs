@@ -343,7 +343,7 @@ fn a_client_that_is_dropped_closes_its_connection_and_its_stop_handle_says_so() 
     let error = stop.stop().expect_err("the connection is closed");
     assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
     let source = std::error::Error::source(&error).expect("the cause is told");
-    assert_eq!(source.to_string(), "the client was dropped, and with it the connection");
+    assert_eq!(source.to_string(), "the client was dropped, and its connection with it");
 }
 
 #[test]

@@ -313,7 +313,7 @@ fn eof_inside_the_reply() {
     let error = client.get_joint_pos().expect_err("the connection is closed");
     assert!(error.may_have_run());
     assert!(cause_of(error).contains("Closed { partial: 17 }"));
-    assert_broken(&controller, &mut client, "within a message, of which 17 bytes had come");
+    assert_broken(&controller, &mut client, "in the middle of a message, after 17 bytes of it");
 }
 
 #[test]

@@ -22,21 +22,21 @@ pub enum Disconnect {
     Write(io::Error),
     /// The system reported an error while receiving.
     Read(io::Error),
-    /// Bytes came that are no message, or a message longer than the limit.
+    /// Bytes came that are not a message, or a message longer than the limit.
     Frame(FrameError),
-    /// A message came that is no JSON object by its quotes and brackets.
+    /// A message came that is not a JSON object by its quotes and brackets.
     NotJson(DecodeError),
-    /// Replies can no longer be attributed to their requests.
+    /// It is no longer certain to which requests the next replies belong.
     OutOfSync(OutOfSync),
-    /// This side reset the connection, so that the system does not send what it had queued: set-points of a servo session and the
-    /// end of servo mode were not answered.
+    /// This side reset the connection, because set-points of a servo session and the command that ends servo mode had no reply. The
+    /// system discards what it had queued.
     Reset {
-        /// How many set-points were not answered.
+        /// How many set-points had no reply.
         unanswered: u64,
     },
-    /// A panic in this program, of a logger for instance, kept a reply from being attributed.
+    /// A panic in this program, for example in a logger or a decoder, interrupted the reading of messages.
     Panicked,
-    /// The client was dropped, and with it the connection: stop handles cannot stop any more.
+    /// The client was dropped, and its connection with it: stop handles can no longer stop the robot.
     ClientDropped,
     /// This is the status port, or something that sends what it sends; port 10001 takes commands.
     StatusPort,
@@ -57,7 +57,7 @@ impl fmt::Display for Disconnect {
             Self::Closed { partial } => {
                 f.write_str("the controller closed the connection")?;
                 if *partial > 0 {
-                    write!(f, " within a message, of which {partial} bytes had come")?;
+                    write!(f, " in the middle of a message, after {partial} bytes of it")?;
                 }
                 f.write_str("; it may have shut down, or another client may have taken the command port")
             }
@@ -67,15 +67,15 @@ impl fmt::Display for Disconnect {
                 write!(f, "this firmware sends status as text lines, which only very old versions do: {error}")
             }
             Self::Frame(error) => write!(f, "{error}"),
-            Self::NotJson(error) => write!(f, "a message came that is no JSON: {error}"),
+            Self::NotJson(error) => write!(f, "a message is not JSON: {error}"),
             Self::Reset { unanswered } => write!(
                 f,
-                "the connection was reset: {unanswered} set-points and the end of servo mode were not answered, \
-                 and those that the system had not sent yet are discarded; others may still move the arm"
+                "this side reset the connection, because {unanswered} set-points and the command that ends servo mode had no \
+                 reply; set-points that had not been sent yet were discarded, others may still move the arm"
             ),
             Self::OutOfSync(out_of_sync) => write!(f, "{out_of_sync}"),
-            Self::Panicked => f.write_str("a panic in this program kept a reply from being attributed"),
-            Self::ClientDropped => f.write_str("the client was dropped, and with it the connection"),
+            Self::Panicked => f.write_str("a panic in this program interrupted the reading of messages"),
+            Self::ClientDropped => f.write_str("the client was dropped, and its connection with it"),
             Self::StatusPort => {
                 f.write_str("a status packet came instead of a reply: this is the status port, port 10001 takes commands")
             }

@@ -1,17 +1,18 @@
-//! When a monitor connects anew.
+//! When a monitor reconnects.
 
 use std::time::Duration;
 
-/// When a [`Monitor`](super::Monitor) connects anew after its connection has ended.
+/// When a [`Monitor`](super::Monitor) reconnects after its connection has ended.
 ///
-/// Only the status port is connected to anew: it is read, and serves any number of readers. The command port never is.
+/// Only connections to the status port are made again: it is only read, and serves any number of readers. Connections to the command
+/// port never are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Reconnect {
-    /// It does not: the monitor says that the connection has ended.
+    /// Never: the monitor reports that the connection has ended.
     #[default]
     Never,
-    /// It tries so many times in a row, and waits before each: first `delay`, then twice as long each time, up to `longest`.
+    /// It tries up to `limit` times in a row, and waits before each attempt: first `delay`, then twice as long each time, up to `longest`.
     Attempts {
         /// How many attempts in a row may fail.
         limit: u32,

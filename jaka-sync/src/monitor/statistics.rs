@@ -1,25 +1,25 @@
-//! How packets have been coming.
+//! How regularly packets come.
 
 use std::time::{Duration, Instant};
 
-/// How status packets have been coming since the monitor began.
+/// How many status packets have come since the monitor began, and how regularly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct MonitorStatistics {
-    /// Packets that came and were read, also those with fields that do not fit.
+    /// Packets that could be read, including those with fields that do not fit.
     pub packets: u64,
     /// Packets with at least one field that does not fit ([`Snapshot::unfit`](super::Snapshot::unfit)), which
-    /// [`packets`](Self::packets) counts too; and packets that could not be read at all: what is no JSON object, or what a
+    /// [`packets`](Self::packets) counts, too; and packets that could not be read at all: those that are not a JSON object, or that a
     /// [`Decode`](jaka_proto::wire::Decode) of your own refuses.
     pub unfit: u64,
-    /// Packets that never were the newest, since a newer one had come already; queues and observers have them, and where there are
-    /// none of these, nobody looks at them.
+    /// Packets that were never the newest, because a newer one had come already. Queues and observers get them; if there are none,
+    /// they are not decoded.
     pub skipped: u64,
-    /// Bytes that belonged to no packet, or to one that breaks off.
+    /// Bytes that did not belong to a packet, or belonged to an incomplete one.
     pub dropped_bytes: u64,
     /// How often the beginning of a packet had to be searched for.
     pub resyncs: u64,
-    /// How often the connection was made anew.
+    /// How often the monitor has reconnected.
     pub reconnects: u64,
     /// Mean time between packets; `None` before the second.
     pub period: Option<Duration>,
@@ -63,7 +63,7 @@ impl Counters {
         self.last = Some((now, gap));
     }
 
-    /// The time that follows is no gap between packets: the connection was lost.
+    /// The time that follows is not a gap between packets: the connection was lost.
     pub(super) fn interrupted(&mut self) {
         self.last = None;
     }

@@ -9,7 +9,7 @@ use crate::sync::{Condvar, Mutex, MutexGuard};
 
 /// Packets in the order in which they came, from [`Monitor::subscribe`](super::Monitor::subscribe).
 ///
-/// A reader that is too slow loses the oldest, and can see how many.
+/// A reader that is too slow loses the oldest packets, and can see how many.
 #[derive(Debug)]
 #[must_use = "packets are queued only as long as the subscription lives"]
 pub struct Subscription<S> {
@@ -62,12 +62,12 @@ impl<S> Subscription<S> {
         Self { queue }
     }
 
-    /// The next packet, if one waits.
+    /// The next packet of the queue; `None` if it is empty.
     pub fn try_next_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.queue.lock().waiting.pop_front()
     }
 
-    /// The next packet, waited for at most `timeout`; `None` if none has come, or none will come any more.
+    /// The next packet of the queue, or the one that comes within `timeout`; `None` if none has come, or no more will come.
     pub fn next_packet_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
         let since = Instant::now();
         let mut items = self.queue.lock();
@@ -88,7 +88,7 @@ impl<S> Subscription<S> {
         self.queue.lock().dropped
     }
 
-    /// True if no more packets will come than those that wait.
+    /// True if no more packets will come than those in the queue.
     pub fn is_closed(&self) -> bool {
         self.queue.lock().closed
     }

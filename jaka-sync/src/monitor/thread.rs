@@ -43,7 +43,7 @@ impl<S: Decode> Worker<S> {
         Self { board, address, config, number: 0, tap: Tap::default(), spare: None, passed: Vec::new() }
     }
 
-    /// Reads until the monitor is dropped, or the connection ends and is not made anew.
+    /// Reads until the monitor is dropped, or the connection ends and is not made again.
     pub(super) fn run(mut self, connected: (Arc<TcpStream>, Tap)) {
         let mut connected = Some(connected);
         while let Some((stream, tap)) = connected.take() {
@@ -56,7 +56,7 @@ impl<S: Decode> Worker<S> {
         self.end();
     }
 
-    /// Tells all who wait that no packet will come any more.
+    /// Tells all waiting threads that no more packets will come.
     pub(super) fn end(&self) {
         let mut state = self.board.lock();
         for queue in state.queues.drain(..) {
@@ -165,7 +165,7 @@ impl<S: Decode> Worker<S> {
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
         let (spare, number) = (self.spare.take(), self.number);
         let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number)));
-        decoded.unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder takes", packet)))
+        decoded.unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))
     }
 
     pub(super) fn post(&mut self, decoded: Result<Arc<Snapshot<S>>, DecodeError>) {
@@ -215,7 +215,7 @@ impl<S: Decode> Worker<S> {
         state.observers.join(added);
     }
 
-    /// Connects anew as the policy says; `None` if the monitor has come to its end.
+    /// Reconnects as the policy says; `None` if the monitor has ended.
     pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(Arc<TcpStream>, Tap)> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
@@ -266,7 +266,7 @@ impl<S: Decode> Worker<S> {
     }
 }
 
-/// Decodes a packet, in the place of an earlier one that nobody holds any more if there is one.
+/// Decodes a packet, into the memory of an earlier one that is no longer in use if there is one.
 fn decode_over<S: Decode>(
     mut spare: Option<Arc<Snapshot<S>>>,
     packet: &str,

@@ -10,12 +10,12 @@ use super::trouble;
 /// Motions that were accepted and have not been waited for.
 #[derive(Debug, Clone)]
 pub(super) struct Batch {
-    /// When the last one was accepted: what came before tells nothing of it.
+    /// When the last one was accepted: packets and answers from before say nothing about it.
     pub(super) accepted: Instant,
     pub(super) goal: Goal,
-    /// The event that the status showed before; only another one is news.
+    /// The event that the status showed before; only another one counts.
     pub(super) code_before: Option<String>,
-    /// Whether a packet has said since that the arm is not in position: only behind it one says that the motion has ended.
+    /// Whether a packet has said since that the arm is not in position: only after that can one say that the motion has ended.
     pub(super) has_left: bool,
     count: u32,
     begin: Begin,
@@ -74,19 +74,19 @@ impl Batch {
         Self { accepted, goal, code_before: begin.code.clone(), has_left: false, count: 1, frames: begin.frames, begin }
     }
 
-    /// One more that was accepted behind it.
+    /// One more that was accepted after it.
     pub(super) fn then(self, accepted: Instant, goal: Goal, frames: Frames) -> Self {
         Self { accepted, goal, count: self.count.saturating_add(1), frames, ..self }
     }
 
-    /// True for one motion that began at rest elsewhere than where it ends: only at its end it passes there.
+    /// True for one motion that began at rest away from its goal: it is there only at its end.
     pub(super) fn is_simple(&self) -> bool {
         let Goal::At(goal, _) = self.goal else { return false };
         let mut places = self.begin.places.iter().chain([&self.begin.start]).flatten();
         self.count == 1 && self.begin.at_rest && !places.any(|place| goal.is_at(place))
     }
 
-    /// The goal, unless it is a pose and the frames are no longer those in which it was given.
+    /// The goal, unless it is a pose and the frames have changed since it was given.
     pub(super) fn goal_now(&self, newest: &RobotStatus, changes: u64) -> Goal {
         let has_changed = self.frames.changes != changes || self.frames.differ_from(newest);
         match self.goal {

@@ -10,35 +10,35 @@ use jaka_proto::{ErrorCode, Refusal, Request, Requirement};
 use super::Robot;
 use crate::{Error, ErrorKind};
 
-/// How long the question for the state may take that explains a refusal.
+/// How long the query may take that explains a refusal.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Why the controller refused a command, as far as its status tells. The controller's own words are in the [`Refusal`].
+/// Why the controller refused a command, as far as its status shows it. The controller's own message is in the [`Refusal`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Explanation {
     /// The emergency stop is pressed: release it, and enable the arm.
     EmergencyStop,
-    /// The robot is in a protective stop: `clear_error` leaves it.
+    /// The robot is in a protective stop: call `clear_error`.
     ProtectiveStop,
-    /// The arm has no power: `power_on`.
+    /// The arm has no power: call `power_on`.
     NotPowered,
-    /// The arm is not enabled: `enable_robot`.
+    /// The arm is not enabled: call `enable_robot`.
     NotEnabled,
-    /// Servo mode is off: `servo_move`, and wait until `is_in_servomove` says that it is on.
+    /// Servo mode is off: call `servo_move`, and wait until `is_in_servomove` says that it is on.
     NotInServoMode,
-    /// The controller does not take commands from here: grant remote control on its panel.
+    /// The controller does not accept commands from this client: grant remote control on its panel.
     NoRemoteControl,
-    /// The arm moves, or a motion has not been waited for: wait for its end, or stop it.
+    /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
     Moving,
-    /// The controller acknowledged servo mode and did not enter it, as it does while the arm moves.
+    /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
     ServoModeNotEntered,
-    /// The controller acknowledged the end of servo mode and is still in it.
+    /// The controller acknowledged the end of servo mode but is still in it.
     ServoModeNotLeft,
 }
 
 impl Explanation {
-    /// What a refusal and the robot's status together tell; nothing where neither does.
+    /// What a refusal and the robot's status show together; `None` if neither shows the reason.
     ///
     /// [`Robot`](crate::Robot) does this for its motions. The status is the newest one after the refusal.
     pub fn of(refusal: &Refusal, status: Option<&RobotStatus>) -> Option<Self> {
@@ -67,18 +67,20 @@ impl fmt::Display for Explanation {
             Self::NotPowered => "the arm has no power: call `power_on`",
             Self::NotEnabled => "the arm is not enabled: call `enable_robot`",
             Self::NotInServoMode => "servo mode is off: call `servo_move`, and wait until it is on",
-            Self::Moving => "the arm moves, or its motion has not been waited for: wait for the end, or stop it",
+            Self::Moving => "the arm is moving, or a motion has not been waited for: wait for its end, or stop it",
             Self::ServoModeNotEntered => {
-                "the controller acknowledged servo mode and did not enter it, as it does while the arm moves"
+                "the controller acknowledged servo mode but did not enter it, which happens while the arm moves"
             }
-            Self::ServoModeNotLeft => "the controller acknowledged the end of servo mode and is still in it",
-            Self::NoRemoteControl => "the controller takes no commands from here: grant remote control on its panel",
+            Self::ServoModeNotLeft => "the controller acknowledged the end of servo mode but is still in it",
+            Self::NoRemoteControl => {
+                "the controller does not accept commands from this client: grant remote control on its panel"
+            }
         })
     }
 }
 
 impl Robot {
-    /// The same error, with the reason for a refusal where the robot's state tells it.
+    /// The same error, with the reason for a refusal if the robot's state shows it.
     pub(super) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
         let found = self.explain_within(&error, timeout);
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
@@ -87,10 +89,10 @@ impl Robot {
         error
     }
 
-    /// Why the controller refused a command of the [`client`](Self::client), as far as its state tells, and what helps.
+    /// Why the controller refused a command of the [`client`](Self::client), as far as its state shows it, and what helps.
     ///
     /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than the
-    /// refusal. Whether the robot is stopped, packets alone tell. Motions of the robot itself are explained in their error:
+    /// refusal. Only packets show whether the robot is stopped. Refused motions of the robot itself are explained in their error:
     /// [`ErrorKind::Refused`].
     pub fn explain(&mut self, error: &Error) -> Option<Explanation> {
         self.explain_within(error, PATIENCE.min(self.client.reply_timeout()))

@@ -8,20 +8,20 @@ use super::{Outcome, trouble};
 use crate::{Error, ErrorKind, Monitor};
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, and stops of
-/// handles of which no [`MotionEnd`](super::MotionEnd) has told.
+/// handles that no [`MotionEnd`](super::MotionEnd) has reported.
 ///
-/// A clone knows of all that comes later, but not of what is told or acknowledged later.
+/// A clone sees all that sets it later, but not what is reported or acknowledged later.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Latch {
     /// Set by the monitor's thread, too. Locked after the link's state; nothing else is locked under it.
     outcome: Arc<Mutex<Option<Outcome>>>,
     stops: Arc<Stops>,
-    /// The number of the latest stop that the program has been told of.
-    told: u64,
+    /// The number of the latest stop that has been reported to the program.
+    reported: u64,
 }
 
 impl Latch {
-    /// Is set at each stop that a packet of the monitor shows, for as long as the robot lives.
+    /// A latch that each stop sets that a packet of the monitor shows, for as long as the robot lives.
     pub(super) fn new(monitor: &Monitor) -> Self {
         let latch = Self::default();
         let outcome = Arc::downgrade(&latch.outcome);
@@ -44,7 +44,7 @@ impl Latch {
 
     /// What must be acknowledged, if something must.
     pub(super) fn unacknowledged(&self) -> Option<Outcome> {
-        lock(&self.outcome).clone().or_else(|| self.stops.pending(self.told))
+        lock(&self.outcome).clone().or_else(|| self.stops.pending(self.reported))
     }
 
     /// Fails while something must be acknowledged.
@@ -52,10 +52,10 @@ impl Latch {
         self.unacknowledged().map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
     }
 
-    /// Says that somebody has looked. A stop that is on its way still keeps motions back.
+    /// Clears it. A stop that is on its way still keeps motions back.
     pub(super) fn acknowledge(&mut self) {
         *lock(&self.outcome) = None;
-        self.told = self.stops.begun();
+        self.reported = self.stops.begun();
     }
 
     /// The stops of the robot's handles.
@@ -63,14 +63,14 @@ impl Latch {
         &self.stops
     }
 
-    /// True if the controller has taken a stop of which the program has not been told.
-    pub(super) fn has_untold_stop(&self) -> bool {
-        self.stops.taken() > self.told
+    /// True if the controller has accepted a stop that has not been reported to the program.
+    pub(super) fn has_unreported_stop(&self) -> bool {
+        self.stops.taken() > self.reported
     }
 
-    /// The program is told of the stops that the controller has taken.
-    pub(super) fn tell_stops(&mut self) {
-        self.told = self.told.max(self.stops.taken());
+    /// The stops that the controller has accepted are reported to the program.
+    pub(super) fn report_stops(&mut self) {
+        self.reported = self.reported.max(self.stops.taken());
     }
 }
 

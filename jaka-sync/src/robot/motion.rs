@@ -9,7 +9,7 @@ use super::Target;
 
 /// A planned motion: one whose reply says that it was accepted, and whose end is waited for.
 pub trait Motion: Command<Reply = ()> {
-    /// Where it ends, as far as the request tells. The robot's own answer says whether the arm is there.
+    /// Where it ends, as far as the request determines it. The controller's own answer says whether the arm is there.
     fn target(&self) -> Target;
 
     /// How far from its target it may end, in mm, since the controller may blend it into the next motion. 0 for none.
@@ -41,7 +41,7 @@ impl Motion for EndMove {
 }
 
 impl Motion for MoveL {
-    /// An offset is one along the axes of the selected user frame; in which way it turns is not documented.
+    /// An offset is one along the axes of the selected user frame; the document does not say how an offset of the orientation counts.
     fn target(&self) -> Target {
         let pose = self.pose;
         let turns = [pose.rx, pose.ry, pose.rz].iter().any(|angle| *angle != 0.0);
@@ -58,7 +58,7 @@ impl Motion for MoveL {
 }
 
 impl Motion for MoveC {
-    /// From where the offsets of an arc count is not documented.
+    /// The document does not say from where the offsets of an arc count.
     fn target(&self) -> Target {
         match self.mode {
             MoveMode::Absolute => Target::Pose(self.end_pose),

@@ -17,14 +17,14 @@ use crate::{Disconnect, Error, Snapshot};
 pub enum Outcome {
     /// The arm is at its target, by the controller's own answer to a query after the motion.
     Reached,
-    /// The arm is at rest, and it is not known whether that is its target: the request does not tell it (a relative motion in a queue
-    /// or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
-    /// position could not be asked for ([`MotionEnd::not_answered`]): then packets alone say that it rests, which may be old.
+    /// The arm is at rest, and it is not known whether it is at its target: the request does not determine it (a relative motion in a
+    /// queue or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
+    /// position query failed ([`MotionEnd::not_answered`]): then only packets show that the arm is at rest, and these may be old.
     AtRest,
-    /// There was nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
+    /// There is nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
     /// through [`Robot::client`](crate::Robot::client) are not waited for.
     NoMotion,
-    /// The motion ended before its target: it was stopped, by this program or another client. The arm may still brake.
+    /// The motion ended before its target: this program or another client stopped it. The arm may still be braking.
     Stopped,
     /// The robot is in a protective stop. It moves again after `clear_error`.
     ProtectiveStop,
@@ -32,18 +32,18 @@ pub enum Outcome {
     EmergencyStop,
     /// The arm is no longer powered and enabled.
     Disabled,
-    /// The controller reports an error that it did not report before the motion; or, where the arm is at rest elsewhere than at
-    /// its target, a code that no table has. Warnings and information end no motion. The arm may still move: what stops it, the
-    /// status says by other means.
+    /// The controller reports an error that it did not report before the motion; or, if the arm is at rest but not at its target, a
+    /// code that no table has. Warnings and information do not end a motion. The arm may still move: other fields of the status show
+    /// whether it is stopped.
     ControllerError {
         /// The code as the controller writes it, such as `0x0F0034`.
         code: String,
-        /// The event with its severity and, where it is known, what it means; none for a code that cannot be read.
+        /// The event with its severity and, if it is known, its meaning; none for a code that cannot be read.
         event: Option<ControllerEvent>,
         /// The controller's message.
         message: String,
     },
-    /// The time is over, and the arm may still move. Leave it, wait on, or stop it.
+    /// The motion has not ended within the timeout, and the arm may still move. Leave it, wait again, or stop it.
     Deadline,
     /// Status packets that can be read no longer come; the arm may still move.
     StatusLost {
@@ -60,7 +60,7 @@ impl Outcome {
         matches!(self, Self::Reached)
     }
 
-    /// True if the arm is at rest, and nothing says that it is elsewhere than where it was sent.
+    /// True if the arm is at rest, and nothing shows that it is not where it was sent.
     pub fn is_at_rest(&self) -> bool {
         matches!(self, Self::Reached | Self::AtRest)
     }
@@ -70,7 +70,7 @@ impl Outcome {
         if let Self::StatusLost { cause: Some(cause), .. } = self { cause.source() } else { None }
     }
 
-    /// True if the robot must not move again before somebody has looked at it.
+    /// True if the robot must not move again before somebody has checked it.
     pub(super) fn latches(&self) -> bool {
         matches!(self, Self::ProtectiveStop | Self::EmergencyStop | Self::StatusLost { .. })
     }
@@ -82,10 +82,10 @@ impl fmt::Display for Outcome {
         let mut f = VisibleWriter(f);
         match self {
             Self::Reached => f.write_str("the motion has reached its target"),
-            Self::AtRest => f.write_str("the arm is at rest; whether at the target of its motion is not known"),
+            Self::AtRest => f.write_str("the arm is at rest, but it is not known whether it is at its target"),
             Self::NoMotion => f.write_str("there was nothing to wait for: no motion of this robot was accepted"),
             Self::Stopped => f.write_str("the motion was stopped before its target"),
-            Self::ProtectiveStop => f.write_str("the robot is in a protective stop; `clear_error` leaves it"),
+            Self::ProtectiveStop => f.write_str("the robot is in a protective stop: call `clear_error`"),
             Self::EmergencyStop => f.write_str("the emergency stop is pressed"),
             Self::Disabled => f.write_str("the arm is no longer powered and enabled"),
             Self::ControllerError { event: Some(event), message, .. } => {
@@ -109,20 +109,20 @@ impl fmt::Display for Outcome {
 /// The end of a motion, with what led to it.
 #[derive(Debug)]
 #[non_exhaustive]
-#[must_use = "a motion may have ended otherwise than at its target"]
+#[must_use = "a motion may have ended before its target"]
 pub struct MotionEnd {
     /// How it ended.
     pub outcome: Outcome,
-    /// For how long it was waited.
+    /// How long the call waited.
     pub waited: Duration,
     /// The last packets, up to ten, the newest last.
     pub packets: Vec<Arc<Snapshot>>,
-    /// Why the position could not be asked for, where it could not: then the outcome is not [`Outcome::Reached`].
+    /// Why the query for the position failed, if it did: then the outcome is not [`Outcome::Reached`].
     pub not_answered: Option<Error>,
 }
 
 impl MotionEnd {
-    /// Nothing if the arm is where it was sent, and this as an error otherwise.
+    /// `Ok` if the arm is where it was sent, and this as an error otherwise.
     ///
     /// # Errors
     /// The motion ended otherwise, or its target is not known.
@@ -130,7 +130,7 @@ impl MotionEnd {
         if self.outcome.is_reached() { Ok(()) } else { Err(NotReached(Box::new(self))) }
     }
 
-    /// Nothing if the arm is at rest and nothing says that it is elsewhere than where it was sent; for motions whose target is
+    /// `Ok` if the arm is at rest and nothing shows that it is not where it was sent; for motions whose target is
     /// not known, such as relative ones in a queue.
     ///
     /// # Errors
@@ -155,7 +155,7 @@ impl fmt::Display for NotReached {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.outcome.fmt(f)?;
         match &self.0.not_answered {
-            Some(error) => write!(f, "; its position could not be asked for: {error}"),
+            Some(error) => write!(f, "; the query for its position failed: {error}"),
             None => Ok(()),
         }
     }

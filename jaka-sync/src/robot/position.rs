@@ -1,8 +1,8 @@
 //! Where the arm is, by a query that has no deadline of its own.
 //!
-//! One is outstanding at most. What it is waited for may end before it is answered; then the answer is waited for by whoever asks
-//! next. A second query of the same name after a timeout could leave in doubt which of the two was answered, and cost the
-//! connection, and the stop with it.
+//! At most one is outstanding. The wait that sent it may end before the answer comes; then the next caller waits for that answer. With
+//! a second query of the same name after a timeout, it could be uncertain which of the two was answered; that would break the
+//! connection, on which a stop may have to go out.
 
 use std::time::{Duration, Instant};
 
@@ -49,7 +49,7 @@ impl Robot {
         Ok(())
     }
 
-    /// Waits for the answer to the query that is outstanding, for at most so long.
+    /// Waits for the answer to the outstanding query, for at most `time`.
     pub(super) fn answer(&mut self, time: Duration) -> Option<Answer> {
         let query = self.query.take()?;
         let (question, info) = (&query.question, query.quantity.info());

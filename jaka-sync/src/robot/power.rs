@@ -11,7 +11,7 @@ use crate::{Error, ErrorKind, monitor};
 /// How often the state is asked for.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
 
-/// A call that may take so long in all.
+/// When a call has begun, and how long all of it may take.
 #[derive(Debug, Clone, Copy)]
 struct Limit {
     since: Instant,
@@ -26,13 +26,13 @@ impl Limit {
 
 impl Robot {
     /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`, 4.12), and
-    /// waits until the status packets say so too. Takes some 12 s as a rule.
+    /// waits until the status packets say so, too. It usually takes about 12 s.
     ///
     /// # Errors
     /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
-    /// - Else as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
+    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
         let limit = Limit { since: Instant::now(), timeout };
         self.monitor.wait_until(|_| true, timeout)?;
@@ -70,7 +70,7 @@ impl Robot {
         Ok(())
     }
 
-    /// Fails as soon as a packet says that the emergency stop is pressed, up to so long.
+    /// Fails as soon as a packet says that the emergency stop is pressed; looks for such a packet for at most `time`.
     fn check_emergency_stop(&mut self, time: Duration) -> Result<(), Error> {
         let is_pressed = self
             .monitor
@@ -83,7 +83,7 @@ impl Robot {
 
     fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
         let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
-        let says = self.monitor.last_known_packet().and_then(|last| monitor::in_words(&last));
+        let says = self.monitor.last_known_packet().and_then(|last| monitor::describe(&last));
         self.client.link().attach(ErrorKind::StateTimeout { after, packets, says }.into())
     }
 }

@@ -1,4 +1,4 @@
-//! Whether the robot's state is known well enough to move it: unknown is not good.
+//! Whether the robot's state is known well enough to move it: an unknown state counts as a bad one.
 
 use std::error::Error as StdError;
 use std::fmt;
@@ -21,7 +21,7 @@ pub enum StatusProblem {
         /// How long ago the last one came.
         age: Duration,
     },
-    /// Packets have just come again after a silence; the first may be old ones that a link has held.
+    /// Packets have just resumed after a silence; the first may be old ones that the network had held back.
     Resuming,
     /// The status connection has ended for good.
     Ended {
@@ -30,7 +30,7 @@ pub enum StatusProblem {
     },
     /// The status connection was lost, and the monitor is connecting again.
     Reconnecting,
-    /// The newest packet cannot be read, or not in what tells whether the arm is stopped, or does not tell it at all.
+    /// The newest packet cannot be read, or does not show whether the arm is stopped.
     Unreadable {
         /// Which field, and why.
         source: DecodeError,
@@ -41,25 +41,25 @@ impl fmt::Display for StatusProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Missing => {
-                f.write_str("no status packet has come; see whether the controller sends them on port 10000")
+                f.write_str("no status packet has come; check whether the controller sends them on port 10000")
             }
             Self::Stale { age } => {
                 write!(
                     f,
-                    "the last status packet came {age:.1?} ago; see to the network, and wait for packets to come again"
+                    "the last status packet came {age:.1?} ago; check the network, and wait until packets come again"
                 )
             }
-            Self::Resuming => f.write_str(
-                "status packets have just come again after a silence, and may be old; try again in a moment",
-            ),
+            Self::Resuming => {
+                f.write_str("status packets have just resumed after a silence, and may be old; try again in a moment")
+            }
             Self::Ended { cause } => {
                 write!(f, "the status connection has ended ({cause}); make a new `Robot`, or set `Config::reconnect`")
             }
-            Self::Reconnecting => {
-                f.write_str("the status connection was lost and is being made again; wait for packets to come again")
-            }
+            Self::Reconnecting => f.write_str(
+                "the status connection was lost, and the monitor is reconnecting; wait until packets come again",
+            ),
             Self::Unreadable { source } => {
-                write!(f, "the newest status packet does not tell whether the arm is stopped: {source}")
+                write!(f, "the newest status packet does not show whether the arm is stopped: {source}")
             }
         }
     }
@@ -73,19 +73,19 @@ impl StdError for StatusProblem {
 }
 
 impl Robot {
-    /// The newest packet, if it is fresh and can be read. Where none has come lately, waits a little for one.
+    /// The newest packet, if it is fresh and can be read. If none has come lately, waits a little for one.
     fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
         let now = self.monitor.fresh_packet();
         if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
             return readable(now);
         }
         let patience = self.monitor.stale_after().min(timeout);
-        // What has come of it, `fresh_packet` says.
+        // Its result is what `fresh_packet` says next.
         let _ = self.monitor.watch(patience, |_| self.monitor.fresh_packet().ok());
         readable(self.monitor.fresh_packet())
     }
 
-    /// The same for what must not be done without it, unless the program has said that it does without.
+    /// The same for what must not be done without it; `None` if the program has allowed motion without it.
     pub(crate) fn known_status(&self, timeout: Duration) -> Result<Option<Arc<Snapshot>>, Error> {
         match self.status_now(timeout) {
             Ok(snapshot) => Ok(Some(snapshot)),
@@ -94,8 +94,8 @@ impl Robot {
         }
     }
 
-    /// Keeps back what would move the arm behind a stop (one that has begun by the time of the write is on the wire before it, or
-    /// will be sent behind it), or while the robot's state is not known.
+    /// Blocks what would move the arm after a stop, or while the robot's state is not known. A stop that has begun by the time of the
+    /// write is on the wire before it, or will be sent after it.
     pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<> {
         let latch = self.latch.clone();
         let monitor = (!self.moves_without_status).then(|| Arc::clone(&self.monitor));
@@ -117,7 +117,7 @@ fn readable(snapshot: Result<Arc<Snapshot>, StatusProblem>) -> Result<Arc<Snapsh
     }
 }
 
-/// The newest packet counts also where somebody has acknowledged what packets before it showed.
+/// The newest packet counts, even if what earlier packets showed has been acknowledged.
 fn check_stops(newest: &Snapshot) -> Result<(), Error> {
     let explanation = match trouble::stop(&newest.status) {
         None => return Ok(()),

@@ -14,14 +14,14 @@ use crate::{Error, StopHandle};
 pub(super) struct Stops {
     /// The latest that was asked for.
     begun: AtomicU64,
-    /// The latest that the controller has taken.
+    /// The latest that the controller has accepted.
     taken: AtomicU64,
-    /// How many are on their way.
+    /// How many are on their way to the controller.
     under_way: AtomicU64,
 }
 
 impl Stops {
-    /// The number of the latest stop that the controller has taken.
+    /// The number of the latest stop that the controller has accepted.
     pub(super) fn taken(&self) -> u64 {
         self.taken.load(Ordering::SeqCst)
     }
@@ -31,7 +31,7 @@ impl Stops {
         self.begun.load(Ordering::SeqCst)
     }
 
-    /// A stop that keeps motions back: one that is on its way, or that was asked for beyond those that were told of.
+    /// A stop that keeps motions back: one that is on its way, or one after the last of which the program was told.
     pub(super) fn pending(&self, told: u64) -> Option<Outcome> {
         (self.is_under_way() || self.begun() != told).then_some(Outcome::Stopped)
     }
@@ -58,13 +58,13 @@ impl Drop for UnderWay<'_> {
     }
 }
 
-/// Stops the arm of a [`Robot`](super::Robot) from another thread, and ends its wait as soon as the controller has taken the
-/// stop. Unless a [`MotionEnd`](super::MotionEnd) has told of the stop, the next motion is refused until
-/// [`Robot::acknowledge`](super::Robot::acknowledge); while a stop is on its way, each motion is.
+/// Stops the arm of a [`Robot`](super::Robot) from another thread, and ends its wait as soon as the controller has accepted the
+/// stop. Unless a [`MotionEnd`](super::MotionEnd) has reported the stop, the next motion is refused until
+/// [`Robot::acknowledge`](super::Robot::acknowledge). While a stop is on its way, every motion is refused.
 ///
-/// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` says so.
+/// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` then fails.
 ///
-/// This is no emergency stop; people are protected by the robot's own safety functions alone.
+/// This is not an emergency stop: only the robot's own safety functions protect people.
 #[derive(Debug, Clone)]
 #[must_use = "a stop handle stops nothing until `stop` is called"]
 pub struct RobotStop {
@@ -78,16 +78,16 @@ impl RobotStop {
         Self { handle, stops, waker }
     }
 
-    /// Sends `stop_program` (4.23), waits until the controller has taken it, and ends the wait.
+    /// Sends `stop_program` (4.23), waits until the controller has accepted it, and ends the wait.
     ///
     /// # Errors
-    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to move on: its wait goes on by the status, and the
+    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the
     /// next motion is refused.
     pub fn stop(&self) -> Result<(), Error> {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
         if let Err(error) = self.handle.stop() {
-            // Whoever was told of it, or acknowledged it, did not know that it would fail.
+            // A program that was told of it, or acknowledged it, did not know that it would fail.
             self.stops.begun.fetch_add(1, Ordering::SeqCst);
             return Err(error);
         }

@@ -12,19 +12,19 @@ const CLOSE_MM: f64 = 0.5;
 const STILL_DEG: f64 = 0.002;
 const STILL_MM: f64 = 0.02;
 
-/// Where a [`Motion`](super::Motion) ends, as far as its request tells.
+/// Where a [`Motion`](super::Motion) ends, as far as its request determines it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Target {
     /// At these joint positions, in degrees.
     Joints(JointPosition),
-    /// So far from where it begins, in degrees.
+    /// By this offset of the joints from where it begins, in degrees.
     JointOffset(JointPosition),
     /// At this pose of the tool centre point, in the frames that are selected when it is sent; mm and degrees.
     Pose(Pose),
-    /// So far from where it begins along x, y and z of the selected user frame, in mm, without a rotation.
+    /// By this offset from where it begins along x, y and z of the selected user frame, in mm, without a rotation.
     Offset([f64; 3]),
-    /// The request does not tell.
+    /// The request does not determine it.
     Unknown,
 }
 
@@ -48,7 +48,8 @@ impl Place {
         self.is_within(other, CLOSE_DEG, CLOSE_MM)
     }
 
-    /// True if both are the same but for noise. Over the grace, an arm that moves by less cannot be told from one at rest.
+    /// True if both are the same except for noise. An arm that moves by less during the grace time cannot be distinguished from one at
+    /// rest.
     pub(super) fn is_still(&self, other: &Self) -> bool {
         self.is_within(other, STILL_DEG, STILL_MM)
     }
@@ -72,7 +73,7 @@ pub(super) enum Goal {
     Unknown,
 }
 
-/// How the arm's place and the goal lie to each other.
+/// How near the arm's place is to the goal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Nearness {
     There,

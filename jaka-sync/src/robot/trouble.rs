@@ -6,12 +6,12 @@ use jaka_proto::wire::DecodeError;
 use super::outcome::Outcome;
 use crate::{ControllerEvent, Severity, Snapshot};
 
-/// What came up while a motion ran.
+/// What a packet shows against a motion.
 #[derive(Debug)]
 pub(super) enum News {
     /// The motion has ended.
     Ends(Outcome),
-    /// It counts where the arm is at rest: a code that is in no table.
+    /// It counts only once the arm is at rest: a code that is in no table.
     AtRest(Outcome),
 }
 
@@ -43,7 +43,7 @@ pub(super) fn code(status: &RobotStatus) -> Option<&str> {
     status.error_code.as_deref().filter(|_| !matches!(status.event(), Ok(None)))
 }
 
-/// A stop that keeps the arm from moving until somebody has looked.
+/// A stop that keeps the arm from moving until it has been acknowledged.
 pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
     match status {
         RobotStatus { emergency_stop: Some(true), .. } => Some(Outcome::EmergencyStop),
@@ -52,7 +52,7 @@ pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
     }
 }
 
-/// Why it is not known of a packet whether the arm is stopped, where that cannot be read or is not there at all.
+/// Why a packet does not show whether the arm is stopped: it cannot be read, or is not there at all.
 pub(super) fn unreadable(snapshot: &Snapshot) -> Option<DecodeError> {
     const NEEDED: [&str; 6] =
         ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
@@ -62,7 +62,7 @@ pub(super) fn unreadable(snapshot: &Snapshot) -> Option<DecodeError> {
         let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
         let is_told = told.iter().any(Option::is_some);
         (!is_told).then(|| {
-            DecodeError::unfit("a packet that tells whether the arm is enabled and stopped", "without these keys")
+            DecodeError::unfit("a packet that shows whether the arm is enabled and stopped", "none of these keys")
         })
     })
 }

@@ -4,9 +4,9 @@
 //! packets say against a motion (stops, errors, a disabled arm) is believed at once; that the arm is in position only leads to a
 //! query, whose answer is later than the motion's acceptance.
 //!
-//! One answer that is the target, or two that agree near it, are enough for one motion that was seen to leave: it passes there only at
-//! its end. Two, since what was seen may have been the motion before. All else (several motions, a motion without length, an arm that
-//! rests elsewhere) is known from answers that agree for a time of grace.
+//! One answer at the target, or two that agree near it, are enough for one motion that was seen to leave: the arm is there only at the
+//! end. Two, because what was seen may have been the motion before. In all other cases (several motions, a motion without length, an
+//! arm that rests elsewhere) the answers must agree for a grace time.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -27,14 +27,14 @@ const KEPT: usize = 10;
 /// The shortest time between two queries.
 pub(super) const QUERY_PERIOD: Duration = Duration::from_millis(100);
 
-/// For how long the arm must be seen at rest, where one answer at its target does not say enough.
+/// How long the arm must be seen at rest, if one answer at its target is not enough.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grace {
     pub(super) time: Duration,
     pub(super) packets: u32,
 }
 
-/// What is waited for, and how far it is.
+/// The state of a wait for the end of a batch.
 #[derive(Debug)]
 pub(super) struct Wait {
     pub(super) batch: Batch,
@@ -99,24 +99,24 @@ impl Wait {
         }
     }
 
-    /// Which query is to be asked now, if any.
+    /// Which query is due now, if any.
     pub(super) fn query(&self, now: Instant) -> Option<Quantity> {
         self.query_in(now).is_zero().then(|| self.batch.goal.quantity())
     }
 
-    /// In how long a query is to be asked, if no packet comes before.
+    /// How long until a query is due, if no packet comes before.
     pub(super) fn query_in(&self, now: Instant) -> Duration {
         if self.packets.is_empty() || !self.may_rest() {
             return Duration::MAX;
         }
         let after = |from: Instant, time: Duration| time.saturating_sub(now.saturating_duration_since(from));
         let next = self.asked.map_or(Duration::ZERO, |asked| after(asked, QUERY_PERIOD));
-        // At first packets still say that the arm is in position; a query then would be asked in vain.
+        // At first, packets still say that the arm is in position; a query then would be useless.
         let begun = if self.batch.has_left { Duration::ZERO } else { after(self.batch.accepted, self.grace.time / 2) };
         next.max(begun)
     }
 
-    /// True if queries are asked as soon as they are due.
+    /// True if queries are sent as soon as they are due.
     fn may_rest(&self) -> bool {
         !self.is_paused && self.in_position != Some(false)
     }
@@ -132,7 +132,7 @@ impl Wait {
         self.batch.has_left && self.in_position == Some(true) && !self.is_paused
     }
 
-    /// Takes a packet: the outcome, if it tells one.
+    /// Takes a packet: the outcome, if it shows one.
     pub(super) fn packet(&mut self, snapshot: &Arc<Snapshot>) -> Option<Outcome> {
         let is_seen = self.packets.back().is_some_and(|last| last.number >= snapshot.number);
         if is_seen || snapshot.received <= self.batch.accepted {
@@ -166,7 +166,7 @@ impl Wait {
         self.see_still(status.joint_actual_position, received, counted)
     }
 
-    /// Rest by packets alone, which never is more than rest.
+    /// Rest as packets alone show it, which is never more than rest.
     fn see_still(&mut self, joints: Option<JointPosition>, received: Instant, counted: u32) -> Option<Outcome> {
         let is_same = |first: Option<JointPosition>| match (first, joints) {
             (Some(first), Some(joints)) => Place::Joints(first).is_still(&Place::Joints(joints)),
@@ -183,7 +183,7 @@ impl Wait {
         (self.failure.is_some() && self.batch.has_left && lasts).then(|| self.at_rest(Nearness::Unknown))
     }
 
-    /// Takes the answer to a query that was sent at `asked` and came at `received`: the outcome, if it tells one.
+    /// Takes the answer to a query that was sent at `asked` and came at `received`: the outcome, if it shows one.
     pub(super) fn answer(&mut self, place: Place, asked: Instant, received: Instant) -> Option<Outcome> {
         if asked <= self.batch.accepted {
             return None;
@@ -207,7 +207,7 @@ impl Wait {
         (lasts && had_time).then(|| self.at_rest(nearness))
     }
 
-    /// True for a place at the goal to the last digits, where a motion comes to rest and does not pass.
+    /// True for a place that is exactly the goal, where a motion comes to rest and does not pass.
     fn is_exact(&self, place: &Place) -> bool {
         matches!(&self.batch.goal, Goal::At(goal, _) if goal.is_still(place))
     }

@@ -8,18 +8,18 @@ use super::wait::Wait;
 use super::{Outcome, Robot, trouble};
 use crate::Snapshot;
 
-/// For how long an answer is waited for before packets and stops are looked at again.
+/// How long the wait for an answer lasts before packets and stops are checked again.
 const SLICE: Duration = Duration::from_millis(10);
 
-/// What a look at packets and stops leads to.
+/// What packets and stops lead to.
 #[derive(Debug)]
 enum Next {
     Ended(Outcome),
-    /// It is time to ask, or to look for an answer.
+    /// It is time to send a query, or to check for its answer.
     Query,
 }
 
-/// When the robot was last heard of, in a packet that can be read.
+/// When the last packet came that can be read.
 #[derive(Debug)]
 struct Heard {
     at: Instant,
@@ -28,8 +28,8 @@ struct Heard {
 }
 
 impl Robot {
-    /// Waits until the motions have ended, or it is known that this cannot be known. A stop, trouble and the deadline end it at
-    /// once, also while an answer is awaited.
+    /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error and the deadline end
+    /// the wait at once, also while an answer is outstanding.
     pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration) -> Outcome {
         let since = Instant::now();
         let mut heard = Heard { at: since, number: 0, unreadable: None };
@@ -51,7 +51,7 @@ impl Robot {
         }
     }
 
-    /// In how long there is something to ask or an answer to look for, if no packet comes before.
+    /// How long until a query is due or its answer is to be checked for, if no packet comes before.
     fn query_in(&self, wait: &Wait) -> Duration {
         if self.query.is_some() {
             return Duration::ZERO;
@@ -59,9 +59,9 @@ impl Robot {
         wait.query_in(Instant::now())
     }
 
-    /// Looks at the newest packet and at the stops: what is next, if they tell it.
+    /// Checks the newest packet and the stops: what is next, if they show it.
     fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Next> {
-        if self.latch.has_untold_stop() {
+        if self.latch.has_unreported_stop() {
             return Some(Next::Ended(Outcome::Stopped));
         }
         let outcome = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
@@ -71,7 +71,7 @@ impl Robot {
         }
     }
 
-    /// Asks where the arm is, if it is time, and takes the answer, if it has come.
+    /// Queries the arm's position, if it is time, and takes the answer, if it has come.
     fn look_up(&mut self, wait: &mut Wait, left: Duration) -> Option<Outcome> {
         if self.query.is_none() {
             let quantity = wait.query(Instant::now())?;
@@ -90,19 +90,19 @@ impl Robot {
         }
     }
 
-    /// A stop that the outcome tells of is told.
+    /// The outcome tells the program of a stop.
     fn told(&mut self, outcome: Outcome) -> Outcome {
         if matches!(outcome, Outcome::Stopped) {
-            self.latch.tell_stops();
+            self.latch.report_stops();
         }
-        // Where the target is not known, it may be at rest because of a stop whose reply has not come.
+        // If the target is not known, the arm may be at rest because of a stop whose reply has not come.
         let is_stopping = self.latch.stops().is_under_way() && matches!(outcome, Outcome::AtRest);
         if is_stopping { Outcome::Stopped } else { outcome }
     }
 }
 
 impl Heard {
-    /// Whether a packet is news that can be read.
+    /// Whether a packet is new and can be read.
     fn takes(&mut self, newest: &Arc<Snapshot>) -> bool {
         if newest.number <= self.number {
             return false;

@@ -12,7 +12,7 @@ use super::{ServoReport, ServoSession};
 use crate::link::Question;
 use crate::{Disconnect, Error, ErrorKind, Explanation};
 
-/// How long the last answers may take, and the end of servo mode behind set-points that are not answered.
+/// How long the last replies may take, and the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 impl ServoSession<'_> {
@@ -20,7 +20,7 @@ impl ServoSession<'_> {
     ///
     /// # Errors
     /// As [`Client::call`](crate::Client::call), and [`ErrorKind::Refused`] if the controller refused a set-point. Servo mode is
-    /// left in any case, if it can be; [`ErrorKind::ServoModeNotLeft`] where it cannot, or where that is not known, with the session's own
+    /// left in any case, if possible; [`ErrorKind::ServoModeNotLeft`] if it cannot be left, or that is not known, with the session's own
     /// error if there is one. [`ErrorKind::SessionEnded`] if the session had ended before.
     pub fn finish(mut self) -> Result<ServoReport, Error> {
         if let Some(because) = self.ended.take() {
@@ -68,7 +68,7 @@ impl ServoSession<'_> {
     /// servo mode, and waiting for a second one that was lost would cost the connection, and the stop with it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
-        // Another thread that reads may have taken answers in meanwhile.
+        // Another thread that reads may have received replies meanwhile.
         let (answers, unanswered) = self.robot.client().link().forget_posted();
         self.count(answers);
         self.report.unanswered += unanswered;
@@ -80,8 +80,8 @@ impl ServoSession<'_> {
         left
     }
 
-    /// Set-points that are not answered may wait where nothing passes. If the end of servo mode is not answered either, the
-    /// connection is reset, so that the system discards what it has queued of them.
+    /// Set-points that were not answered may be queued on a link that stalls. If the end of servo mode is not answered either, the
+    /// connection is reset, so that the system discards those that it has queued.
     fn wait_until_left(&mut self, off: &Question, unanswered: u64) -> Result<(), Error> {
         let since = Instant::now();
         let mut pace = Pace::new(CYCLE, Duration::ZERO);

@@ -18,10 +18,10 @@ use crate::{Error, ErrorKind, Robot, Snapshot};
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
 
-/// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out at the beat of the servo period, and their answers are
+/// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
 /// counted, not waited for.
 ///
-/// Each call sends one set-point at the next beat, and fails within a period if the controller has refused an earlier one.
+/// Each call sends one set-point in the next cycle, and fails within a period if the controller has refused an earlier one.
 /// Dropping the session leaves servo mode, also while a panic unwinds; [`finish`](Self::finish) does it with a report.
 ///
 /// # Entering
@@ -31,8 +31,8 @@ const MAX_SPEED: f64 = 180.0;
 /// something fails after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
 /// # A link that stalls
-/// Where set-points are no longer answered ([`ServoConfig::max_unanswered`]), or the status is no longer known, none goes out any
-/// more: servo mode is left, and the call fails with [`ErrorKind::SetPointsUnanswered`] or [`ErrorKind::StatusUnknown`]. If the end of servo
+/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), or the status is no longer known, no more are sent:
+/// servo mode is left, and the call fails with [`ErrorKind::SetPointsUnanswered`] or [`ErrorKind::StatusUnknown`]. If the end of servo
 /// mode is not answered within a second, the connection is reset, which discards the set-points that the system has not sent, and the
 /// error is [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at most the
 /// set-points that were unanswered.
@@ -59,7 +59,7 @@ pub struct ServoSession<'r> {
     pub(super) refusal: Option<Error>,
     /// True while servo mode is to be left.
     pub(super) is_open: bool,
-    /// Why no set-point goes out any more, if none does.
+    /// Why no more set-points go out, if so.
     pub(super) ended: Option<String>,
 }
 
@@ -69,14 +69,14 @@ impl ServoSession<'_> {
         self.pace.time()
     }
 
-    /// Waits for the next beat and sends a set-point for all joints.
+    /// Waits for the next cycle and sends a set-point for all joints.
     ///
     /// # Errors
     /// - [`ErrorKind::InvalidArgument`]: a joint would have to move faster than 180 deg/s, which the controller ignores (4.15).
-    ///   Nothing was sent. Behind a pose this is not checked: it does not tell where the joints are.
+    ///   Nothing was sent. After a pose this is not checked, because the joint positions are not known.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
     /// - [`ErrorKind::NotAcknowledged`]: a protective or emergency stop. [`ErrorKind::Disconnected`]: the connection is lost.
-    /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: nothing passes on one of the ports; the session has ended.
+    /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds; the session has ended.
     ///   [`ErrorKind::ServoModeNotLeft`]: it has ended so, and servo mode may be on. [`ErrorKind::SessionEnded`]: it had ended before.
     pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
@@ -91,7 +91,7 @@ impl ServoSession<'_> {
         Ok(())
     }
 
-    /// Waits for the next beat and sends a set-point by an offset of all joints from the one before.
+    /// Waits for the next cycle and sends a set-point by an offset of all joints from the one before.
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
@@ -109,12 +109,12 @@ impl ServoSession<'_> {
         Ok(())
     }
 
-    /// Waits for the next beat and sends a set-point for the tool centre point.
+    /// Waits for the next cycle and sends a set-point for the tool centre point.
     ///
     /// The speeds of the joints that follow from it are the controller's to check.
     ///
     /// # Errors
-    /// As [`send_joints`](Self::send_joints), but for the speed.
+    /// As [`send_joints`](Self::send_joints), except for the speed.
     pub fn send_pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
         let request =
             ServoP { pose: target.into(), mode: MoveMode::Absolute, step_count: Some(self.config.step_count.into()) };
@@ -122,7 +122,7 @@ impl ServoSession<'_> {
         self.send(&request)
     }
 
-    /// Waits for the next beat and sends a set-point by an offset of the tool centre point.
+    /// Waits for the next cycle and sends a set-point by an offset of the tool centre point.
     ///
     /// # Errors
     /// As [`send_pose`](Self::send_pose).
@@ -133,11 +133,11 @@ impl ServoSession<'_> {
         self.send(&request)
     }
 
-    /// Calls `next` before each beat, with its time and the newest status, and sends the joints that it gives, until it
-    /// breaks.
+    /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns, until it
+    /// returns `Break`.
     ///
-    /// The time is the clock's: beats that were missed are passed over. A motion that follows it then has a long way to the next set-point,
-    /// which may be refused as too fast; one that counts its set-points is delayed instead.
+    /// The time is that of the clock: missed cycles are skipped. A motion that is a function of this time then has a long way to the next
+    /// set-point, which may be refused as too fast; a motion that counts its set-points is delayed instead.
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
@@ -175,7 +175,7 @@ impl ServoSession<'_> {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
         let late = self.pace.wait();
-        // Behind the wait: a stop may have come meanwhile.
+        // After the wait: a stop may have come meanwhile.
         if let Err(error) = self.take_answers(C::INFO.name) {
             return Err(self.end(error));
         }
@@ -198,7 +198,7 @@ impl ServoSession<'_> {
         Ok(())
     }
 
-    /// Where nothing passes, set-points would gather, and move the arm when nobody wants them any more.
+    /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.
     fn check_unanswered(&mut self) -> Result<(), Error> {
         let link = self.robot.client().link();
         let count = link.outstanding();
