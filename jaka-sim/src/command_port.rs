@@ -21,11 +21,7 @@ use crate::{Port, Takeover, firmware};
 /// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
     let mut serving = None;
-    while let Some(stream) = shared.command_listener.accept() {
-        if let Err(error) = admit(stream, &mut serving, shared) {
-            log::trace!(target: "jaka_sim", "command client lost: {error}");
-        }
-    }
+    shared.command_listener.accept_all("command client", |stream| admit(stream, &mut serving, shared));
     close_active(&mut serving, shared);
     shared.command_listener.stop();
 }

@@ -1,6 +1,5 @@
 //! Firmware, by what its messages look like.
 
-mod json;
 mod reply_style;
 mod restyle;
 mod shape;
@@ -9,10 +8,10 @@ mod values;
 use std::fmt;
 use std::time::Duration;
 
-pub(crate) use self::json::respace;
-pub use self::reply_style::{CodeStyle, KeyOrder, NumberStyle, ReplyStyle, Separators, TruthStyle};
+pub use self::reply_style::{CodeStyle, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub(crate) use self::restyle::restyle;
 pub(crate) use self::shape::{PacketKeys, Shape};
+use crate::json_text::Separators;
 
 /// Makes the enum of a table of firmwares, a row each: a firmware without a [`Shape`] does not compile.
 macro_rules! firmwares {

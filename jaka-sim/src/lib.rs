@@ -10,6 +10,7 @@ mod delays;
 mod fault;
 mod firmware;
 mod habits;
+mod json_text;
 mod kinematics;
 mod link;
 mod link_selector;
@@ -31,7 +32,7 @@ pub use builder::{Builder, Takeover};
 pub use controller::{Controller, Link};
 pub use delays::Delays;
 pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
-pub use firmware::{CodeStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, Separators, TruthStyle};
+pub use firmware::{CodeStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub use habits::{Habit, HabitError, Habits};
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
@@ -39,6 +40,7 @@ pub use jaka_proto as proto;
 pub use jaka_proto::recording::Port;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
+pub use json_text::Separators;
 pub use kinematics::Model;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};

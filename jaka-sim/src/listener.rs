@@ -48,8 +48,17 @@ impl Listener {
         self.address
     }
 
+    /// Passes on each connection until the listener is closed. An error of one says that it is lost, and concerns no other.
+    pub(crate) fn accept_all(&self, client: &str, mut admit: impl FnMut(TcpStream) -> io::Result<()>) {
+        while let Some(stream) = self.accept() {
+            if let Err(error) = admit(stream) {
+                log::trace!(target: "jaka_sim", "{client} lost: {error}");
+            }
+        }
+    }
+
     /// Waits for the next connection; `None` once the listener is closed.
-    pub(crate) fn accept(&self) -> Option<TcpStream> {
+    fn accept(&self) -> Option<TcpStream> {
         loop {
             let accepted = self.socket.accept();
             let mut state = lock(&self.state);

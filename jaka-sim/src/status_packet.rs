@@ -12,7 +12,8 @@ use jaka_proto::messages::status::{
 };
 use jaka_proto::wire::{Encode, Typed, Value, Writer};
 
-use crate::firmware::{PacketKeys, Shape, respace};
+use crate::firmware::{PacketKeys, Shape};
+use crate::json_text::respace;
 use crate::state::TorqueSensor;
 use crate::{Firmware, Separators, State};
 

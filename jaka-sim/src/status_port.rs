@@ -11,11 +11,7 @@ use crate::shared::Shared;
 
 /// Accepts readers until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
-    while let Some(stream) = shared.status_listener.accept() {
-        if let Err(error) = admit(stream, shared) {
-            log::trace!(target: "jaka_sim", "status reader lost: {error}");
-        }
-    }
+    shared.status_listener.accept_all("status reader", |stream| admit(stream, shared));
     shared.readers.close();
     shared.status_listener.stop();
 }

@@ -8,14 +8,14 @@ use crate::{Fault, StatusFault};
 impl Controller {
     /// Puts a fault into the queue, from which each reply takes the next.
     pub fn inject(&self, fault: Fault) {
-        self.shared.faults().inject(fault);
+        self.shared.faults().script.push_back(fault);
     }
 
     /// Gives a fault to the next reply to this command, such as `joint_move`, that has none yet.
     ///
     /// That reply takes none from the queue of [`inject`](Self::inject).
     pub fn inject_for(&self, command: impl Into<String>, fault: Fault) {
-        self.shared.faults().inject_for(command.into(), fault);
+        self.shared.faults().commands.push((command.into(), fault));
     }
 
     /// Gives a fault to all replies that have no other, from now on; [`Fault::None`] ends it.

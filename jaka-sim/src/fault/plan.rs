@@ -44,8 +44,8 @@ use super::{Fault, LinkEvent, SplitMix64, StatusFault};
 /// Bytes stand in quotes, with the escapes of Rust: `instead "(0, [])\r\n\x00"`. All `random` lines share one seed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FaultPlan {
-    pub(super) script: VecDeque<Fault>,
-    pub(super) commands: Vec<(String, Fault)>,
+    pub(crate) script: VecDeque<Fault>,
+    pub(crate) commands: Vec<(String, Fault)>,
     pub(super) chances: Vec<Chance>,
     pub(super) seed: Option<u64>,
     pub(super) always: Option<Fault>,
@@ -85,14 +85,14 @@ impl FaultPlan {
     /// Adds a fault to the script.
     #[must_use]
     pub fn then(mut self, fault: Fault) -> Self {
-        self.inject(fault);
+        self.script.push_back(fault);
         self
     }
 
     /// Adds a fault to the script of this command, such as `joint_move`.
     #[must_use]
     pub fn then_for(mut self, command: impl Into<String>, fault: Fault) -> Self {
-        self.inject_for(command.into(), fault);
+        self.commands.push((command.into(), fault));
         self
     }
 
@@ -146,14 +146,6 @@ impl FaultPlan {
     pub(super) fn set_seed(&mut self, seed: u64) {
         self.seed = Some(seed);
         self.generator = Some(SplitMix64::new(seed));
-    }
-
-    pub(crate) fn inject(&mut self, fault: Fault) {
-        self.script.push_back(fault);
-    }
-
-    pub(crate) fn inject_for(&mut self, command: String, fault: Fault) {
-        self.commands.push((command, fault));
     }
 
     pub(crate) fn inject_always(&mut self, fault: Fault) {

@@ -1,39 +1,29 @@
 //! Replies under another name.
 
-use jaka_proto::wire::{DecodeError, Reader, Writer};
+use jaka_proto::wire::Writer;
+use jaka_spec::COMMAND_NAME;
 
-/// The key of the envelope that says which command a reply answers.
-const NAME: &str = "cmdName";
+use crate::json_text::members;
 
-/// The reply with another name, or with none. What is no JSON object has no name, and stays as it is.
+/// The reply with another name, or with none. What is not a JSON object has no name, and stays as it is.
 pub(super) fn rename(reply: &str, name: Option<&str>) -> String {
-    try_rename(reply, name).unwrap_or_else(|_| reply.to_owned())
-}
-
-fn try_rename(reply: &str, name: Option<&str>) -> Result<String, DecodeError> {
-    let mut reader = Reader::new(reply);
+    let Some(members) = members(reply) else { return reply.to_owned() };
     let mut out = Writer::new();
     out.raw("{");
-    reader.begin_object()?;
-    while let Some(key) = reader.next_key()? {
-        let value = reader.raw()?;
-        if key != NAME {
-            entry(&key, &mut out);
-            out.raw(value);
-        }
+    for (key, value) in members.iter().filter(|(key, _)| key != COMMAND_NAME) {
+        out.comma();
+        out.text(key);
+        out.raw(":");
+        out.raw(value);
     }
     if let Some(name) = name {
-        entry(NAME, &mut out);
+        out.comma();
+        out.text(COMMAND_NAME);
+        out.raw(":");
         out.text(name);
     }
     out.raw("}");
-    Ok(out.into_string())
-}
-
-fn entry(key: &str, out: &mut Writer) {
-    out.comma();
-    out.text(key);
-    out.raw(":");
+    out.into_string()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! How replies are written.
 
 use super::Firmware;
+use crate::json_text::Separators;
 
 /// How replies on the command port are written: choices in which firmware differs.
 ///
@@ -148,17 +149,6 @@ pub enum NumberStyle {
     Fractions,
     /// As strings: `"3"`, `"0.5"`.
     Texts,
-}
-
-/// What stands between the parts of a JSON text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[non_exhaustive]
-pub enum Separators {
-    /// No blanks.
-    #[default]
-    Compact,
-    /// A blank after each comma and colon.
-    Spaced,
 }
 
 /// The order of a reply's keys.

@@ -1,16 +1,14 @@
 //! Replies in another style than the one in which they were written.
 
-use std::sync::OnceLock;
-
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::wire::{Encode, Typed, Writer};
-use jaka_proto::{Command, Envelope, ErrorCode, read_payload, write_refusal, write_reply};
-use jaka_spec::{Field, Spec};
+use jaka_proto::{Command, Envelope, ErrorCode, read_payload, write_reply};
+use jaka_spec::{ERROR_CODE, ERROR_MESSAGE, Field, Spec};
 
-use super::json::{members, respace};
 use super::values::Values;
 use super::{CodeStyle, KeyOrder, ReplyStyle};
 use crate::State;
+use crate::json_text::{members, respace};
 
 /// Rewrites a reply, which was written in the document's style.
 ///
@@ -86,32 +84,10 @@ enum Part<'f> {
 
 impl<'f> Part<'f> {
     fn of(key: &str, fields: &'f [Field]) -> Self {
-        let keys = EnvelopeKeys::get();
-        if key == keys.code {
-            Self::Code
-        } else if key == keys.message {
-            Self::Message
-        } else {
-            fields.iter().find(|field| field.wire == key).map_or(Self::Other, Self::Payload)
+        match key {
+            ERROR_CODE => Self::Code,
+            ERROR_MESSAGE => Self::Message,
+            key => fields.iter().find(|field| field.wire == key).map_or(Self::Other, Self::Payload),
         }
-    }
-}
-
-/// The keys that all replies have, as jaka-proto writes them.
-#[derive(Debug, Default)]
-struct EnvelopeKeys {
-    code: String,
-    message: String,
-}
-
-impl EnvelopeKeys {
-    fn get() -> &'static Self {
-        static KEYS: OnceLock<EnvelopeKeys> = OnceLock::new();
-        KEYS.get_or_init(|| {
-            let mut refusal = Writer::new();
-            write_refusal(None, ErrorCode(0), "", &mut refusal);
-            let mut keys = members(refusal.as_str()).unwrap_or_default().into_iter().map(|(key, _)| key);
-            Self { code: keys.next().unwrap_or_default(), message: keys.next().unwrap_or_default() }
-        })
     }
 }

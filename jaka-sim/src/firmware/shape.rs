@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use super::{Firmware, ReplyStyle, Separators};
+use super::{Firmware, ReplyStyle};
 use crate::State;
+use crate::json_text::Separators;
 
 /// What messages of a firmware look like: one row of the table of [`Firmware`].
 #[derive(Debug, Clone, Copy)]

@@ -3,8 +3,8 @@
 use jaka_proto::wire::{Decode, Reader, Writer};
 use jaka_spec::{Field, Scalar, Shape, Spec, Type};
 
-use super::json::{elements, members};
 use super::{NumberStyle, ReplyStyle, TruthStyle};
+use crate::json_text::{elements, members};
 
 /// Writes values in a style. What does not fit its type stays as it is.
 #[derive(Debug, Clone, Copy)]

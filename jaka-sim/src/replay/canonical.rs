@@ -1,46 +1,33 @@
 //! Whether two messages are the same JSON.
 
-use jaka_proto::wire::{Decode, Reader, Value, Writer};
+use jaka_proto::wire::{Decode, Reader, Value};
 
 /// Up to here every whole number has a float of its own.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
-/// True if two messages are the same JSON, or, where one is none, the same text.
+/// True if two messages are the same JSON, or, where one is not JSON, the same text.
 pub(crate) fn is_same(a: &str, b: &str) -> bool {
     a == b || canonical(a) == canonical(b)
 }
 
-/// The one text for all that is the same JSON: no blanks, keys in order, whole numbers without fraction. What is no JSON
+/// The one text for all that is the same JSON: no blanks, keys in order, whole numbers without their form. What is not JSON
 /// stays as it is.
 pub(super) fn canonical(text: &str) -> String {
     let mut reader = Reader::new(text);
     let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
-    let Ok(value) = value else { return text.to_owned() };
-    let mut out = Writer::new();
-    write(&value, &mut out);
-    out.into_string()
+    value.map_or_else(|_| text.to_owned(), |value| with_float_numbers(value).to_string())
 }
 
-fn write(value: &Value, out: &mut Writer) {
+/// The value with each number as a float, unless it is a whole number that no float is equal to. Keys are in order in any case.
+fn with_float_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) => match number.as_f64() {
-            Some(float) if number.is_f64() || float.abs() < EXACT => out.float(float),
-            _ => out.raw(&number.to_string()),
+            Some(float) if number.is_f64() || float.abs() < EXACT => float.into(),
+            _ => number.into(),
         },
-        Value::Array(elements) => out.array(elements, |out, element| write(element, out)),
-        Value::Object(fields) => {
-            let mut fields: Vec<_> = fields.iter().collect();
-            fields.sort_by_key(|(key, _)| *key);
-            out.raw("{");
-            for (key, value) in fields {
-                out.comma();
-                out.text(key);
-                out.raw(":");
-                write(value, out);
-            }
-            out.raw("}");
-        }
-        other => out.raw(&other.to_string()),
+        Value::Array(elements) => elements.into_iter().map(with_float_numbers).collect(),
+        Value::Object(fields) => fields.into_iter().map(|(key, value)| (key, with_float_numbers(value))).collect(),
+        other => other,
     }
 }
 

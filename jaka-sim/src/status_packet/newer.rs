@@ -38,39 +38,25 @@ pub(super) fn add(state: &State, status: &mut RobotStatus) {
     status.tool_rs_signals = Some(Value::Array(vec![Value::Array(Vec::new()); SIGNALS]));
     status.motion_line = Some(Typed::Known(0));
     status.error_add_line = Some(Typed::Known(0));
-    add_modbus(state, status);
-    add_profinet(state, status);
-    add_ethernet_ip(state, status);
+    add_fieldbuses(state, status);
     if let Some(Typed::Known(monitor)) = &mut status.monitor_data {
         monitor.joints.iter_mut().for_each(|joint| joint.eleventh = Some(0.0));
     }
 }
 
-fn add_modbus(state: &State, status: &mut RobotStatus) {
-    let [inputs, outputs] = digital(state, DigitalOutputKind::ModbusSlave, MODBUS);
-    status.modbus_slave_digital_inputs = inputs;
-    status.modbus_slave_digital_outputs = outputs;
-    let [inputs, outputs] = analog(state, DigitalOutputKind::ModbusSlave, MODBUS);
-    status.modbus_slave_analog_inputs = inputs;
-    status.modbus_slave_analog_outputs = outputs;
-}
-
-fn add_profinet(state: &State, status: &mut RobotStatus) {
-    let [inputs, outputs] = digital(state, DigitalOutputKind::Profinet, PROFINET);
-    status.profinet_device_digital_inputs = inputs;
-    status.profinet_device_digital_outputs = outputs;
-    let [inputs, outputs] = analog(state, DigitalOutputKind::Profinet, PROFINET);
-    status.profinet_device_analog_inputs = inputs;
-    status.profinet_device_analog_outputs = outputs;
-}
-
-fn add_ethernet_ip(state: &State, status: &mut RobotStatus) {
-    let [inputs, outputs] = digital(state, DigitalOutputKind::EthernetIp, ETHERNET_IP);
-    status.ethernet_ip_adapter_digital_inputs = inputs;
-    status.ethernet_ip_adapter_digital_outputs = outputs;
-    let [inputs, outputs] = analog(state, DigitalOutputKind::EthernetIp, ETHERNET_IP);
-    status.ethernet_ip_adapter_analog_inputs = inputs;
-    status.ethernet_ip_adapter_analog_outputs = outputs;
+fn add_fieldbuses(state: &State, status: &mut RobotStatus) {
+    [status.modbus_slave_digital_inputs, status.modbus_slave_digital_outputs] =
+        digital(state, DigitalOutputKind::ModbusSlave, MODBUS);
+    [status.modbus_slave_analog_inputs, status.modbus_slave_analog_outputs] =
+        analog(state, DigitalOutputKind::ModbusSlave, MODBUS);
+    [status.profinet_device_digital_inputs, status.profinet_device_digital_outputs] =
+        digital(state, DigitalOutputKind::Profinet, PROFINET);
+    [status.profinet_device_analog_inputs, status.profinet_device_analog_outputs] =
+        analog(state, DigitalOutputKind::Profinet, PROFINET);
+    [status.ethernet_ip_adapter_digital_inputs, status.ethernet_ip_adapter_digital_outputs] =
+        digital(state, DigitalOutputKind::EthernetIp, ETHERNET_IP);
+    [status.ethernet_ip_adapter_analog_inputs, status.ethernet_ip_adapter_analog_outputs] =
+        analog(state, DigitalOutputKind::EthernetIp, ETHERNET_IP);
 }
 
 /// The inputs and outputs of a fieldbus.

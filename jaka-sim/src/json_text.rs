@@ -2,10 +2,19 @@
 
 use jaka_proto::wire::Reader;
 
-use super::Separators;
+/// What stands between the parts of a JSON text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum Separators {
+    /// No blanks.
+    #[default]
+    Compact,
+    /// A blank after each comma and colon.
+    Spaced,
+}
 
-/// The members of an object, their values as they are; `None` for what is no object.
-pub(super) fn members(json: &str) -> Option<Vec<(String, &str)>> {
+/// The members of an object, their values as they are; `None` for what is not an object.
+pub(crate) fn members(json: &str) -> Option<Vec<(String, &str)>> {
     let mut reader = Reader::new(json);
     let mut members = Vec::new();
     reader.begin_object().ok()?;
@@ -16,8 +25,8 @@ pub(super) fn members(json: &str) -> Option<Vec<(String, &str)>> {
     Some(members)
 }
 
-/// The elements of an array, as they are; `None` for what is no array.
-pub(super) fn elements(json: &str) -> Option<Vec<&str>> {
+/// The elements of an array, as they are; `None` for what is not an array.
+pub(crate) fn elements(json: &str) -> Option<Vec<&str>> {
     let mut reader = Reader::new(json);
     let mut elements = Vec::new();
     reader.begin_array().ok()?;
