@@ -26,9 +26,10 @@ impl Values<'_> {
             Shape::List(element, _) => self.list(name, element, json, out),
             Shape::Object(fields) => self.object(fields, json, out),
             Shape::Tuple { fields, .. } => self.array(fields, json, out),
-            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) => out.raw(json),
-            // Choices stand in Python literals alone.
-            Shape::Choice(_) => out.raw(json),
+            // Choices stand only in Python literals.
+            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) | Shape::Choice(_) => {
+                out.raw(json);
+            }
         }
     }
 

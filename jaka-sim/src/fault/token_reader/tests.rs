@@ -112,22 +112,22 @@ fn a_plan_is_its_lines() {
 fn errors_name_line_and_word() {
     let cases = [
         ("dely", "line 1: `dely`: unknown fault"),
-        ("drop\n\nhold, delay", "line 3: `delay`: a time such as 200ms or 1.5s must follow"),
+        ("drop\n\nhold, delay", "line 3: `delay`: expected a time such as 200ms or 1.5s next"),
         ("delay 200", "line 1: `200`: expected a time such as 200ms or 1.5s"),
         ("delay -1s", "line 1: `-1s`: expected a time such as 200ms or 1.5s"),
         ("delay 1e99s", "line 1: `1e99s`: expected a time such as 200ms or 1.5s"),
         ("split 1 x", "line 1: `x`: expected a number of bytes"),
         ("drop hold", "line 1: `hold`: expected `,`"),
-        ("drop,", "line 1: `,`: a fault must follow"),
+        ("drop,", "line 1: `,`: expected a fault next"),
         ("drop, always hold", "line 1: `always`: this can only begin a line"),
         ("always drop, hold", "line 1: `,`: expected the end of the line"),
         ("for jog drop", "line 1: `drop`: expected `:`"),
-        ("for", "line 1: `for`: a command must follow"),
-        ("random 7 1/20", "line 1: `1/20`: a fault must follow"),
+        ("for", "line 1: `for`: expected a command next"),
+        ("random 7 1/20", "line 1: `1/20`: expected a fault next"),
         ("random 7 20 drop", "line 1: `20`: expected odds such as 1/20"),
-        ("random 7 1/2 drop\nrandom 8 1/2 drop", "line 2: `8`: the seed has been 7, and there is only one"),
+        ("random 7 1/2 drop\nrandom 8 1/2 drop", "line 2: `8`: the seed is already 7, and a plan has only one"),
         ("status drop", "line 1: `drop`: unknown fault of the status port"),
-        ("link", "line 1: `link`: `command`, `status` or `both` must follow"),
+        ("link", "line 1: `link`: expected `command`, `status` or `both` next"),
         ("link arm", "line 1: `arm`: expected `command`, `status` or `both`"),
         ("link both up", "line 1: `up`: expected `to-controller`, `to-client` or `both`"),
         ("link both both drop", "line 1: `drop`: unknown fault of a link"),
@@ -145,6 +145,6 @@ fn errors_name_line_and_word() {
     }
     assert_eq!(
         "".parse::<Fault>().map_err(|error| error.to_string()),
-        Err("line 1: ``: a fault must follow".to_owned())
+        Err("line 1: ``: expected a fault next".to_owned())
     );
 }
