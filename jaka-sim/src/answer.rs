@@ -1,7 +1,7 @@
 //! What the controller answers to a request.
 //!
-//! Each topic of the spec has a module of its own that changes the state and replies. What none of them handles is
-//! answered with the spec's example, so a new command in the spec is answered without code.
+//! Each topic of the spec has a module of its own that changes the state and replies. Commands without a handler
+//! get the spec's example, so a new command in the spec is answered without code.
 
 mod collision;
 mod force;
@@ -121,7 +121,7 @@ fn usual_sequel(entry: &CommandEntry, world: &World) -> Sequel {
     }
 }
 
-/// Writes the reply to what is no request.
+/// Writes the reply to something that is not a request.
 pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }

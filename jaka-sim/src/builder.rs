@@ -82,14 +82,14 @@ impl Builder {
         self
     }
 
-    /// Sets how long changes of state take that are no motion: [`Delays::REAL`] if not set.
+    /// Sets how long changes of state take, other than motion: [`Delays::REAL`] if not set.
     #[must_use]
     pub fn delays(mut self, delays: Delays) -> Self {
         self.delays = delays;
         self
     }
 
-    /// Says what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: none if not set.
+    /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: none if not set.
     #[must_use]
     pub fn habits(mut self, habits: impl Into<Habits>) -> Self {
         self.habits = habits.into();
@@ -140,14 +140,14 @@ impl Builder {
         Ok(programs)
     }
 
-    /// Says what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
+    /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
     #[must_use]
     pub fn takeover(mut self, takeover: Takeover) -> Self {
         self.takeover = takeover;
         self
     }
 
-    /// Says what goes wrong from the start: nothing if not set.
+    /// Sets what goes wrong from the start: nothing if not set.
     #[must_use]
     pub fn faults(mut self, plan: FaultPlan) -> Self {
         self.faults = plan;
@@ -170,7 +170,8 @@ impl Builder {
 
     /// Sets the time between two status packets: that of the firmware if not set, which is 50 ms as a rule.
     ///
-    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of [`Controller::publish`](crate::Controller::publish).
+    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
+    /// [`Controller::publish`](crate::Controller::publish).
     #[must_use]
     pub fn status_period(mut self, period: Duration) -> Self {
         self.status_period = Some(period);
@@ -179,9 +180,9 @@ impl Builder {
 
     /// Answers from a recording instead of by the simulated arm, whose state and faults then have no effect on replies.
     ///
-    /// Status packets of the recording are sent at their times; behind the last one of a connection, it comes again each
-    /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. What the client does otherwise than the
-    /// recorded one is told by [`Controller::deviations`](crate::Controller::deviations).
+    /// Status packets of the recording are sent at their times; after the last one of a connection, it is repeated each
+    /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. Where the client deviates from the
+    /// recording is listed by [`Controller::deviations`](crate::Controller::deviations).
     ///
     /// ```
     /// use std::io::{Read, Write};
@@ -237,9 +238,9 @@ impl Default for Builder {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Takeover {
-    /// The newcomer becomes the active client, and the old connection is closed.
+    /// The new client becomes the active one, and the old connection is closed.
     #[default]
     Replace,
-    /// The newcomer is closed.
+    /// The new connection is closed.
     Refuse,
 }

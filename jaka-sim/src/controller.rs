@@ -90,7 +90,7 @@ impl Controller {
         self.shared.world().now()
     }
 
-    /// Has the arm run into something: a protective stop, until `clear_error`.
+    /// Simulates a collision: a protective stop, until `clear_error`.
     pub fn collide(&self) {
         self.set_state(|state| {
             state.protective_stop = true;
@@ -104,7 +104,7 @@ impl Controller {
         self.set_state(|state| state.emergency_stop = true);
     }
 
-    /// Releases the emergency stop. The arm stays as it is, to be enabled anew.
+    /// Releases the emergency stop. The arm stays disabled until it is enabled again.
     pub fn release_emergency_stop(&self) {
         self.set_state(|state| state.emergency_stop = false);
     }
@@ -142,9 +142,9 @@ impl Controller {
         self.shared.request_log.wait_for(count, timeout)
     }
 
-    /// Where clients did something else than the recorded one, in a [replay](Builder::replay); empty if there was nothing.
+    /// Where clients deviated from the recording, in a [replay](Builder::replay); empty if there was nothing.
     ///
-    /// A client that has left may still be on its way out: [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
+    /// The connection of a client that has left may not have ended yet: [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
     pub fn deviations(&self) -> Vec<Deviation> {
         self.shared.replay.as_ref().map(ReplaySession::deviations).unwrap_or_default()
     }
@@ -155,7 +155,7 @@ impl Controller {
         self.shared.replay.as_ref().is_some_and(|session| session.wait_for_deviations(count, timeout))
     }
 
-    /// Sends bytes to the command client, unasked.
+    /// Sends unsolicited bytes to the command client.
     ///
     /// # Errors
     /// [`ErrorKind::NotConnected`] if there is no client, or what the socket reports.
@@ -181,7 +181,7 @@ impl Controller {
     }
 
     /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New ones are
-    /// let in.
+    /// accepted.
     pub fn disconnect(&self) {
         wait_until_accepted(&self.shared.command_listener);
         wait_until_accepted(&self.shared.status_listener);

@@ -14,8 +14,8 @@ pub struct Delays {
     pub enable: Duration,
     /// From `servo_move` to servo mode.
     pub servo_mode: Duration,
-    /// From the start of a motion to the moment when the robot is no longer in position. A motion that ends before never
-    /// shows.
+    /// From the start of a motion to the moment when the robot is no longer in position. A motion that ends before
+    /// never shows.
     pub in_position: Duration,
 }
 

@@ -1,4 +1,4 @@
-//! What real controllers do that no document says.
+//! What real controllers do and no document describes.
 
 mod text;
 
@@ -6,7 +6,7 @@ use std::time::Duration;
 
 pub use self::text::HabitError;
 
-/// Something that some real controllers do, and that a client must survive.
+/// Something that some real controllers do, and that a client must handle.
 ///
 /// [`Builder::habits`](crate::Builder::habits) has a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
 /// `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time that is left out is that of
@@ -14,7 +14,7 @@ pub use self::text::HabitError;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Habit {
-    /// The arm rests for so long, in position, between two motions of the queue. `pause 100ms` as a text.
+    /// The arm rests this long, in position, between two motions of the queue. `pause 100ms` as a text.
     ///
     /// What waits for the arm to be in position alone takes the first motion's end for the last one's.
     Pause(Duration),
@@ -26,7 +26,7 @@ pub enum Habit {
     /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for so long in the controller's time, whichever
     /// is the sooner. `late-queries` or `late-queries 2s` as a text.
     ///
-    /// A reply says what was so when its request came, and later replies wait behind it; the requests are carried out.
+    /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests are carried out.
     LateQueries(Option<Duration>),
     /// A motion with a tolerance that another one follows does not come to rest: where it is nearer to its end than the tolerance, the
     /// next begins, and the arm rounds the corner. `blend` as a text.

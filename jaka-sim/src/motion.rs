@@ -62,7 +62,7 @@ impl Engine {
         self.queue.len() + usize::from(self.running.is_some())
     }
 
-    /// Puts a motion behind the others.
+    /// Queues a motion.
     pub(crate) fn enqueue(&mut self, planned: Planned) {
         self.tail = Some(planned.end);
         self.queue.push_back(planned);

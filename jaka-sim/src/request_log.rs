@@ -1,4 +1,4 @@
-//! The requests that have come.
+//! The requests that were received.
 
 use std::collections::VecDeque;
 use std::sync::{Condvar, Mutex};
@@ -39,7 +39,7 @@ impl RequestLog {
         lock(&self.logged).texts.iter().cloned().collect()
     }
 
-    /// Waits until `count` requests have come in all; false where they have not in time.
+    /// Waits until `count` requests were received in all; false if they were not in time.
     pub(crate) fn wait_for(&self, count: usize, timeout: Duration) -> bool {
         wait(&self.grown, lock(&self.logged), timeout, |logged| logged.count >= count).count >= count
     }

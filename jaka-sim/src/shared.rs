@@ -19,8 +19,8 @@ use crate::spec_index::SpecIndex;
 use crate::world::World;
 use crate::{Builder, FaultPlan, status_packet};
 
-/// What the threads of one controller share. No lock is held while another of these is waited for, but for `world`,
-/// which is the last.
+/// What the threads of one controller share. No lock is held while waiting for another of these, except `world`,
+/// which is taken last.
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) options: Builder,

@@ -14,7 +14,7 @@ pub(crate) struct SpecIndex {
     entries: HashMap<String, CommandEntry>,
     /// All of it.
     pub(crate) spec: Spec,
-    /// What the controller says to something that is no command.
+    /// The controller's message for something that is not a command.
     pub(crate) unknown: String,
 }
 

@@ -108,7 +108,7 @@ fn set_modes(state: &State, status: &mut RobotStatus) {
     status.current_user_frame_id = Some(state.user_frame_id);
 }
 
-/// The keys that the document does not explain have its values where no part of the state stands behind them.
+/// The keys that the document does not explain have its values if no part of the state determines them.
 fn set_tail(state: &State, shape: Shape, status: &mut RobotStatus) {
     let unassigned = FunctionInput { kind: FunctionInputKind::Unassigned, index: -1 };
     let inputs = state.function_inputs.iter().copied().chain(std::iter::repeat(unassigned));
@@ -126,7 +126,7 @@ fn set_tail(state: &State, shape: Shape, status: &mut RobotStatus) {
     status.network_state = Some(1);
 }
 
-/// Measurements, all of them 0: there is no physics yet.
+/// Measurements, all of them 0: there are no physics yet.
 fn monitor_data() -> MonitorData {
     let joint = JointMonitor {
         current: 0.0,

@@ -54,7 +54,7 @@ impl Player<'_> {
                     if self.wait_until(*at) {
                         return Ok(NextStep::Close);
                     }
-                    // A client that has gone is noticed where its next request is missing.
+                    // A client that has disconnected is noticed when its next request is missing.
                     self.connection.writer().write(bytes).ok();
                 }
                 Step::End { by, at } => {
@@ -80,7 +80,7 @@ impl Player<'_> {
         Err(Deviation::OtherRequest { expected: expected(), received })
     }
 
-    /// The next request; `None` if the client has gone.
+    /// The next request; `None` if the client has disconnected.
     fn next_request(&mut self) -> Option<String> {
         let Ok(Next::Incoming(incoming)) = self.requests.next(None) else { return None };
         if let Incoming::Request(text) | Incoming::NoText(text) = &incoming {

@@ -1,4 +1,4 @@
-//! Requests off a connection.
+//! Requests from a connection.
 
 use std::fmt;
 use std::io;
@@ -12,7 +12,7 @@ use crate::link::{Inbound, Received, Wire};
 /// The longest request, in bytes. Real ones have some hundred.
 const MAX_REQUEST: usize = 64 << 10;
 
-/// Cuts requests off a connection.
+/// Reads requests from a connection.
 #[derive(Debug)]
 pub(super) struct RequestReader<'s> {
     inbound: Inbound<'s>,
@@ -32,9 +32,9 @@ pub(super) enum Next {
 /// What a client has sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Incoming {
-    /// Something with the outline of a request.
+    /// Text with the outline of a request.
     Request(String),
-    /// The same, but no UTF-8; what cannot be shown is replaced.
+    /// The same, but not valid UTF-8; invalid bytes are replaced.
     NoText(String),
     /// Bytes that begin no request.
     Garbage,

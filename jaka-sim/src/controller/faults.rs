@@ -58,7 +58,7 @@ impl Controller {
 
     /// Has another client take the command port: the connection of the present one is closed.
     ///
-    /// The other client stays until a newcomer takes the port from it, or, where newcomers are refused
+    /// The other client stays until a further client takes the port from it, or, if further clients are refused
     /// ([`Takeover::Refuse`](crate::Takeover::Refuse)), until [`release`](Self::release).
     ///
     /// # Errors

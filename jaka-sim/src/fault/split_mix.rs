@@ -1,4 +1,4 @@
-//! Chance that can be repeated.
+//! Random numbers that can be repeated.
 
 /// A random number generator, `SplitMix64`, whose numbers follow from its seed.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -12,7 +12,7 @@ use crate::json_text::{members, respace};
 
 /// Rewrites a reply, which was written in the document's style.
 ///
-/// What is no JSON object stays as it is.
+/// What is not a JSON object stays as it is.
 pub(crate) fn restyle(style: ReplyStyle, spec: &Spec, state: &State, reply: &mut Writer) {
     if style == ReplyStyle::default() {
         return;

@@ -1,4 +1,4 @@
-//! What a client sends, behind whatever is wrong with its link.
+//! What a client sends, as its link lets it pass.
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read};
@@ -19,17 +19,17 @@ const MOST_WAIT: Duration = Duration::from_millis(10);
 /// How many bytes may be on their way on a slow link. The client's system keeps what is more.
 const MOST: usize = 4 << 20;
 
-/// Reads from a connection, as its link lets it.
+/// Reads from a connection, as its link lets bytes pass.
 #[derive(Debug)]
 pub(crate) struct Inbound<'w> {
     wire: &'w Wire,
-    /// What has come off the socket and not arrived yet. Nothing but the end is empty.
+    /// What was read from the socket and has not passed the link yet. Only the end is empty.
     waiting: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
-    /// Whether the end has come off the socket.
+    /// Whether the end was read from the socket.
     ended: bool,
     pace: Pace,
-    /// Whether the socket waits for a time only.
+    /// Whether the socket has a read timeout.
     hurried: bool,
 }
 
@@ -42,7 +42,7 @@ pub(crate) enum Received {
     End,
 }
 
-/// What to do next where something is, or has been, wrong.
+/// What to do next on a link that has or had a fault.
 #[derive(Debug, PartialEq, Eq)]
 enum ReceiveStep {
     /// Something arrives; at most so many bytes of it.

@@ -14,7 +14,7 @@ pub(super) struct Queue {
     /// What was sent when.
     writes: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
-    /// What becomes of the connection behind the last byte.
+    /// What becomes of the connection after the last byte.
     end: Option<(Instant, End)>,
     pace: Pace,
     /// Whether a thread sends what waits.
@@ -155,7 +155,7 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// How much may be late for the pace to be kept by hurrying.
+    /// By how much a write may be late and still be caught up with.
     const SLACK: Duration = Duration::from_millis(100);
 
     /// How many bytes pass at once: those of 10 ms, or a single one.

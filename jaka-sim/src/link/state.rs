@@ -1,4 +1,4 @@
-//! What is wrong with each link, and who waits for it to change.
+//! What is wrong with each link, and the threads that wait for a change.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,7 +12,7 @@ use crate::link_selector::LinkSelector;
 use crate::lock::{lock, wait};
 use crate::{Direction, Port};
 
-/// How many connections may wait behind a fault to end. The oldest ends at once where there are more.
+/// How many connections may wait to end because of a fault. If there are more, the oldest ends at once.
 const MOST_SENDERS: usize = 512;
 
 /// The links of a controller.
@@ -92,7 +92,7 @@ impl Links {
         wait(&self.changed, state, time.unwrap_or(Duration::MAX), |_| std::mem::replace(&mut waited, true))
     }
 
-    /// Has all who wait look at their link again.
+    /// Has all threads that wait check their link again.
     pub(super) fn notify(&self) {
         drop(self.state());
         self.changed.notify_all();

@@ -1,4 +1,4 @@
-//! A connection, behind whatever is wrong with its link.
+//! A connection, with whatever is wrong with its link.
 
 use std::io::{self, ErrorKind, Write};
 use std::net::{Shutdown, TcpStream};
@@ -15,7 +15,7 @@ use crate::fault::LinkFault;
 use crate::lock::lock;
 use crate::{Direction, Port};
 
-/// A connection, behind whatever is wrong with its link.
+/// A connection, with whatever is wrong with its link.
 ///
 /// One thread writes at a time, and one reads: by [`Inbound`](super::Inbound).
 #[derive(Debug)]
@@ -125,7 +125,7 @@ impl Wire {
         }
     }
 
-    /// Ends the connection; the client sees it when its link lets it pass. Wakes who reads.
+    /// Ends the connection; the client sees it when its link lets it pass. Wakes the thread that reads.
     pub(crate) fn close(self: &Arc<Self>) {
         self.closed.store(true, Ordering::SeqCst);
         if !self.end_later(End::Close) {

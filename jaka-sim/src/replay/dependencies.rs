@@ -1,4 +1,4 @@
-//! Which requests have come: status packets wait for those that were sent before them in the recording.
+//! Which requests were received: status packets wait for those that were sent before them in the recording.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};

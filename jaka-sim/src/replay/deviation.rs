@@ -1,10 +1,10 @@
-//! Where a client does something else than the recorded one.
+//! Where a client deviates from the recording.
 
 use std::fmt;
 
 use jaka_proto::recording::Port;
 
-/// Where a client does something else than the recorded one, so that the recording has no answer.
+/// Where a client deviates from the recording, so that it has no answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Deviation {

@@ -1,4 +1,4 @@
-//! Information that is put into the error code.
+//! Events that are put into the error code.
 //!
 //! Codes and what they are about are those of the vendor's table of controller events; the messages are our own.
 
@@ -13,14 +13,14 @@ const SERVO_ON: Event = Event { code: "0x10f0015", message: "servo mode is on" }
 const SERVO_OFF: Event = Event { code: "0x10f0016", message: "servo mode is off" };
 const PROGRAM_STARTS: Event = Event { code: "0x10f001b", message: "a program starts" };
 
-/// Something that a controller tells of, and that is no error.
+/// Something that a controller reports and that is not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Event {
     code: &'static str,
     message: &'static str,
 }
 
-/// What was so when events were told of last.
+/// What was so when events were last reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Reported {
     enabled: bool,
@@ -29,7 +29,7 @@ pub(super) struct Reported {
 }
 
 impl World {
-    /// Puts what has happened into the error code, where that is a habit and no error is in it.
+    /// Puts what has happened into the error code, if that is a habit and the code is not that of an error.
     pub(super) fn report_events(&mut self) {
         let now = Reported {
             enabled: self.state.enabled,
