@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fmt::Write;
 
 use jaka_dynamic::{Argument, arguments};
-use jaka_spec::words::first_sentence;
-use jaka_spec::{Command, Effect, Request, Requirement, Spec};
+use jaka_spec::words::{first_sentence, requirements};
+use jaka_spec::{Command, Effect, Request, Spec};
 use jaka_sync::proto::text::{visible, visible_lines};
 
 /// What a command does, in a sentence.
@@ -30,10 +30,7 @@ fn facts(command: &Command) -> Vec<String> {
     let mut facts = vec![format!("Command: {} (`cmdName`), {} (Rust)", command.wire, command.name)];
     facts.extend(command.section.as_ref().map(|section| format!("Section: {section} of the vendor's document")));
     facts.push(format!("Effect:  {}", effect(command.effect)));
-    if !command.requires.is_empty() {
-        let needs: Vec<_> = command.requires.iter().map(|requirement| need(*requirement)).collect();
-        facts.push(format!("Needs:   {}", needs.join(", ")));
-    }
+    facts.extend(requirements(&command.requires).map(|states| format!("Needs:   {states}")));
     facts.extend(command.deadline.map(|deadline| format!("Reply:   within {} s", deadline.as_secs_f64())));
     facts.extend(command.versions.since.as_ref().map(|version| format!("Since:   firmware {version}")));
     facts.extend(command.versions.until.as_ref().map(|version| format!("Until:   firmware {version}")));
@@ -49,15 +46,6 @@ pub(super) fn effect(effect: Effect) -> &'static str {
         Effect::Motion => "starts, stops or continues a motion or a program",
         Effect::Power => "switches power, brakes or the controller itself",
         Effect::Session => "concerns the connection alone",
-    }
-}
-
-fn need(requirement: Requirement) -> &'static str {
-    match requirement {
-        Requirement::Powered => "power",
-        Requirement::Enabled => "an enabled arm",
-        Requirement::ServoMode => "servo mode",
-        Requirement::NotServoMode => "servo mode off",
     }
 }
 
