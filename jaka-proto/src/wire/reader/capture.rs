@@ -14,7 +14,7 @@ const COUNT: usize = 3;
 /// What is taken, and what has been.
 #[derive(Debug, Clone)]
 pub(super) struct Capture<'a> {
-    pub(super) take: Take<'a>,
+    take: Take<'a>,
     values: [Option<&'a str>; COUNT],
     /// True up to the outermost object: the objects inside it have other keys.
     wanted: bool,
@@ -37,6 +37,14 @@ impl<'a> Reader<'a> {
         let mut reader = Self::new(text);
         (reader.capture.take, reader.capture.wanted) = (take, true);
         reader
+    }
+
+    /// Takes the next key and its value, if it is one that is taken.
+    ///
+    /// Not inlined: readers of types from which nothing is taken would be slower.
+    #[inline(never)]
+    pub(super) fn capture_next(&mut self) -> Result<bool, DecodeError> {
+        (self.capture.take)(self)
     }
 
     /// The values that were taken.

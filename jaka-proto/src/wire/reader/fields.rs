@@ -98,7 +98,7 @@ impl Reader<'_> {
                 keys.found = guess;
                 return Ok(Some(guess));
             }
-            if keys.captures && (self.capture.take)(self)? {
+            if keys.captures && self.capture_next()? {
                 continue;
             }
             if let Some(place) = keys.place_of_usual(self.rest()) {
