@@ -199,7 +199,7 @@ fn success_without_a_name() {
 fn reply_to_another_command() {
     let (controller, mut client) = patient(Fault::Renamed("get_payload".to_owned()));
     let error = client.get_joint_pos().expect_err("the reply is to another command");
-    assert!(cause_of(error).contains("Unasked"));
+    assert!(cause_of(error).contains("Unsolicited"));
     assert_broken(&controller, &mut client, "a reply to `get_payload` came, but no such request is outstanding");
 }
 
@@ -208,7 +208,7 @@ fn unasked_reply_before_the_own() {
     let unasked = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "jog"}"#;
     let (controller, mut client) = patient(Fault::Before(unasked.to_vec()));
     let error = client.get_joint_pos().expect_err("nobody jogged");
-    assert!(cause_of(error).contains("Unasked"));
+    assert!(cause_of(error).contains("Unsolicited"));
     assert_broken(&controller, &mut client, "a reply to `jog` came, but no such request is outstanding");
 }
 
@@ -295,7 +295,7 @@ fn bare_tuple_of_a_controller_without_modules() {
     assert_eq!((status.count, status.state.running), (0, false));
     assert_usable(&controller, &mut client);
     controller.inject(Fault::Instead(b"(0, [], {'state': 0})".to_vec()));
-    assert!(cause_of(client.get_joint_pos().expect_err("nobody asked for it")).contains("Unasked"));
+    assert!(cause_of(client.get_joint_pos().expect_err("nobody asked for it")).contains("Unsolicited"));
 }
 
 #[test]

@@ -108,9 +108,9 @@ fn of_fault(fault: &Fault) -> Replies {
     let found = match fault {
         Fault::Drop | Fault::HalfOpen => vec![],
         Fault::None | Fault::Pieces(_) | Fault::Delay(_) | Fault::Hold | Fault::WithNext => vec![Found::Own],
-        Fault::Twice => vec![Found::Own, Found::Wrong(Cause::Unasked)],
+        Fault::Twice => vec![Found::Own, Found::Wrong(Cause::Unsolicited)],
         Fault::Nameless => vec![Found::Wrong(Cause::Nameless)],
-        Fault::Renamed(_) => vec![Found::Wrong(Cause::Unasked)],
+        Fault::Renamed(_) => vec![Found::Wrong(Cause::Unsolicited)],
         Fault::Before(bytes) => [of_bytes(bytes), vec![Found::Own]].concat(),
         Fault::After(bytes) => [vec![Found::Own], of_bytes(bytes)].concat(),
         Fault::Instead(bytes) => of_bytes(bytes),
@@ -136,7 +136,7 @@ fn of_bytes(bytes: &[u8]) -> Vec<Found> {
     let cause = match Envelope::read_odd(&framing::text(bytes)) {
         Err(_) => Cause::NotJson,
         Ok(envelope) if envelope.command.is_none() => Cause::Nameless,
-        Ok(_) => Cause::Unasked,
+        Ok(_) => Cause::Unsolicited,
     };
     vec![Found::Wrong(cause)]
 }
