@@ -35,7 +35,7 @@ impl<'a> Envelope<'a> {
     /// a success, and the reply names no command.
     ///
     /// # Errors
-    /// The text is no JSON object. All else is told by the fields.
+    /// The text is not a JSON object. The fields tell all else.
     pub fn read(reply: &'a str) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(reply);
         let mut parts = Parts::default();
@@ -50,7 +50,7 @@ impl<'a> Envelope<'a> {
     /// Reads the envelope of a reply that may be odd: an object by its quotes and brackets, and perhaps not JSON throughout.
     ///
     /// Controllers send half a surrogate pair (valid JSON that stands for no text, which Python writes for a byte that it cannot
-    /// read), NaN, or bytes that are no UTF-8 (see [`framing::text`](crate::framing::text)). In a message, U+FFFD stands for what
+    /// read), NaN, or bytes that are not UTF-8 (see [`framing::text`](crate::framing::text)). In a message, U+FFFD stands for what
     /// stands for no text; a name with such names no command, and a code with such is an error.
     ///
     /// ```
@@ -64,7 +64,7 @@ impl<'a> Envelope<'a> {
     /// ```
     ///
     /// # Errors
-    /// The text is no object by its quotes and brackets.
+    /// The text is not an object by its quotes and brackets.
     pub fn read_odd(reply: &'a str) -> Result<Self, DecodeError> {
         Self::read(reply).or_else(|_| Self::read_by_brackets(reply))
     }

@@ -71,7 +71,7 @@ impl Framer {
     /// A cut packet does not end: whatever follows would stand inside it. So `{"len"`, with which each packet begins, is a
     /// [`Cut`](FrameError::Cut) where no JSON has it: inside a string, or after something that no object can follow.
     /// [`resync`](Self::resync) then goes on there. An object inside a packet that begins so is left in peace; a packet after
-    /// one that was cut where an object may stand is lost with it. What is in a packet's text is no mark, since quotes
+    /// one that was cut where an object may stand is lost with it. Text in a packet is not taken for it, since quotes
     /// are escaped there.
     ///
     /// ```
@@ -121,7 +121,7 @@ impl Framer {
     /// trusted any more. Frames that were complete before the error are delivered first.
     #[inline]
     pub fn next_frame(&mut self) -> Result<Option<&[u8]>, FrameError> {
-        if self.is_inside_behind_one_byte() {
+        if self.is_inside_after_one_byte() {
             return Ok(None);
         }
         if self.error.is_none() {
@@ -152,7 +152,7 @@ impl Framer {
 
     /// Visits the one byte that has come, if it is one and changes nothing: so it is for most where bytes come one by one.
     #[inline]
-    fn is_inside_behind_one_byte(&mut self) -> bool {
+    fn is_inside_after_one_byte(&mut self) -> bool {
         let State::Frame(nesting) = &self.state else { return false };
         let is_one = self.end - self.scan == 1 && self.end - self.start <= self.max_frame;
         if !is_one || nesting.is_mark(self.buffer[self.scan]) {

@@ -35,7 +35,7 @@ pub struct Reply<'a, R> {
 /// ```
 ///
 /// # Errors
-/// The text is no object by its quotes and brackets, and no Python tuple.
+/// The text is neither an object by its quotes and brackets nor a Python tuple.
 pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
     match read_accepted(reply) {
         Some(reply) => Ok(reply),

@@ -96,6 +96,8 @@ impl<S> Snapshot<S> {
 }
 
 /// What the thread and the monitor share.
+///
+/// The order of locks stands at [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.
 #[derive(Debug)]
 struct Board<S> {
     state: Mutex<State<S>>,

@@ -161,7 +161,7 @@ impl<'r> Waiter<'r> {
     }
 }
 
-/// Fails if the controller refused the command, or does not say whether it did. A bare Python tuple is no refusal.
+/// Fails if the controller refused the command, or does not say whether it did. A bare Python tuple is not a refusal.
 pub(super) fn accepted(envelope: Option<Envelope<'_>>) -> Result<(), Failure> {
     let Some(envelope) = envelope else { return Ok(()) };
     match envelope.refusal() {

@@ -68,17 +68,20 @@ fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> 
         waiter.read(text)
     }));
     match read {
-        Ok(envelope) => attribute(exchange, text, envelope, waiter),
+        Ok(envelope) => deliver(exchange, text, envelope, waiter),
         Err(payload) => {
-            attribute(exchange, text, read_envelope(text), &mut Waiter::nobody())?;
+            deliver(exchange, text, read_envelope(text), &mut Waiter::nobody())?;
             // The waiter is gone.
-            waiter.request().into_iter().for_each(|request| exchange.discard_pending(request));
+            if let Some(request) = waiter.request() {
+                exchange.discard_pending(request);
+            }
             Ok(Some(payload))
         }
     }
 }
 
-fn attribute(
+/// Attributes a reply that was read, and logs one that came late.
+fn deliver(
     exchange: &mut Exchange,
     text: &str,
     envelope: Result<Option<Envelope<'_>>, DecodeError>,

@@ -38,7 +38,7 @@ pub(super) struct Outbound {
 struct Timeout(Duration);
 
 impl Timeout {
-    /// Sets a timeout that is no longer than the time left. A shorter one does, too: whoever waits to the end writes a few times more.
+    /// Sets a timeout that is no longer than the time left. A shorter one does, too: a thread that waits to the end writes a few times more.
     fn set(&mut self, stream: &TcpStream, left: Duration) -> io::Result<()> {
         if !self.0.is_zero() && self.0 <= left.max(SHORTEST) {
             return Ok(());

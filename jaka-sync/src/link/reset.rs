@@ -16,7 +16,7 @@ impl Link {
     /// Breaks the connection for good, and has the system discard what it has not sent yet. The first cause stays.
     ///
     /// Only the close of the last handle with a linger time of zero discards it, and only while nobody reads: a `shutdown` delivers
-    /// it, and so does a close beside a thread that blocks in a read. So whoever reads or writes is woken, the last to leave closes the socket,
+    /// it, and so does a close while another thread blocks in a read. So each thread that reads or writes is woken, the last to leave closes the socket,
     /// and this waits for that. What the network or the controller holds cannot be recalled.
     pub(crate) fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
         let mut state = self.lock();
@@ -29,7 +29,7 @@ impl Link {
         let Some(stream) = state.stream.take() else { return broken };
         // An error here means that the socket is closed already.
         let _ = SockRef::from(&*stream).set_linger(Some(Duration::ZERO));
-        // Wakes whoever reads, and sends nothing. One who waits to send is woken by an end of sending alone; what that delivers
+        // Wakes a thread that reads, and sends nothing. One that waits to send is woken by an end of sending alone; what that delivers
         // until this thread has left is what would be delivered without a reset.
         let _ = stream.shutdown(if state.outbound.is_some() { Shutdown::Read } else { Shutdown::Both });
         let others = Arc::downgrade(&stream);

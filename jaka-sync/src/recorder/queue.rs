@@ -13,7 +13,7 @@ use super::RecorderReport;
 /// How long entries are gathered before they are written, so that the writer is not woken for each of them.
 const GATHERING: Duration = Duration::from_millis(5);
 
-/// What an entry takes beside its message, in bytes.
+/// What an entry takes besides its message, in bytes.
 const OVERHEAD: usize = 128;
 
 /// The entries that wait for the writer. Whoever adds one never waits for the file.

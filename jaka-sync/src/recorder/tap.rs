@@ -78,7 +78,7 @@ impl Tap {
         connection.track.push_packet(&entry);
     }
 
-    /// Bytes that are no message, or come after what nobody will read.
+    /// Bytes that do not form a message, or come after the last that will be read.
     pub(crate) fn stray(&self, bytes: &[u8]) {
         if !bytes.is_empty() {
             self.received(bytes);

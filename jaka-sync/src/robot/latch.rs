@@ -13,7 +13,8 @@ use crate::{Error, ErrorKind, Monitor};
 /// A clone sees all that sets it later, but not what is reported or acknowledged later.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Latch {
-    /// Set by the monitor's thread, too. Locked after the link's state; nothing else is locked under it.
+    /// Set by the monitor's thread, too. Locked after the link's state, and nothing else is locked under it: the order of locks stands
+    /// at [`Link`](crate::link::Link).
     outcome: Arc<Mutex<Option<Outcome>>>,
     stops: Arc<Stops>,
     /// The number of the latest stop that has been reported to the program.
