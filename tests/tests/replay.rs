@@ -147,7 +147,7 @@ fn replies_that_nobody_asked_for_are_replayed() {
         format!("{:?} {:?}", client.get_version(), client.get_robot_state())
     };
     let (seen, recording) = recorded(|config| program(config, robot.command_addr()));
-    assert!(seen.contains("Unasked"), "{seen}");
+    assert!(seen.contains("Unsolicited"), "{seen}");
     let again = replay(&recording, Replay::Strict);
     assert_eq!(program(&Config::new(), again.command_addr()).replace("exchanges: 0", "exchanges: 3"), seen);
     assert_eq!(again.deviations(), []);
