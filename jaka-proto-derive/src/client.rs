@@ -66,8 +66,11 @@ impl Method {
 /// The parameter that stands for a request with one field, and the request made from it.
 fn single(scope: Scope<'_>, field: &Field, request: &TokenStream) -> (TokenStream, TokenStream) {
     let name = ident(&field.name);
+    let whole = (quote!(, request: &#request), quote!(request));
+    if field.optional || field.or_raw {
+        return whole;
+    }
     let (ty, value) = match &field.ty {
-        _ if field.optional || field.or_raw => return (quote!(, request: &#request), quote!(request)),
         Type::Scalar(Scalar::Text) => (quote!(impl Into<String>), quote!(#name: #name.into())),
         Type::Scalar(Scalar::Float) => (quote!(f64), quote!(#name)),
         Type::Scalar(Scalar::Int) => (quote!(i64), quote!(#name)),
@@ -79,7 +82,9 @@ fn single(scope: Scope<'_>, field: &Field, request: &TokenStream) -> (TokenStrea
                 (path, quote!(#name))
             }
         }
-        _ => return (quote!(, request: &#request), quote!(request)),
+        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => {
+            return whole;
+        }
     };
     (quote!(, #name: #ty), quote!(&#request { #value }))
 }

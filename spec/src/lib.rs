@@ -11,6 +11,7 @@ mod quote;
 mod read;
 mod report;
 mod resolve;
+mod scalar;
 mod shape;
 #[cfg(feature = "tools")]
 pub mod tools;
@@ -21,12 +22,13 @@ pub mod words;
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement, Scalar,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
 pub use names::{to_camel, to_screaming};
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
+pub use scalar::Scalar;
 pub use shape::{Shape, is_floats};
 pub use version::{Version, Versions};
 

@@ -6,6 +6,7 @@ use std::time::Duration;
 use crate::envelope::COMMAND_NAME;
 use crate::names::to_camel;
 use crate::quote::{key, push_string};
+use crate::scalar::Scalar;
 use crate::version::Versions;
 use crate::words::nearest;
 
@@ -337,46 +338,6 @@ pub enum Type {
     Named(TypeId),
     /// A value written as a Python literal inside a JSON string.
     Python(Box<Type>),
-}
-
-/// The type of one value that has no parts that the spec knows.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Scalar {
-    /// A truth value, with the JSON texts that stand for false and true.
-    Bool {
-        /// JSON text of false.
-        off: String,
-        /// JSON text of true.
-        on: String,
-    },
-    /// A whole number.
-    Int,
-    /// A floating-point number.
-    Float,
-    /// A string.
-    Text,
-    /// Any JSON.
-    Json,
-}
-
-impl Scalar {
-    /// True for a number, which may have a unit and a range.
-    pub fn is_number(&self) -> bool {
-        match self {
-            Self::Int | Self::Float => true,
-            Self::Bool { .. } | Self::Text | Self::Json => false,
-        }
-    }
-
-    /// The two words, without quotes, for a truth value that is not read as usual: one in words of its own, such as
-    /// `robot_enabled`, or one whose 0 means true.
-    pub fn truth_words(&self) -> Option<[&str; 2]> {
-        let Self::Bool { off, on } = self else { return None };
-        let [off, on] = [off, on].map(|form| form.trim_matches('"'));
-        let is = |form: &str, word: &str| form.eq_ignore_ascii_case(word);
-        let is_usual = (is(off, "false") || is(off, "0")) && (is(on, "true") || is(on, "1"));
-        (!is_usual).then_some([off, on])
-    }
 }
 
 impl Type {

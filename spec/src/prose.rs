@@ -52,27 +52,12 @@ pub(crate) fn shown(line: &str) -> String {
 
 /// The general categories Cf, Zl and Zp of Unicode: characters that direct the text around them without being seen, and separators
 /// of lines and paragraphs. `jaka_proto::text` has them from here.
+#[rustfmt::skip]
 pub const HIDDEN: &[RangeInclusive<char>] = &[
-    '\u{ad}'..='\u{ad}',
-    '\u{600}'..='\u{605}',
-    '\u{61c}'..='\u{61c}',
-    '\u{6dd}'..='\u{6dd}',
-    '\u{70f}'..='\u{70f}',
-    '\u{890}'..='\u{891}',
-    '\u{8e2}'..='\u{8e2}',
-    '\u{180e}'..='\u{180e}',
-    '\u{200b}'..='\u{200f}',
-    '\u{2028}'..='\u{202e}',
-    '\u{2060}'..='\u{206f}',
-    '\u{feff}'..='\u{feff}',
-    '\u{fff9}'..='\u{fffb}',
-    '\u{110bd}'..='\u{110bd}',
-    '\u{110cd}'..='\u{110cd}',
-    '\u{13430}'..='\u{1343f}',
-    '\u{1bca0}'..='\u{1bca3}',
-    '\u{1d173}'..='\u{1d17a}',
-    '\u{e0001}'..='\u{e0001}',
-    '\u{e0020}'..='\u{e007f}',
+    '\u{ad}'..='\u{ad}', '\u{600}'..='\u{605}', '\u{61c}'..='\u{61c}', '\u{6dd}'..='\u{6dd}', '\u{70f}'..='\u{70f}',
+    '\u{890}'..='\u{891}', '\u{8e2}'..='\u{8e2}', '\u{180e}'..='\u{180e}', '\u{200b}'..='\u{200f}', '\u{2028}'..='\u{202e}',
+    '\u{2060}'..='\u{206f}', '\u{feff}'..='\u{feff}', '\u{fff9}'..='\u{fffb}', '\u{110bd}'..='\u{110bd}', '\u{110cd}'..='\u{110cd}',
+    '\u{13430}'..='\u{1343f}', '\u{1bca0}'..='\u{1bca3}', '\u{1d173}'..='\u{1d17a}', '\u{e0001}'..='\u{e0001}', '\u{e0020}'..='\u{e007f}',
 ];
 
 /// True for control characters, and for those of [`HIDDEN`].

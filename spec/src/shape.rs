@@ -1,6 +1,7 @@
 //! Types with their names looked up: what they are on the wire, and what the generated Rust types can do.
 
-use crate::model::{Choice, EnumValue, Field, Scalar, Spec, Type, TypeKind};
+use crate::model::{Choice, EnumValue, Field, Spec, Type, TypeKind};
+use crate::scalar::Scalar;
 
 /// What a type is on the wire: named types are looked up, and wrappers taken off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,8 +71,8 @@ impl Spec {
     /// True if the type can be `Copy`.
     pub fn is_copy(&self, ty: &Type) -> bool {
         match self.shape(ty) {
-            Shape::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float) | Shape::IntEnum(_) => true,
-            Shape::Scalar(Scalar::Text | Scalar::Json) => false,
+            Shape::Scalar(scalar) => scalar.is_copy(),
+            Shape::IntEnum(_) => true,
             Shape::List(_, None) | Shape::TextEnum(_) | Shape::Choice(_) => false,
             Shape::List(inner, Some(_)) | Shape::Python(inner) => self.is_copy(inner),
             Shape::Object(fields) | Shape::Tuple { fields, .. } => self.all_copy(fields),

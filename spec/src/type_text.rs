@@ -31,16 +31,11 @@ fn nested(text: &str, id: &mut impl FnMut(&str) -> TypeId) -> Result<Type, Strin
         let inner = inner.strip_suffix(')').ok_or_else(|| unknown(text))?;
         return Ok(Type::Python(Box::new(nested(inner, id)?)));
     }
-    let scalar = match text {
-        "bool" => Scalar::Bool { off: "false".to_owned(), on: "true".to_owned() },
-        "int" => Scalar::Int,
-        "float" => Scalar::Float,
-        "text" => Scalar::Text,
-        "json" => Scalar::Json,
-        name if is_camel(name) => return Ok(Type::Named(id(name))),
-        _ => return Err(unknown(text)),
-    };
-    Ok(Type::Scalar(scalar))
+    match Scalar::named(text) {
+        Some(scalar) => Ok(Type::Scalar(scalar)),
+        None if is_camel(text) => Ok(Type::Named(id(text))),
+        None => Err(unknown(text)),
+    }
 }
 
 fn unknown(text: &str) -> String {
@@ -53,11 +48,7 @@ fn unknown(text: &str) -> String {
 /// The notation of a type; `name` gives the name of a named type.
 pub(crate) fn notation<'n>(ty: &Type, name: &dyn Fn(TypeId) -> &'n str) -> String {
     match ty {
-        Type::Scalar(Scalar::Bool { .. }) => "bool".to_owned(),
-        Type::Scalar(Scalar::Int) => "int".to_owned(),
-        Type::Scalar(Scalar::Float) => "float".to_owned(),
-        Type::Scalar(Scalar::Text) => "text".to_owned(),
-        Type::Scalar(Scalar::Json) => "json".to_owned(),
+        Type::Scalar(scalar) => scalar.name().to_owned(),
         Type::Named(id) => name(*id).to_owned(),
         Type::List(element) => format!("{}[]", notation(element, name)),
         Type::Array(element, len) => format!("{}[{len}]", notation(element, name)),

@@ -2,9 +2,10 @@
 
 use super::common::{Unique, element_name, required_doc, snake_name, versions};
 use crate::item::{Item, Placed};
-use crate::model::{Field, Range, Scalar, Type};
+use crate::model::{Field, Range, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::resolve::Index;
+use crate::scalar::Scalar;
 use crate::type_text;
 use crate::version::Versions;
 

@@ -9,6 +9,7 @@ mod defs;
 mod describe;
 mod lenient;
 mod message;
+mod scalar;
 
 /// A JSON Schema of all messages, in the draft 2020-12.
 ///

@@ -4,8 +4,8 @@ use std::fmt::Display;
 
 use serde_json::{Map, Value, json};
 
-use super::{alternatives, describe, lenient};
-use crate::{Choice, EnumValue, Field, Scalar, Spec, Type, TypeDef, TypeId, TypeKind};
+use super::{alternatives, describe, lenient, scalar};
+use crate::{Choice, EnumValue, Field, Spec, Type, TypeDef, TypeId, TypeKind};
 
 /// How a value is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,23 +128,8 @@ impl<'s> Defs<'s> {
             }
             Type::Named(id) => self.named(*id, form),
             Type::Python(_) => json!({ "type": "string" }),
-            Type::Scalar(scalar) => match form {
-                Form::Sent => sent(scalar),
-                Form::Received => lenient::scalar(scalar),
-            },
+            Type::Scalar(scalar) => scalar::schema(scalar, form),
         }
-    }
-}
-
-/// A scalar in the one form in which the client sends it.
-fn sent(scalar: &Scalar) -> Value {
-    match scalar {
-        Scalar::Bool { off, on } if off == "false" && on == "true" => json!({ "type": "boolean" }),
-        Scalar::Bool { off, on } => json!({ "enum": [parsed(off), parsed(on)] }),
-        Scalar::Int => json!({ "type": "integer" }),
-        Scalar::Float => json!({ "type": "number" }),
-        Scalar::Text => json!({ "type": "string" }),
-        Scalar::Json => json!({}),
     }
 }
 
@@ -187,11 +172,6 @@ fn limit(schema: &mut Value, field: &Field) {
 fn number(value: f64) -> Value {
     let text = value.to_string();
     text.parse::<i64>().map_or_else(|_| json!(value), |whole| json!(whole))
-}
-
-/// The value of a JSON text of the spec.
-fn parsed(json: &str) -> Value {
-    serde_json::from_str(json).unwrap_or_else(|_| json!(json))
 }
 
 /// The schema of an enum, and what its description adds.

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::defs::reference;
-use crate::{Scalar, Variant};
+use crate::Variant;
 
 const NUMBER: &str = "lenient.float";
 const INTEGER: &str = "lenient.int";
@@ -46,15 +46,9 @@ pub(super) fn definitions() -> Map<String, Value> {
     .collect()
 }
 
-/// A scalar in any form.
-pub(super) fn scalar(scalar: &Scalar) -> Value {
-    match scalar {
-        Scalar::Bool { off, on } => boolean([off, on]),
-        Scalar::Int => integer(),
-        Scalar::Float => reference(NUMBER),
-        Scalar::Text => json!({ "type": "string" }),
-        Scalar::Json => json!({}),
-    }
+/// A number in any form.
+pub(super) fn number() -> Value {
+    reference(NUMBER)
 }
 
 /// A whole number in any form.
@@ -63,7 +57,7 @@ pub(super) fn integer() -> Value {
 }
 
 /// A truth value in any form, or as one of two words.
-fn boolean(forms: [&str; 2]) -> Value {
+pub(super) fn boolean(forms: [&str; 2]) -> Value {
     let words = forms.map(|form| form.trim_matches('"'));
     let usual = ["true", "false", "0", "1"];
     if words.iter().all(|word| usual.contains(&word.to_ascii_lowercase().as_str())) {
