@@ -71,7 +71,10 @@ pub(crate) fn write(
         Scalar::Int => value.as_i64().map(|int| out.int(int)),
         Scalar::Float => value.as_f64().map(|float| out.float(float)),
         Scalar::Text => value.as_str().map(|text| out.text(text)),
-        Scalar::Json => Some(out.json(value)),
+        Scalar::Json => {
+            out.json(value);
+            Some(())
+        }
     };
     written.ok_or(false)
 }

@@ -292,10 +292,8 @@ fn arm(at: usize, field: &Field, method: &TokenStream, slot: &TokenStream) -> To
 /// The call that reads a field into a slot.
 fn read_call(field: &Field, method: &TokenStream, slot: &TokenStream) -> TokenStream {
     let text = &field.name;
-    match truth_words(field) {
-        Some([off, on]) => quote!(reader.#method(#text, #slot, #off, #on)),
-        None => quote!(reader.#method(#text, #slot)),
-    }
+    let words = truth_words(field).map(|[off, on]| quote!(, #off, #on));
+    quote!(reader.#method(#text, #slot #words))
 }
 
 fn read_method(field: &Field) -> TokenStream {
