@@ -47,7 +47,7 @@ impl Argument {
     /// Reads what was typed for the argument, as [`value`] does.
     ///
     /// # Errors
-    /// The text is no value of the argument's type; the message says what is.
+    /// The text is not a value of the argument's type; the message says what is.
     pub fn value(&self, spec: &Spec, text: &str) -> Result<Value, String> {
         let is_value = |listed: &&PossibleValue| same(&listed.name, text) || listed.wire == text;
         match self.values.iter().find(is_value) {

@@ -1,4 +1,4 @@
-//! Messages held against the spec, read as leniently as the generated code reads them.
+//! Messages compared with the spec, read as leniently as the generated code reads them.
 
 use serde_json::{Map, Value};
 
@@ -20,7 +20,7 @@ impl<'s> Decoder<'s> {
         Self { spec, departures: Vec::new() }
     }
 
-    /// Reads the fields of an object. `envelope` are keys that are none of the fields.
+    /// Reads the fields of an object. `envelope` are keys that are not fields.
     pub(super) fn object(&mut self, place: &str, fields: &[Field], found: &Map<String, Value>, envelope: &[&str]) {
         let known = |key: &str| envelope.contains(&key) || fields.iter().any(|field| field.wire == key);
         for (key, value) in found.iter().filter(|(key, _)| !known(key)) {

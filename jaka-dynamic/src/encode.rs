@@ -46,7 +46,7 @@ struct Encoder<'s> {
 
 /// Fields of structs, of arrays and of choices.
 impl Encoder<'_> {
-    /// Writes the fields of an object, without braces. `tag` is a key that is none of the fields.
+    /// Writes the fields of an object, without braces. `tag` is a key that is not a field.
     fn object(&mut self, place: &str, fields: &[Field], given: &Map<String, Value>, tag: &str) {
         for (key, value) in given.iter().filter(|(key, _)| *key != tag && field_of(fields, key).is_none()) {
             let known = suggestion(key, fields.iter().map(|field| [field.name.as_str(), field.wire.as_str()]));

@@ -1,4 +1,4 @@
-//! Replies and status packets held against the spec.
+//! Replies and status packets compared with the spec.
 
 use jaka_proto::ErrorCode;
 use serde_json::{Map, Value};
@@ -10,7 +10,7 @@ use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Spec
 
 /// How a reply differs from the spec: in its envelope, in unknown keys, and then in the order of the spec.
 ///
-/// A refusal is held against the envelope alone, for it carries no payload. A bare Python tuple, which some firmware
+/// Of a refusal only the envelope is compared, for it carries no payload. A bare Python tuple, which some firmware
 /// sends in place of a reply, is given as a JSON string.
 ///
 /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses the reply

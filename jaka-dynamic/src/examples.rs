@@ -64,7 +64,7 @@ fn of_example(spec: &Spec, command: &Command, example: &Example) -> Vec<Misfit> 
 fn of_request(spec: &Spec, command: &Command, request: &str) -> Vec<String> {
     let message: Map<String, Value> = match serde_json::from_str(request) {
         Ok(message) => message,
-        Err(error) => return vec![format!("it is no JSON object: {error}")],
+        Err(error) => return vec![format!("it is not a JSON object: {error}")],
     };
     let mut fields = message.clone();
     if fields.remove(COMMAND_NAME).as_ref().and_then(Value::as_str) != Some(&command.wire) {

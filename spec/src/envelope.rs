@@ -1,4 +1,4 @@
-//! The keys that messages have beside their fields.
+//! The keys that messages have in addition to their fields.
 
 /// The key under which messages name their command.
 pub const COMMAND_NAME: &str = "cmdName";

@@ -162,9 +162,9 @@ pub struct Command {
     pub doc: String,
     /// Where the document contradicts itself or the controllers.
     pub errata: Vec<String>,
-    /// What is sent beside `cmdName`.
+    /// What is sent in addition to `cmdName`.
     pub request: Request,
-    /// What is answered beside `cmdName`, `errorCode` and `errorMsg`.
+    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`.
     pub reply: Vec<Field>,
     /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<String>,
@@ -197,7 +197,7 @@ impl Command {
         head
     }
 
-    /// True where nothing is sent beside `cmdName`.
+    /// True where nothing is sent but `cmdName`.
     pub fn is_bare(&self) -> bool {
         matches!(&self.request, Request::Fields(fields) if fields.is_empty())
     }

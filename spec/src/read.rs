@@ -41,7 +41,7 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     let root = Item::new(String::new(), start, table.get_ref(), report);
     let name = stem(source.path).to_owned();
     if !is_snake(&name) {
-        report.error(start, format!("the file's name is that of a module, and `{name}` is no snake_case name"));
+        report.error(start, format!("the file's name is that of a module, and `{name}` is not a snake_case name"));
     }
     if RESERVED_MODULES.contains(&&*name) {
         report.error(start, format!("the file's name is that of a module, and `{name}` is a name of Rust"));
@@ -78,7 +78,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
     let reply = fields(item, ("reply", "reply field"), ENVELOPE, index);
     let bare_reply = item.text("bare_reply");
     if let Some(bare) = bare_reply.as_ref().filter(|bare| reply.iter().all(|field| field.name != bare.value)) {
-        item.error(bare.at, &format!("`bare_reply` names `{}`, which is no field of the reply", bare.value));
+        item.error(bare.at, &format!("`bare_reply` names `{}`, which is not a field of the reply", bare.value));
     }
     let reply_certain = item.flag("reply_certain").is_none_or(|flag| flag.value);
     if !reply_certain && reply.iter().any(|field| !field.optional) {

@@ -131,7 +131,7 @@ impl<'s> Index<'s> {
 
     pub(crate) fn error_code(&mut self, item: &Item<'_, 's>, wire: &Placed<'s, i64>, name: &Placed<'s, String>) {
         self.error_wires.add(item, "code", wire);
-        // A pack's module has a constant of this name beside its types.
+        // A pack's module has a constant of this name next to its types.
         let constant = Placed { at: name.at, value: to_screaming(&name.value) };
         if self.error_names.add(item, "name", name) {
             self.type_names.add(item, "constant", &constant);

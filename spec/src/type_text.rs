@@ -23,7 +23,7 @@ fn nested(text: &str, id: &mut impl FnMut(&str) -> TypeId) -> Result<Type, Strin
             "" => Ok(Type::List(element)),
             len => match len.parse() {
                 Ok(len @ 1..=64) => Ok(Type::Array(element, len)),
-                _ => Err(format!("`{len}` is no array length from 1 to 64")),
+                _ => Err(format!("`{len}` is not an array length from 1 to 64")),
             },
         };
     }
@@ -40,8 +40,8 @@ fn nested(text: &str, id: &mut impl FnMut(&str) -> TypeId) -> Result<Type, Strin
 
 fn unknown(text: &str) -> String {
     format!(
-        "`{text}` is no type; a type is bool, int, float, text, json, the name of a `[[type]]`, \
-         one of these with `[]` or `[6]` behind it, or python(…) around one"
+        "`{text}` is not a type; a type is bool, int, float, text, json, the name of a `[[type]]`, \
+         one of these with `[]` or `[6]` after it, or python(…) around one"
     )
 }
 

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use crate::{Effect, Range, Requirement, Severity, Versions};
 
-/// The first sentence with its full stop, and all behind it.
+/// The first sentence with its full stop, and all that follows.
 pub fn first_sentence(text: &str) -> (&str, &str) {
     let end = ["\n\n", ". ", ".\n"].iter().filter_map(|end| Some(text.find(end)? + usize::from(end.starts_with('.'))));
     end.min().map_or((text, ""), |end| text.split_at(end))

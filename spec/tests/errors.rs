@@ -70,7 +70,7 @@ doc = "Speed."
         &expect![[r"
             spec/test.toml:2:9: `title` must be a string
             spec/test.toml:4:1: command `move`: `effect` is missing
-            spec/test.toml:5:8: command `move`: `move` is no snake_case Rust name; give one as `name`
+            spec/test.toml:5:8: command `move`: `move` is not a snake_case Rust name; give one as `name`
             spec/test.toml:6:1: command `move`: unknown key `efect`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, example, name, reconstructed, refusal, reply, reply_certain, request, requires, section, since, until, wire
             spec/test.toml:7:15: command `move`: `deadline_ms` must be a whole number
             spec/test.toml:8:24: command `move`: `requires` is one of powered, enabled, servo_mode, not_servo_mode, not `awake`
@@ -124,8 +124,8 @@ doc = "The next ones."
 "#,
         &expect![[r"
             spec/test.toml:11:8: command `go`, field `a`: there is no `[[type]]` named `Poise`
-            spec/test.toml:16:8: command `go`, field `b`: `flaot` is no type; a type is bool, int, float, text, json, the name of a `[[type]]`, one of these with `[]` or `[6]` behind it, or python(…) around one
-            spec/test.toml:21:8: command `go`, field `c`: `0` is no array length from 1 to 64
+            spec/test.toml:16:8: command `go`, field `b`: `flaot` is not a type; a type is bool, int, float, text, json, the name of a `[[type]]`, one of these with `[]` or `[6]` after it, or python(…) around one
+            spec/test.toml:21:8: command `go`, field `c`: `0` is not an array length from 1 to 64
             spec/test.toml:26:8: command `go`, field `d`: the type `Node` contains itself
             spec/test.toml:36:8: type `Node`, field `next`: the type `Node` contains itself
         "]],
@@ -287,7 +287,7 @@ doc = "Second."
             spec/test.toml:28:1: command `go`, field `d`: `disputed` lists the readings of at least two sources
             spec/test.toml:35:1: command `go`, field `key`: `advisory` is for a range: give `min` or `max`
             spec/test.toml:36:8: command `go`, field `key`: `key` is a name of the generated code; give another as `name`
-            spec/test.toml:52:1: type `Row`, field `second`: an element behind an optional one must be optional too
+            spec/test.toml:52:1: type `Row`, field `second`: an element after an optional one must be optional too
         "]],
     );
 }

@@ -289,7 +289,7 @@ target = "shutdown"
 reply = [{ wire = "a", type = "int", doc = "A." }]
 "#,
         &expect![[r"
-            newer.toml:2:1: override of `Pose`: an element behind an optional one must be optional too
+            newer.toml:2:1: override of `Pose`: an element after an optional one must be optional too
             newer.toml:9:1: override of `shutdown`: unknown key `reply_certain`; the keys are deadline_ms, doc, reply, request, requires, since, target, until, variant
             newer.toml:11:1: command `go`: a reply that may never come can have optional fields only
             newer.toml:18:1: extension of `shutdown`: a reply that may never come can have optional fields only

@@ -62,7 +62,7 @@ fn requests_are_those_that_the_client_sends() {
     "#]]
     .assert_eq(&request(r#"{"cmdName": "set_sped", "v": 1}"#));
     expect![[r#"
-        command `set_speed`, request of an example: it is no JSON object: EOF while parsing an object at line 1 column 7
+        command `set_speed`, request of an example: it is not a JSON object: EOF while parsing an object at line 1 column 7
     "#]]
     .assert_eq(&request(r#"{"v": 1"#));
 }

@@ -179,7 +179,7 @@ advisory = true
         - The controller may close the connection instead of replying.
         - Known to firmware 1.6 and later.
 
-        **Request**, beside `cmdName`:
+        **Request**, in addition to `cmdName`:
 
         | key | type | unit | range | optional | meaning |
         | --- | --- | --- | --- | --- | --- |

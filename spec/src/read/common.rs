@@ -19,7 +19,7 @@ pub(crate) fn required_doc(item: &Item<'_, '_>) -> String {
 pub(super) fn snake_name<'s>(item: &Item<'_, 's>, wire: &Placed<'s, String>) -> Placed<'s, String> {
     let name = if item.has("name") { item.required_text("name") } else { wire.clone() };
     if !is_snake(&name.value) && !name.value.is_empty() {
-        item.error(name.at, &format!("`{}` is no snake_case Rust name; give one as `name`", name.value));
+        item.error(name.at, &format!("`{}` is not a snake_case Rust name; give one as `name`", name.value));
     }
     name
 }
@@ -33,7 +33,7 @@ pub(super) fn element_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
 pub(super) fn camel_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
     let name = item.required_text("name");
     if !is_camel(&name.value) && !name.value.is_empty() {
-        item.error(name.at, &format!("`{}` is no CamelCase Rust name", name.value));
+        item.error(name.at, &format!("`{}` is not a CamelCase Rust name", name.value));
     }
     name
 }

@@ -59,7 +59,7 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
     item.items("field", "field").iter().map(read).collect()
 }
 
-pub(crate) const OPTIONAL_LAST: &str = "an element behind an optional one must be optional too";
+pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be optional too";
 
 /// One field of a struct written as an array.
 pub(crate) fn element<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {

@@ -61,12 +61,12 @@ fn request(out: &mut String, spec: &Spec, command: &Command) {
     match &command.request {
         Request::Fields(fields) if fields.is_empty() => *out += "**Request**: `cmdName` alone.\n\n",
         Request::Fields(fields) => {
-            *out += "**Request**, beside `cmdName`:\n\n";
+            *out += "**Request**, in addition to `cmdName`:\n\n";
             fields::render(out, spec, fields, 0);
         }
         Request::Choice(choice) => {
             let tag = code(&choice.tag);
-            let _ = writeln!(out, "**Request**, beside `cmdName`: {tag}, an integer that tells which keys follow.\n");
+            let _ = writeln!(out, "**Request**, in addition to `cmdName`: {tag}, an integer that tells which keys follow.\n");
             fields::variants(out, spec, choice);
         }
     }
@@ -77,7 +77,7 @@ fn reply(out: &mut String, spec: &Spec, command: &Command) {
         *out += "**Reply**: `errorCode`, `errorMsg` and `cmdName` alone.\n\n";
         return;
     }
-    *out += "**Reply**, beside `errorCode`, `errorMsg` and `cmdName`:\n\n";
+    *out += "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`:\n\n";
     fields::render(out, spec, &command.reply, 0);
     let bare = command.bare_reply.as_ref().and_then(|name| command.reply.iter().find(|field| field.name == *name));
     if let Some(field) = bare {

@@ -73,7 +73,7 @@ pub(super) fn render(out: &mut String, spec: &Spec, (id, def): (TypeId, &TypeDef
             fields::render(out, spec, fields, 0);
         }
         TypeKind::Array { fields, exact } => {
-            let further = if *exact { "nothing behind them" } else { "possibly with more behind them" };
+            let further = if *exact { "nothing after them" } else { "possibly with more after them" };
             let _ = writeln!(out, "A JSON array of these elements, {further}:\n");
             fields::render(out, spec, fields, 0);
         }
