@@ -13,9 +13,11 @@ mod report;
 mod resolve;
 mod scalar;
 mod shape;
+mod similar;
 #[cfg(feature = "tools")]
 pub mod tools;
 mod type_text;
+mod unique;
 mod version;
 pub mod words;
 

@@ -7,8 +7,8 @@ use crate::envelope::COMMAND_NAME;
 use crate::names::to_camel;
 use crate::quote::{key, push_string};
 use crate::scalar::Scalar;
+use crate::similar::nearest;
 use crate::version::Versions;
-use crate::words::nearest;
 
 /// A whole protocol: the topics in the order they were given.
 #[derive(Debug, Clone, PartialEq)]

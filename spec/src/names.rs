@@ -123,6 +123,11 @@ pub fn to_camel(snake: &str) -> String {
     camel
 }
 
+/// The trait with the methods of the pack that this module is made of.
+pub(crate) fn trait_name(module: &str) -> String {
+    to_camel(module) + "Commands"
+}
+
 /// `PermissionDenied` becomes `PERMISSION_DENIED`.
 pub fn to_screaming(camel: &str) -> String {
     let mut name = String::with_capacity(camel.len() + 4);

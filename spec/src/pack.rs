@@ -8,7 +8,6 @@ use std::collections::BTreeSet;
 
 use self::change::Target;
 pub use self::module::Module;
-pub(crate) use self::module::trait_name;
 use crate::item::Item;
 use crate::model::{Command, ErrorCode, Field, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
 use crate::names::RESERVED_METHODS;

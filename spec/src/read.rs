@@ -16,8 +16,8 @@ mod event;
 mod field;
 mod types;
 
-pub(crate) use common::{Unique, required_doc, versions, wire_int};
 use common::{camel_name, doc, keyword, snake_name, word};
+pub(crate) use common::{required_doc, versions, wire_int};
 pub(crate) use event::event;
 use field::fields;
 pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field};

@@ -5,11 +5,10 @@ use std::ops::RangeInclusive;
 
 use crate::item::{Item, Placed};
 use crate::model::{Spec, Type, TypeDef, TypeId, TypeKind};
-use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming};
-use crate::pack::trait_name;
-use crate::read::Unique;
+use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming, trait_name};
 use crate::report::{At, Report};
 use crate::type_text::notation;
+use crate::unique::Unique;
 use crate::words::event_code;
 
 /// What the files define and use, gathered while they are read.

@@ -9,16 +9,18 @@ const CRATES: &[(&str, &[&str])] = &[
     ("spec", &[]),
     ("jaka-proto-derive", &["jaka-spec"]),
     ("jaka-proto", &["jaka-proto-derive"]),
-    ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
+    ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
+<<<<<<< HEAD
+    ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
+=======
+>>>>>>> 634d673 (No modules of jaka-spec stand on one another in a circle)
     ("jaka-sim", &["jaka-dynamic", "jaka-proto", "jaka-spec"]),
     ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 
 /// What stands in a circle nevertheless.
 const CIRCLES: &[(&str, &[&str])] = &[
-    ("spec", &["model", "words"]),
-    ("spec", &["pack", "read", "resolve"]),
     // A configuration makes what is made of it, and an error says what became of a robot's motion.
     (
         "jaka-sync",

@@ -6,7 +6,7 @@ use crate::item::{Item, Placed};
 use crate::model::{Choice, Command, EnumValue, Field, Request, Spec, TypeDef, TypeId, TypeKind};
 use crate::read;
 use crate::report::Report;
-use crate::words::nearest;
+use crate::similar::nearest;
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]

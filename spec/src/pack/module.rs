@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Pack;
 use crate::model::{Command, Spec, Topic, TypeDef, TypeId};
-use crate::names::to_camel;
+use crate::names::trait_name;
 
 /// A pack as a module of generated code.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,10 +36,6 @@ impl Module {
     pub fn trait_name(&self) -> String {
         trait_name(&self.topic.name)
     }
-}
-
-pub(crate) fn trait_name(module: &str) -> String {
-    to_camel(module) + "Commands"
 }
 
 pub(super) fn method(command: &str, module: &str) -> String {

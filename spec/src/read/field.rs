@@ -1,12 +1,13 @@
 //! The fields of requests, replies and types.
 
-use super::common::{Unique, element_name, required_doc, snake_name, versions};
+use super::common::{element_name, required_doc, snake_name, versions};
 use crate::item::{Item, Placed};
 use crate::model::{Field, Range, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::resolve::Index;
 use crate::scalar::Scalar;
 use crate::type_text;
+use crate::unique::Unique;
 use crate::version::Versions;
 
 /// Fields of a struct written as an object, from `[[… .key]]`; `taken` are keys that none of them may have.

@@ -1,10 +1,11 @@
 //! Named types.
 
-use super::common::{Unique, camel_name, keyword, required_doc, wire_int};
+use super::common::{camel_name, keyword, required_doc, wire_int};
 use super::field::{elements, fields, wrapped_type};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::Index;
+use crate::unique::Unique;
 
 /// Reads a type, and gives its definition to the index.
 pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId {

@@ -66,7 +66,10 @@ fn request(out: &mut String, spec: &Spec, command: &Command) {
         }
         Request::Choice(choice) => {
             let tag = code(&choice.tag);
-            let _ = writeln!(out, "**Request**, in addition to `cmdName`: {tag}, an integer that tells which keys follow.\n");
+            let _ = writeln!(
+                out,
+                "**Request**, in addition to `cmdName`: {tag}, an integer that tells which keys follow.\n"
+            );
             fields::variants(out, spec, choice);
         }
     }
