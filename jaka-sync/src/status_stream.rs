@@ -88,7 +88,7 @@ impl StatusStream {
     /// As [`next_packet`](Self::next_packet).
     pub fn next_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
         self.receive()?;
-        self.decode()
+        self.read_packet(S::decode)
     }
 
     /// The same, read into the value of an earlier packet, whose memory is reused: packets of the same shape allocate nothing.
@@ -99,7 +99,7 @@ impl StatusStream {
     /// As [`next_packet`](Self::next_packet).
     pub fn next_packet_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
         self.receive()?;
-        self.decode_into(status)
+        self.read_packet(|reader| status.decode_into(reader))
     }
 
     /// The newest packet that has arrived; older ones are dropped. Waits for one if none has arrived.
@@ -116,7 +116,7 @@ impl StatusStream {
     /// As [`next_packet`](Self::next_packet).
     pub fn newest_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
         self.receive_newest()?;
-        self.decode()
+        self.read_packet(S::decode)
     }
 
     /// The same, read into the value of an earlier packet: see [`next_packet_into`](Self::next_packet_into).
@@ -125,7 +125,7 @@ impl StatusStream {
     /// As [`next_packet`](Self::next_packet).
     pub fn newest_packet_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
         self.receive_newest()?;
-        self.decode_into(status)
+        self.read_packet(|reader| status.decode_into(reader))
     }
 
     /// The text of the packet that was read last, as it came; with `\udcNN` for each byte that is not UTF-8.
@@ -141,23 +141,11 @@ impl StatusStream {
         &self.unfit
     }
 
-    fn decode<S: Decode>(&mut self) -> Result<S, Error> {
-        self.read_packet(S::decode)
-    }
-
-    fn decode_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
-        self.read_packet(|reader| status.decode_into(reader))
-    }
-
     fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
         let mut reader = Reader::new(&self.packet);
         let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
         self.unfit = reader.take_unfit();
-        found.map_err(|source| self.unexpected(source))
-    }
-
-    fn unexpected(&self, source: DecodeError) -> Error {
-        self.tap.attach(ErrorKind::UnexpectedStatus { source }.into())
+        found.map_err(|source| self.tap.attach(ErrorKind::UnexpectedStatus { source }.into()))
     }
 
     /// Waits for a packet and keeps its text.
@@ -170,7 +158,7 @@ impl StatusStream {
             }
             let left = self.timeout.saturating_sub(since.elapsed());
             if left.is_zero() {
-                return Err(self.time_up());
+                return Err(self.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into()));
             }
             if let Err(cause) = self.read(left) {
                 return Err(self.break_off(cause));
@@ -257,10 +245,6 @@ impl StatusStream {
 
     fn disconnected(&self, cause: Arc<Disconnect>) -> Error {
         self.tap.attach(ErrorKind::Disconnected { command: None, sent: false, cause }.into())
-    }
-
-    fn time_up(&self) -> Error {
-        self.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into())
     }
 }
 

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 /// How many status packets have come since the monitor began, and how regularly.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct MonitorStatistics {
     /// Packets that could be read, including those with fields that do not fit.
@@ -32,23 +32,18 @@ pub struct MonitorStatistics {
 /// What is counted while packets come.
 #[derive(Debug, Default)]
 pub(super) struct Counters {
-    packets: u64,
-    pub(super) unfit: u64,
-    pub(super) skipped: u64,
-    pub(super) dropped_bytes: u64,
-    pub(super) resyncs: u64,
-    pub(super) reconnects: u64,
+    /// What is counted as it is; what is computed is absent.
+    pub(super) counted: MonitorStatistics,
     last: Option<(Instant, Duration)>,
     gaps: u32,
     gaps_total: Duration,
     deviations: Duration,
-    longest: Duration,
 }
 
 impl Counters {
     /// A packet came that can be read.
     pub(super) fn packet(&mut self, now: Instant) {
-        self.packets += 1;
+        self.counted.packets += 1;
         let Some((last, last_gap)) = self.last else {
             self.last = Some((now, Duration::ZERO));
             return;
@@ -56,7 +51,7 @@ impl Counters {
         let gap = now.saturating_duration_since(last);
         self.gaps += 1;
         self.gaps_total += gap;
-        self.longest = self.longest.max(gap);
+        self.counted.longest_gap = self.counted.longest_gap.max(gap);
         if self.gaps > 1 {
             self.deviations += gap.abs_diff(last_gap);
         }
@@ -70,15 +65,9 @@ impl Counters {
 
     pub(super) fn statistics(&self) -> MonitorStatistics {
         MonitorStatistics {
-            packets: self.packets,
-            unfit: self.unfit,
-            skipped: self.skipped,
-            dropped_bytes: self.dropped_bytes,
-            resyncs: self.resyncs,
-            reconnects: self.reconnects,
             period: self.gaps_total.checked_div(self.gaps),
             jitter: self.deviations.checked_div(self.gaps.saturating_sub(1)).unwrap_or_default(),
-            longest_gap: self.longest,
+            ..self.counted
         }
     }
 }

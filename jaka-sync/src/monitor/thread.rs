@@ -136,28 +136,28 @@ impl<S: Decode> Worker<S> {
     /// Puts a packet aside behind which a newer one has come already: it is not the newest, and may show a stop.
     fn pass_over(&mut self, packet: &str) {
         let mut state = self.board.lock();
-        state.counters.skipped += 1;
+        state.counters.counted.skipped += 1;
         if state.queues.is_empty() && state.observers.is_empty() {
             return;
         }
         drop(state);
         let decoded = self.decode(packet);
         let is_unfit = decoded.as_ref().map_or(true, |snapshot| !snapshot.unfit.is_empty());
-        self.board.lock().counters.unfit += u64::from(is_unfit);
+        self.board.lock().counters.counted.unfit += u64::from(is_unfit);
         self.passed.extend(decoded);
     }
 
     /// Goes on at the next packet.
     fn resync(&mut self, framer: &mut Framer, error: FrameError) -> Result<(), Disconnect> {
         let dropped = resync::resync(framer, &self.tap, error)?;
-        self.board.lock().counters.resyncs += 1;
+        self.board.lock().counters.counted.resyncs += 1;
         self.count_dropped(dropped);
         Ok(())
     }
 
     fn count_dropped(&self, bytes: usize) {
         if bytes > 0 {
-            self.board.lock().counters.dropped_bytes += u64::try_from(bytes).unwrap_or(u64::MAX);
+            self.board.lock().counters.counted.dropped_bytes += u64::try_from(bytes).unwrap_or(u64::MAX);
         }
     }
 
@@ -174,7 +174,7 @@ impl<S: Decode> Worker<S> {
             Ok(snapshot) => {
                 let mut state = self.board.lock();
                 state.counters.packet(snapshot.received);
-                state.counters.unfit += u64::from(!snapshot.unfit.is_empty());
+                state.counters.counted.unfit += u64::from(!snapshot.unfit.is_empty());
                 state.unfit = None;
                 state.reconnecting = false;
                 let last = state.latest.as_ref().map(|latest| snapshot.received.duration_since(latest.received));
@@ -187,7 +187,7 @@ impl<S: Decode> Worker<S> {
             Err(error) => {
                 log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
                 let mut state = self.board.lock();
-                state.counters.unfit += 1;
+                state.counters.counted.unfit += 1;
                 state.unfit = Some(error);
             }
         }
@@ -261,7 +261,7 @@ impl<S: Decode> Worker<S> {
         state.tap = tap.clone();
         let stream = Arc::new(stream);
         state.stream = Some(Arc::clone(&stream));
-        state.counters.reconnects += 1;
+        state.counters.counted.reconnects += 1;
         Some((stream, tap))
     }
 }
