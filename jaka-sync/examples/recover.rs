@@ -92,9 +92,9 @@ fn report(end: &MotionEnd) {
     println!("  the last of {} packets: joint 1 at {joint_1:.2} deg, error code {code}", end.packets.len());
 }
 
-/// The latch: until somebody has looked, motions are not even sent.
+/// Until somebody has acknowledged the stop, motions are not even sent.
 fn refused(robot: &mut Robot, away: JointPosition) {
-    println!("Another motion before anybody has looked");
+    println!("Another motion before the stop is acknowledged");
     match robot.start(&to(away)) {
         Ok(()) => println!("  was accepted"),
         Err(error) => println!("  {error}"),
@@ -105,7 +105,7 @@ fn recover(robot: &mut Robot, target: &Target) -> Result<(), Box<dyn Error>> {
     target.ask("Look at the arm: is anybody or anything in contact with it? If not, it will go on.")?;
     println!("clear_error leaves the protective stop");
     robot.client().clear_error()?;
-    // A reply is no proof: the status is. An acknowledgement before it says so would be for nothing.
+    // Only the status proves it, not the reply. An acknowledgement before the status shows it would have no effect.
     robot.monitor().wait_until(|status| status.protective_stop == Some(false), Duration::from_secs(15))?;
     // Whether the arm is still enabled is up to the controller.
     robot.power_up(Duration::from_secs(60))?;

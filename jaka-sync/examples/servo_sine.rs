@@ -1,4 +1,4 @@
-//! A sine for joint 6 in servo mode, with the lateness of its set-points beside that of a loop that does nothing else.
+//! A sine for joint 6 in servo mode, with the lateness of its set-points compared with that of a loop that does nothing else.
 //!
 //! `cargo run --release --example servo_sine -- [ADDRESS] [--seconds N] [--spin MICROSECONDS]`; without an address against a
 //! simulated controller. On a robot it powers the arm and turns joint 6 by 5 degrees to and fro; it asks before.

@@ -51,7 +51,7 @@ fn power_up(robot: &mut Client) -> Result<(), Box<dyn Error>> {
     wait_for("enabled", robot, |state| state.enabled)
 }
 
-/// A reply without error is no proof of the new state: the state is.
+/// A reply without error does not prove the new state; only the state itself does.
 fn wait_for(
     what: &str,
     robot: &mut Client,

@@ -33,8 +33,8 @@ pub(super) struct Worker<S> {
     tap: Tap,
     /// The packet before the latest, whose memory is used again.
     spare: Option<Arc<Snapshot<S>>>,
-    /// Packets behind which a newer one had come already. They are handed out once that one is posted: an observer that takes its
-    /// time over an old packet must not keep the newest back.
+    /// Packets that are not the newest any more. They are handed out once the newest is posted: an observer that takes its time over an
+    /// old packet must not delay the newest.
     passed: Vec<Arc<Snapshot<S>>>,
 }
 
@@ -87,7 +87,7 @@ impl<S: Decode> Worker<S> {
             match chunk.and_then(|chunk| self.take_newest(framer, &mut newest).map(|()| chunk)) {
                 Ok(chunk) => {
                     waiting = waiting.or((!newest.is_empty()).then(Instant::now));
-                    // What has gathered is old but for its end. A controller that floods the port is behind for ever.
+                    // Of what has accumulated, all but the end is old. A controller that floods the port never lets this catch up.
                     let is_behind = chunk == Chunk::Part && waiting.is_some_and(|since| since.elapsed() < BEHIND);
                     if !is_behind && waiting.take().is_some() {
                         self.post_newest(&mut newest);
@@ -133,7 +133,7 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    /// Puts a packet aside behind which a newer one has come already: it is not the newest, and may show a stop.
+    /// Keeps a packet for queues and observers that is not the newest any more: it may show a stop.
     fn pass_over(&mut self, packet: &str) {
         let mut state = self.board.lock();
         state.counters.counted.skipped += 1;
@@ -201,7 +201,7 @@ impl<S: Decode> Worker<S> {
     /// To the queues and the observers.
     fn hand_out(&self, snapshot: &Arc<Snapshot<S>>) {
         let mut state = self.board.lock();
-        // A queue that nobody else holds has lost its subscription.
+        // The subscription of a queue that is not shared any more has been dropped.
         state.queues.retain(|queue| Arc::strong_count(queue) > 1);
         for queue in &state.queues {
             queue.push(Arc::clone(snapshot));
