@@ -51,19 +51,19 @@ pub(crate) enum Message {
 
 /// A command that has not been answered.
 #[derive(Debug, Clone)]
-struct Owed {
+struct Outstanding {
     number: u32,
     name: &'static str,
     actor: Actor,
     waits: bool,
-    /// A reply that settled an older command of the name may have been this one's.
+    /// A reply that completed an older command of the name may have been this one's.
     doubtful: bool,
 }
 
 /// The exchange as it should be.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Model {
-    owed: Vec<Owed>,
+    outstanding: Vec<Outstanding>,
     /// What the client has read and not looked at, and what it has not read.
     read: VecDeque<Message>,
     unread: VecDeque<Message>,
@@ -72,7 +72,7 @@ pub(crate) struct Model {
     pub(crate) ended: Vec<(Actor, Got)>,
     /// How many replies came too late.
     pub(crate) dropped: u32,
-    /// A reply was taken for one that somebody was owed.
+    /// A surplus reply was taken for a request's own.
     is_mistaken: bool,
     /// A reply was lost of a name of which several commands may be waited for.
     is_mistakable: bool,
@@ -80,11 +80,11 @@ pub(crate) struct Model {
 
 impl Model {
     pub(crate) fn is_waited_for(&self) -> bool {
-        self.owed.iter().any(|owed| owed.waits)
+        self.outstanding.iter().any(|request| request.waits)
     }
 
     pub(crate) fn waits(&self, actor: Actor) -> bool {
-        self.owed.iter().any(|owed| owed.waits && owed.actor == actor)
+        self.outstanding.iter().any(|request| request.waits && request.actor == actor)
     }
 
     /// True if something has come that nobody has looked at.
@@ -104,8 +104,8 @@ impl Model {
         if !self.send_nothing(actor) {
             return false;
         }
-        let doubtful = self.owed.iter().any(|owed| owed.doubtful && owed.name == name);
-        self.owed.push(Owed { number, name, actor, waits: true, doubtful });
+        let doubtful = self.outstanding.iter().any(|request| request.doubtful && request.name == name);
+        self.outstanding.push(Outstanding { number, name, actor, waits: true, doubtful });
         true
     }
 
@@ -134,11 +134,13 @@ impl Model {
 
     /// A deadline passes.
     pub(crate) fn give_up(&mut self, actor: Actor) {
-        let Some(owed) = self.owed.iter_mut().find(|owed| owed.waits && owed.actor == actor) else { return };
-        if owed.doubtful {
+        let Some(request) = self.outstanding.iter_mut().find(|request| request.waits && request.actor == actor) else {
+            return;
+        };
+        if request.doubtful {
             self.break_off();
         } else {
-            owed.waits = false;
+            request.waits = false;
             self.ended.push((actor, Got::Timeout));
         }
     }
@@ -160,18 +162,18 @@ impl Model {
     fn arrive(&mut self, message: Message) {
         let place = match message {
             Message::Reply { name, .. } | Message::Surplus { name, .. } => {
-                self.owed.iter().position(|owed| owed.name == name)
+                self.outstanding.iter().position(|request| request.name == name)
             }
-            Message::Nameless { .. } => (self.owed.len() == 1).then_some(0),
+            Message::Nameless { .. } => (self.outstanding.len() == 1).then_some(0),
             Message::Garbage | Message::End => None,
         };
         let (Some(place), Some((number, is_surplus))) = (place, message.number()) else {
             return self.break_off();
         };
-        for lost in self.owed.drain(..place).filter(|owed| owed.waits) {
+        for lost in self.outstanding.drain(..place).filter(|request| request.waits) {
             self.ended.push((lost.actor, Got::Lost));
         }
-        let taker = self.owed.remove(0);
+        let taker = self.outstanding.remove(0);
         self.is_mistaken |= is_surplus;
         if taker.waits {
             let own = taker.number == number;
@@ -180,21 +182,23 @@ impl Model {
             return;
         }
         self.dropped += 1;
-        for owed in self.owed.iter_mut().filter(|owed| owed.name == taker.name) {
-            owed.doubtful = true;
+        for request in self.outstanding.iter_mut().filter(|request| request.name == taker.name) {
+            request.doubtful = true;
         }
     }
 
     fn break_off(&mut self) {
         self.is_broken = true;
-        self.ended.extend(self.owed.drain(..).filter(|owed| owed.waits).map(|owed| (owed.actor, Got::Broken)));
+        self.ended.extend(
+            self.outstanding.drain(..).filter(|request| request.waits).map(|request| (request.actor, Got::Broken)),
+        );
         self.read.clear();
         self.unread.clear();
     }
 }
 
 impl Message {
-    /// The number of a reply, and whether nobody was owed it.
+    /// The number of a reply, and whether it is surplus.
     fn number(self) -> Option<(u32, bool)> {
         match self {
             Self::Reply { number, .. } | Self::Nameless { number } => Some((number, false)),
