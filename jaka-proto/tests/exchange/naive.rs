@@ -94,10 +94,14 @@ impl Naive {
             None => return None,
         };
         let lost: Vec<_> = self.outstanding.drain(..place).collect();
-        lost.into_iter().for_each(|sent| self.tell(sent, Outcome::Lost));
+        for sent in lost {
+            self.tell(sent, Outcome::Lost);
+        }
         let taker = self.outstanding.remove(0);
         if taker.whose == For::Nobody {
-            self.outstanding.iter_mut().filter(|sent| sent.name == taker.name).for_each(|sent| sent.doubtful = true);
+            for sent in self.outstanding.iter_mut().filter(|sent| sent.name == taker.name) {
+                sent.doubtful = true;
+            }
         }
         self.tell(taker, outcome);
         Some(taker.id)
