@@ -183,7 +183,7 @@ fn another_request_than_the_recorded_one_is_a_deviation() {
     assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
     let deviations = controller.deviations();
     assert_eq!(deviations[1], Deviation::Connection { port: Port::Command, recorded: 1 });
-    assert_eq!(deviations[1].to_string(), "a connection to the command port beyond the 1 of the recording");
+    assert_eq!(deviations[1].to_string(), "a connection to the command port, of which the recording has 1");
 }
 
 #[test]
