@@ -40,6 +40,7 @@ impl Nesting {
     }
 
     /// Visits the bytes of a frame from a place on: how many, and what was found at the end of them.
+    #[inline]
     pub(super) fn find_end(&mut self, frame: &[u8], from: usize) -> (usize, Scanned) {
         let mut at = from;
         while let Some(found) = self.next_mark(&frame[at..]) {
