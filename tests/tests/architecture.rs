@@ -11,10 +11,6 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
     ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
-<<<<<<< HEAD
-    ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
-=======
->>>>>>> 634d673 (No modules of jaka-spec stand on one another in a circle)
     ("jaka-sim", &["jaka-dynamic", "jaka-proto", "jaka-spec"]),
     ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
