@@ -14,7 +14,6 @@ use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
 use jaka_sync::Client;
 use jaka_sync::servo::ServoJ;
-use jaka_sync::types::MoveMode;
 
 const ROUNDS: usize = 100;
 
@@ -61,8 +60,8 @@ fn timed(samples: &mut Samples, count: u32, send: impl FnOnce() -> Result<(), Fa
 }
 
 fn set_point() -> ServoJ {
-    let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1].into();
-    ServoJ { mode: MoveMode::Relative, joint_position, step_count: Some(1.into()) }
+    let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
+    ServoJ::relative(joint_position).step_count(1.into())
 }
 
 fn one<'a>(address: SocketAddr) -> Result<Contender<'a>, Failure> {

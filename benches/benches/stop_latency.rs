@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::figures::{Contender, Samples};
 use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
-use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Command};
@@ -138,7 +138,7 @@ fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> 
 
 fn output(number: usize) -> SetDigitalOutput {
     let index = i64::try_from(number % 8).unwrap_or_default();
-    SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::On }
+    SetDigitalOutput::cabinet(index, Switch::On)
 }
 
 fn calls(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {

@@ -4,11 +4,11 @@ use std::hint::black_box;
 
 use jaka_proto::Command;
 use jaka_proto::messages::force::{SetTorqueSensorComm, TorqueSensorCommunication};
-use jaka_proto::messages::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_proto::messages::io::SetDigitalOutput;
 use jaka_proto::messages::kinematics::KineInverse;
 use jaka_proto::messages::motion::{Jog, JogFrame, JointMove};
 use jaka_proto::messages::servo::ServoJ;
-use jaka_proto::messages::types::{MoveMode, Switch};
+use jaka_proto::messages::types::Switch;
 use jaka_proto::messages::variables::ModifyUserDefinedVariable;
 use jaka_proto::wire::Writer;
 
@@ -25,15 +25,14 @@ const AT_MOST: f64 = 1.25;
 
 /// Requests of seven kinds.
 pub fn works() -> Vec<Work<'static>> {
-    let joint_move =
-        JointMove { mode: MoveMode::Absolute, joint_position: JOINTS.into(), speed: 20.5, acceleration: Some(60.0) };
-    let jog = Jog::Increment { frame: JogFrame::Joint, axis: 3, velocity: 30.0, distance: 20.5 };
-    let output = SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index: 12, value: Switch::On };
+    let joint_move = JointMove::absolute(JOINTS, 20.5).acceleration(60.0);
+    let jog = Jog::increment(JogFrame::Joint, 3, 30.0, 20.5);
+    let output = SetDigitalOutput::cabinet(12, Switch::On);
     let communication = TorqueSensorCommunication::TcpIp;
-    let sensor = SetTorqueSensorComm { communication, address: "172.30.1.110".to_owned(), port: 55_555 };
-    let variable = ModifyUserDefinedVariable { id: 5500, alias: "s_new".to_owned(), value: 14.5 };
-    let pose = [-375.260_386_452_649_9, 12.5, 300.0, -180.0, 0.25, 89.999_999_999_999_99].into();
-    let inverse = KineInverse { reference_joint_position: JOINTS.into(), pose };
+    let sensor = SetTorqueSensorComm::new(communication, "172.30.1.110", 55_555);
+    let variable = ModifyUserDefinedVariable::new(5500, "s_new", 14.5);
+    let pose = [-375.260_386_452_649_9, 12.5, 300.0, -180.0, 0.25, 89.999_999_999_999_99];
+    let inverse = KineInverse::new(JOINTS, pose);
     vec![
         work("encode joint_move: enum, floats", joint_move, limit::joint_move),
         servo_j(),
@@ -71,7 +70,7 @@ fn work<C: Command + Clone + 'static>(name: &'static str, request: C, by_hand: f
 
 /// The request of a servo loop, also by serde.
 fn servo_j() -> Work<'static> {
-    let request = ServoJ { mode: MoveMode::Absolute, joint_position: JOINTS.into(), step_count: Some(1) };
+    let request = ServoJ::absolute(JOINTS).step_count(1);
     let mut work = work("encode servo_j: floats", request, limit::servo_j);
     let typed = peers::ServoJ { relFlag: 0, jointPosition: JOINTS, stepNum: Some(1) };
     let mut buffer = Vec::new();

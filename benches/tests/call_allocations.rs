@@ -7,7 +7,6 @@ use std::time::Duration;
 use allocation_counter::measure;
 use jaka_benches::system::canned;
 use jaka_sync::servo::ServoJ;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
 
 /// Where a server with printed answers takes commands.
@@ -27,7 +26,7 @@ fn status() -> SocketAddr {
 }
 
 fn set_point() -> ServoJ {
-    ServoJ { mode: MoveMode::Relative, joint_position: [0.0; 6].into(), step_count: Some(1.into()) }
+    ServoJ::relative([0.0; 6]).step_count(1.into())
 }
 
 #[test]

@@ -70,7 +70,7 @@ mod tests {
 
     use jaka_sim::{Controller, Fault};
     use jaka_sync::motion::JointMove;
-    use jaka_sync::types::MoveMode;
+
     use jaka_sync::{Client, Config};
 
     use super::*;
@@ -78,8 +78,8 @@ mod tests {
     const SHORT: Duration = Duration::from_millis(50);
 
     fn joint_move(speed: f64) -> JointMove {
-        let joint_position = [0.0; 6].into();
-        JointMove { mode: MoveMode::Absolute, joint_position, speed, acceleration: None }
+        let joint_position = [0.0; 6];
+        JointMove::absolute(joint_position, speed)
     }
 
     fn code<T: std::fmt::Debug>(result: Result<T, Error>) -> u8 {

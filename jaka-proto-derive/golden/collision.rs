@@ -10,13 +10,20 @@ pub mod collision {
     /// A protective stop usually follows a collision.
     ///
     /// Sends `protective_stop_status` (4.40). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct ProtectiveStopStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct ProtectiveStopStatus {}
+    impl ProtectiveStopStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for ProtectiveStopStatus {
         type Reply = ProtectiveStopStatusReply;
     }
     /// What the controller answers to [`ProtectiveStopStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ProtectiveStopStatusReply {
         /// Whether the robot is in a protective stop.
         pub protective_stop: bool,
@@ -31,6 +38,7 @@ pub mod collision {
     ///
     /// - The key is `sensitivityVal` here and `sensitivityLevel` in the reply of `get_clsn_sensitivity`.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetClsnSensitivity {
         /// Collision level. 0 to 5.
         ///
@@ -40,6 +48,13 @@ pub mod collision {
         /// `sensitivityVal` on the wire.
         #[doc(alias = "sensitivityVal")]
         pub level: i64,
+    }
+    impl SetClsnSensitivity {
+        /// With the required fields alone.
+        ///
+        /// - `level`: 0 to 5
+        #[must_use]
+        pub const fn new(level: i64) -> Self {}
     }
     impl proto::Command for SetClsnSensitivity {
         type Reply = ();
@@ -51,13 +66,20 @@ pub mod collision {
     /// # Errata
     ///
     /// - The key is `sensitivityLevel` here and `sensitivityVal` in the request of `set_clsn_sensitivity`.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetClsnSensitivity;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetClsnSensitivity {}
+    impl GetClsnSensitivity {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetClsnSensitivity {
         type Reply = GetClsnSensitivityReply;
     }
     /// What the controller answers to [`GetClsnSensitivity`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetClsnSensitivityReply {
         /// Collision level, from 0 to 5.
         ///
@@ -72,8 +94,14 @@ pub mod collision {
     /// Make sure first that nobody and nothing is in contact with the arm.
     ///
     /// Sends `clear_error` (4.48).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct ClearError;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct ClearError {}
+    impl ClearError {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for ClearError {
         type Reply = ();
     }

@@ -11,9 +11,15 @@ pub mod force {
     ///
     /// Sends `torque_control_enable` (4.36). The robot must be powered and enabled.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct TorqueControlEnable {
         /// Whether drag mode is on.
         pub enable_flag: super::types::Switch,
+    }
+    impl TorqueControlEnable {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
     impl proto::Command for TorqueControlEnable {
         type Reply = ();
@@ -21,13 +27,20 @@ pub mod force {
     /// Reads whether the robot is in drag mode.
     ///
     /// Sends `drag_status` (4.37). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct DragStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct DragStatus {}
+    impl DragStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for DragStatus {
         type Reply = DragStatusReply;
     }
     /// What the controller answers to [`DragStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct DragStatusReply {
         /// Whether the robot is in drag mode.
         pub drag_status: bool,
@@ -42,12 +55,18 @@ pub mod force {
     /// - The document's text calls the key `sensor_band`; its sample sends `sensor_brand`.
     #[doc(alias = "set_torsenosr_brand")]
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTorqueSensorBrand {
         /// Brand of the sensor.
         ///
         /// `sensor_brand` on the wire.
         #[doc(alias = "sensor_brand")]
         pub brand: TorqueSensorBrand,
+    }
+    impl SetTorqueSensorBrand {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(brand: TorqueSensorBrand) -> Self {}
     }
     impl proto::Command for SetTorqueSensorBrand {
         type Reply = ();
@@ -61,13 +80,20 @@ pub mod force {
     /// - The wire spells the name `torsenosr`.
     /// - The document's text calls the key `sensor_band`; its sample answers `sensor_brand`.
     #[doc(alias = "get_torsenosr_brand")]
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTorqueSensorBrand;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTorqueSensorBrand {}
+    impl GetTorqueSensorBrand {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTorqueSensorBrand {
         type Reply = GetTorqueSensorBrandReply;
     }
     /// What the controller answers to [`GetTorqueSensorBrand`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTorqueSensorBrandReply {
         /// Brand of the sensor.
         ///
@@ -86,6 +112,7 @@ pub mod force {
     /// - The wire spells `ftNnormalTrack` with a double N.
     /// - The sample sends `ftReboundFK` last; the text, and the rows of 4.64, have it right behind `ftUser`.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetAdmitCtrlConfig {
         /// Axis to set.
         pub axis: CartesianAxis,
@@ -119,6 +146,18 @@ pub mod force {
         #[doc(alias = "ftReboundFK")]
         pub rebound: f64,
     }
+    impl SetAdmitCtrlConfig {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(
+            axis: CartesianAxis,
+            enabled: super::types::Switch,
+            user_force: f64,
+            constant_force: f64,
+            normal_track: i64,
+            rebound: f64,
+        ) -> Self {}
+    }
     impl proto::Command for SetAdmitCtrlConfig {
         type Reply = ();
     }
@@ -129,13 +168,20 @@ pub mod force {
     /// # Errata
     ///
     /// - The document's text describes six rows of five values; its sample has one more array around the six rows.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetAdmitCtrlConfig;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetAdmitCtrlConfig {}
+    impl GetAdmitCtrlConfig {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetAdmitCtrlConfig {
         type Reply = GetAdmitCtrlConfigReply;
     }
     /// What the controller answers to [`GetAdmitCtrlConfig`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetAdmitCtrlConfigReply {
         /// Parameters of the axes x, y, z, rx, ry, rz.
         ///
@@ -154,6 +200,7 @@ pub mod force {
     ///
     /// Sends `set_torque_sensor_mode` (4.65).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTorqueSensorMode {
         /// Mode, 0 or 1, sent raw because the sources do not agree on the meaning. 0 to 1.
         ///
@@ -165,6 +212,13 @@ pub mod force {
         /// `sensor_mode` on the wire.
         #[doc(alias = "sensor_mode")]
         pub mode: i64,
+    }
+    impl SetTorqueSensorMode {
+        /// With the required fields alone.
+        ///
+        /// - `mode`: 0 to 1
+        #[must_use]
+        pub const fn new(mode: i64) -> Self {}
     }
     impl proto::Command for SetTorqueSensorMode {
         type Reply = ();
@@ -180,6 +234,7 @@ pub mod force {
     ///
     /// - The document's text also spells the key `jointposition`; its sample sends `jointPosition`.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct StartTorqSensorPayloadIdentify {
         /// Joint position at which the identification ends.
         ///
@@ -188,6 +243,11 @@ pub mod force {
         /// `jointPosition` on the wire.
         #[doc(alias = "jointPosition")]
         pub joint_position: super::types::JointPosition,
+    }
+    impl StartTorqSensorPayloadIdentify {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(joint_position: impl Into<super::types::JointPosition>) -> Self {}
     }
     impl proto::Command for StartTorqSensorPayloadIdentify {
         type Reply = ();
@@ -200,13 +260,20 @@ pub mod force {
     ///
     /// - The wire spells the name `staus`.
     #[doc(alias = "get_torq_sensor_identify_staus")]
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTorqSensorIdentifyStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTorqSensorIdentifyStatus {}
+    impl GetTorqSensorIdentifyStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTorqSensorIdentifyStatus {
         type Reply = GetTorqSensorIdentifyStatusReply;
     }
     /// What the controller answers to [`GetTorqSensorIdentifyStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTorqSensorIdentifyStatusReply {
         /// How far the identification is.
         ///
@@ -219,13 +286,20 @@ pub mod force {
     /// Of use only once `get_torq_sensor_identify_status` says that the identification is done.
     ///
     /// Sends `get_torq_sensor_payload_identify_result` (4.68). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTorqSensorPayloadIdentifyResult;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTorqSensorPayloadIdentifyResult {}
+    impl GetTorqSensorPayloadIdentifyResult {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTorqSensorPayloadIdentifyResult {
         type Reply = GetTorqSensorPayloadIdentifyResultReply;
     }
     /// What the controller answers to [`GetTorqSensorPayloadIdentifyResult`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTorqSensorPayloadIdentifyResultReply {
         /// Centroid of the payload.
         pub centroid: super::payload::Centroid,
@@ -242,11 +316,19 @@ pub mod force {
     ///
     /// - The document's worked example prints the `cmdName` `set_payload`, which is another command (4.42).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetToolPayload {
         /// Mass of the payload. In kg, at least 0.
         pub mass: f64,
         /// Centroid of the payload.
         pub centroid: super::payload::Centroid,
+    }
+    impl SetToolPayload {
+        /// With the required fields alone.
+        ///
+        /// - `mass`: in kg, at least 0
+        #[must_use]
+        pub fn new(mass: f64, centroid: impl Into<super::payload::Centroid>) -> Self {}
     }
     impl proto::Command for SetToolPayload {
         type Reply = ();
@@ -256,13 +338,20 @@ pub mod force {
     /// This is not the payload of the arm: that is `get_payload`.
     ///
     /// Sends `get_tool_payload` (4.70). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetToolPayload;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetToolPayload {}
+    impl GetToolPayload {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetToolPayload {
         type Reply = GetToolPayloadReply;
     }
     /// What the controller answers to [`GetToolPayload`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetToolPayloadReply {
         /// Centroid of the payload.
         pub centroid: super::payload::Centroid,
@@ -280,6 +369,7 @@ pub mod force {
     /// - The heading speaks of a torque condition, the text of force components and torque components.
     /// - The text names only `fx` and `tx` of the six values, and prints no order.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetComplianceCondition {
         /// Force along, and torque about, each of the axes x, y and z, at the force sensor. Units not stated.
         ///
@@ -290,6 +380,11 @@ pub mod force {
         #[doc(alias = "compliant_condition")]
         pub condition: [f64; 6],
     }
+    impl SetComplianceCondition {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(condition: [f64; 6]) -> Self {}
+    }
     impl proto::Command for SetComplianceCondition {
         type Reply = ();
     }
@@ -299,9 +394,15 @@ pub mod force {
     ///
     /// Sends `enable_admittance_ctrl` (4.72).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct EnableAdmittanceCtrl {
         /// Whether admittance control is on.
         pub enable_flag: super::types::Switch,
+    }
+    impl EnableAdmittanceCtrl {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
     impl proto::Command for EnableAdmittanceCtrl {
         type Reply = ();
@@ -309,13 +410,20 @@ pub mod force {
     /// Reads the type of force control, and whether the sensor is compensated.
     ///
     /// Sends `get_compliant_type` (4.73). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetCompliantType;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetCompliantType {}
+    impl GetCompliantType {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetCompliantType {
         type Reply = GetCompliantTypeReply;
     }
     /// What the controller answers to [`GetCompliantType`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetCompliantTypeReply {
         /// Type of force control.
         pub compliance_type: ComplianceType,
@@ -326,11 +434,20 @@ pub mod force {
     ///
     /// Sends `set_compliant_type` (4.74).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetCompliantType {
         /// Whether sensor compensation is on, which initialises the sensor.
         pub sensor_compensation: super::types::Switch,
         /// Type of force control.
         pub compliance_type: ComplianceType,
+    }
+    impl SetCompliantType {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(
+            sensor_compensation: super::types::Switch,
+            compliance_type: ComplianceType,
+        ) -> Self {}
     }
     impl proto::Command for SetCompliantType {
         type Reply = ();
@@ -345,6 +462,7 @@ pub mod force {
     ///
     /// - The document's heading speaks of the IP address alone; the command sets the type and the port too.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTorqueSensorComm {
         /// Protocol to reach the sensor by.
         ///
@@ -359,6 +477,17 @@ pub mod force {
         /// Port of the sensor, for TCP/IP. 0 to 65535.
         pub port: i64,
     }
+    impl SetTorqueSensorComm {
+        /// With the required fields alone.
+        ///
+        /// - `port`: 0 to 65535
+        #[must_use]
+        pub fn new(
+            communication: TorqueSensorCommunication,
+            address: impl Into<String>,
+            port: i64,
+        ) -> Self {}
+    }
     impl proto::Command for SetTorqueSensorComm {
         type Reply = ();
     }
@@ -369,13 +498,20 @@ pub mod force {
     /// # Errata
     ///
     /// - The document's heading speaks of the IP address alone; the reply holds the type and the port too.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTorqueSensorComm;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTorqueSensorComm {}
+    impl GetTorqueSensorComm {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTorqueSensorComm {
         type Reply = GetTorqueSensorCommReply;
     }
     /// What the controller answers to [`GetTorqueSensorComm`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTorqueSensorCommReply {
         /// IP address of the sensor.
         ///
@@ -395,8 +531,14 @@ pub mod force {
     /// The document's heading calls it torque control. It does not say whether drag mode ends too.
     ///
     /// Sends `disable_force_control` (4.78).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct DisableForceControl;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct DisableForceControl {}
+    impl DisableForceControl {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for DisableForceControl {
         type Reply = ();
     }
@@ -404,12 +546,18 @@ pub mod force {
     ///
     /// Sends `set_vel_compliant_ctrl` (4.79).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetVelCompliantCtrl {
         /// Level and ratios.
         ///
         /// `compliant_ctrl` on the wire.
         #[doc(alias = "compliant_ctrl")]
         pub compliance: VelocityCompliance,
+    }
+    impl SetVelCompliantCtrl {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(compliance: VelocityCompliance) -> Self {}
     }
     impl proto::Command for SetVelCompliantCtrl {
         type Reply = ();
@@ -429,6 +577,8 @@ pub mod force {
     }
     impl From<i64> for TorqueSensorBrand {}
     impl From<TorqueSensorBrand> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for TorqueSensorBrand {}
     /// An axis to move along or about.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -450,8 +600,11 @@ pub mod force {
     }
     impl From<i64> for CartesianAxis {}
     impl From<CartesianAxis> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for CartesianAxis {}
     /// Parameters of admittance control for one axis.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct AdmittanceAxis {
         /// Whether the axis is on.
         pub enabled: bool,
@@ -479,6 +632,8 @@ pub mod force {
     }
     impl From<i64> for IdentifyStatus {}
     impl From<IdentifyStatus> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for IdentifyStatus {}
     /// Type of force control.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -494,6 +649,8 @@ pub mod force {
     }
     impl From<i64> for ComplianceType {}
     impl From<ComplianceType> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for ComplianceType {}
     /// How the controller reaches the torque sensor.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -507,10 +664,13 @@ pub mod force {
     }
     impl From<i64> for TorqueSensorCommunication {}
     impl From<TorqueSensorCommunication> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for TorqueSensorCommunication {}
     /// Parameters of compliance in velocity.
     ///
     /// The document gives neither ranges nor units, and does not say how a level and the four ratios work together.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct VelocityCompliance {
         /// Level of the compliance, `vc_level` in the document.
         pub level: i64,
@@ -522,5 +682,16 @@ pub mod force {
         pub rate3: f64,
         /// Ratio of level 4.
         pub rate4: f64,
+    }
+    impl VelocityCompliance {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(
+            level: i64,
+            rate1: f64,
+            rate2: f64,
+            rate3: f64,
+            rate4: f64,
+        ) -> Self {}
     }
 }

@@ -16,6 +16,7 @@ pub mod frames {
     ///
     /// - The key is `tooloffset` here, while the reply of `get_tool_offsets` has `tool_offsets`.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct SetToolOffsets {
         /// Offset of the tool frame.
         ///
@@ -27,6 +28,17 @@ pub mod frames {
         /// Name of the tool frame.
         pub name: String,
     }
+    impl SetToolOffsets {
+        /// With the required fields alone.
+        ///
+        /// - `id`: 1 to 10
+        #[must_use]
+        pub fn new(
+            offset: impl Into<super::types::Pose>,
+            id: i64,
+            name: impl Into<String>,
+        ) -> Self {}
+    }
     impl proto::Command for SetToolOffsets {
         type Reply = ();
     }
@@ -36,9 +48,17 @@ pub mod frames {
     ///
     /// Sends `set_tool_id` (4.29).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetToolId {
         /// Id of the tool frame to use. 0 to 10.
         pub tool_id: i64,
+    }
+    impl SetToolId {
+        /// With the required fields alone.
+        ///
+        /// - `tool_id`: 0 to 10
+        #[must_use]
+        pub const fn new(tool_id: i64) -> Self {}
     }
     impl proto::Command for SetToolId {
         type Reply = ();
@@ -50,13 +70,20 @@ pub mod frames {
     /// # Errata
     ///
     /// - The text writes the key `tool_offset`, the sample `tool_offsets`.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetToolOffsets;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetToolOffsets {}
+    impl GetToolOffsets {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetToolOffsets {
         type Reply = GetToolOffsetsReply;
     }
     /// What the controller answers to [`GetToolOffsets`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetToolOffsetsReply {
         /// Offset of each tool frame, by id from 0. The document counts 11.
         ///
@@ -74,6 +101,7 @@ pub mod frames {
     ///
     /// - The key is spelled `userffset` in sample and text, without the o, and controllers expect it so.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct SetUserOffsets {
         /// Offset of the user frame.
         ///
@@ -84,6 +112,17 @@ pub mod frames {
         pub id: i64,
         /// Name of the user frame.
         pub name: String,
+    }
+    impl SetUserOffsets {
+        /// With the required fields alone.
+        ///
+        /// - `id`: 1 to 10
+        #[must_use]
+        pub fn new(
+            offset: impl Into<super::types::Pose>,
+            id: i64,
+            name: impl Into<String>,
+        ) -> Self {}
     }
     impl proto::Command for SetUserOffsets {
         type Reply = ();
@@ -98,9 +137,17 @@ pub mod frames {
     ///
     /// - The text calls the key `set_user_id`. The sample has `user_frame_id`, and controllers expect it so.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetUserId {
         /// Id of the user frame to use. 0 to 10.
         pub user_frame_id: i64,
+    }
+    impl SetUserId {
+        /// With the required fields alone.
+        ///
+        /// - `user_frame_id`: 0 to 10
+        #[must_use]
+        pub const fn new(user_frame_id: i64) -> Self {}
     }
     impl proto::Command for SetUserId {
         type Reply = ();
@@ -113,13 +160,20 @@ pub mod frames {
     ///
     /// - The text is copied from 4.30: it writes the key `tool_offset` and speaks of tool frames.
     /// - In the sample, frame 1 repeats its positions as angles, down to -439 degrees. It is no measured frame.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetUserOffsets;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetUserOffsets {}
+    impl GetUserOffsets {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetUserOffsets {
         type Reply = GetUserOffsetsReply;
     }
     /// What the controller answers to [`GetUserOffsets`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetUserOffsetsReply {
         /// Offset of each user frame, by id from 0. The document counts 11.
         ///

@@ -11,6 +11,7 @@ pub mod io {
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetDigitalOutput {
         /// Where the output is.
         ///
@@ -21,6 +22,52 @@ pub mod io {
         pub index: i64,
         /// State to set.
         pub value: super::types::Switch,
+    }
+    impl SetDigitalOutput {
+        /// With the required fields alone.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn new(
+            kind: DigitalOutputKind,
+            index: i64,
+            value: super::types::Switch,
+        ) -> Self {}
+        /// In the control cabinet.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn cabinet(index: i64, value: super::types::Switch) -> Self {}
+        /// At the tool end of the arm.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn tool(index: i64, value: super::types::Switch) -> Self {}
+        /// On an extension I/O module.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn extension(index: i64, value: super::types::Switch) -> Self {}
+        /// A relay output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn relay(index: i64, value: super::types::Switch) -> Self {}
+        /// An output of the Modbus slave.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn modbus_slave(index: i64, value: super::types::Switch) -> Self {}
+        /// A Profinet output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn profinet(index: i64, value: super::types::Switch) -> Self {}
+        /// An EtherNet/IP output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn ethernet_ip(index: i64, value: super::types::Switch) -> Self {}
     }
     impl proto::Command for SetDigitalOutput {
         type Reply = ();
@@ -37,13 +84,20 @@ pub mod io {
     /// # Errata
     ///
     /// - The sentence that is left of the document counts 136 inputs. Controllers send other numbers too; 64 is seen.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetDigitalInputStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetDigitalInputStatus {}
+    impl GetDigitalInputStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetDigitalInputStatus {
         type Reply = GetDigitalInputStatusReply;
     }
     /// What the controller answers to [`GetDigitalInputStatus`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetDigitalInputStatusReply {
         /// State of each input. The number of inputs depends on the controller.
         ///
@@ -61,6 +115,7 @@ pub mod io {
     ///
     /// - The document numbers the cabinet's outputs from 0 to 7 and says to send 7 for the seventh, which would be the eighth when counted from 0.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetAnalogOutput {
         /// Where the output is.
         ///
@@ -72,6 +127,23 @@ pub mod io {
         pub index: i64,
         /// Value to set. The document states neither unit nor range.
         pub value: f64,
+    }
+    impl SetAnalogOutput {
+        /// With the required fields alone.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn new(kind: AnalogOutputKind, index: i64, value: f64) -> Self {}
+        /// In the control cabinet.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn cabinet(index: i64, value: f64) -> Self {}
+        /// On an extension I/O module.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn extension(index: i64, value: f64) -> Self {}
     }
     impl proto::Command for SetAnalogOutput {
         type Reply = ();
@@ -88,13 +160,20 @@ pub mod io {
     /// - Chapter 2 describes the same settings with the pins as an array in the order di, do, ai, ao. Here they are a dictionary.
     /// - No RTU module is shown here. Its settings follow chapter 2, which lists the data bits twice: as data bit length before the slave number, and as data bits behind it.
     /// - Chapter 2 lists a slave number behind a TCP module's port. The sample here has none.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetExtioStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetExtioStatus {}
+    impl GetExtioStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetExtioStatus {
         type Reply = GetExtioStatusReply;
     }
     /// What the controller answers to [`GetExtioStatus`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetExtioStatusReply {
         /// All modules. On the wire a Python literal inside a string.
         pub extio_status: ExtioStatus,
@@ -125,13 +204,20 @@ pub mod io {
     /// - The document counts 12 functions, its sample has 13 entries, and port 10000 sends 12, 13 or 15 of them.
     /// - The text calls the sample's `[0, 2]` the entry of reduced mode, level 1, the ninth function. In the sample it is the tenth entry, which the list gives to the protective stop.
     /// - The text writes the key `funci_status`, the sample `funcdi_status`.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetFuncdiStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetFuncdiStatus {}
+    impl GetFuncdiStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetFuncdiStatus {
         type Reply = GetFuncdiStatusReply;
     }
     /// What the controller answers to [`GetFuncdiStatus`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetFuncdiStatusReply {
         /// The input of each function, in the order of the functions.
         ///
@@ -146,6 +232,7 @@ pub mod io {
     ///
     /// Sends `set_tio_vout_param` (4.80).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTioVoutParam {
         /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
         ///
@@ -168,6 +255,14 @@ pub mod io {
         #[doc(alias = "tio_vout_vol")]
         pub output_voltage: i64,
     }
+    impl SetTioVoutParam {
+        /// With the required fields alone.
+        ///
+        /// - `output_enable`: 0 to 1
+        /// - `output_voltage`: 0 to 1
+        #[must_use]
+        pub const fn new(output_enable: i64, output_voltage: i64) -> Self {}
+    }
     impl proto::Command for SetTioVoutParam {
         type Reply = ();
     }
@@ -176,13 +271,20 @@ pub mod io {
     /// The sources contradict each other on the meaning of both values, so both stay raw.
     ///
     /// Sends `get_tio_vout_param` (4.81). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTioVoutParam;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTioVoutParam {}
+    impl GetTioVoutParam {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTioVoutParam {
         type Reply = GetTioVoutParamReply;
     }
     /// What the controller answers to [`GetTioVoutParam`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTioVoutParamReply {
         /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
         ///
@@ -228,6 +330,8 @@ pub mod io {
     }
     impl From<i64> for DigitalOutputKind {}
     impl From<DigitalOutputKind> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for DigitalOutputKind {}
     /// Where an analog output is.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -241,8 +345,11 @@ pub mod io {
     }
     impl From<i64> for AnalogOutputKind {}
     impl From<AnalogOutputKind> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for AnalogOutputKind {}
     /// The extension I/O modules and their state, as `get_extio_status` answers.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioStatus {
         /// Number of modules.
         pub count: i64,
@@ -253,6 +360,7 @@ pub mod io {
     }
     /// One extension I/O module.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioModule {
         /// How the module is connected, and its pins.
         pub setup: ExtioSetup,
@@ -267,6 +375,7 @@ pub mod io {
     #[non_exhaustive]
     pub enum ExtioSetup {
         /// Connected by Modbus RTU.
+        #[non_exhaustive]
         Rtu {
             /// Name of the module.
             name: String,
@@ -278,6 +387,7 @@ pub mod io {
             pins: ExtioPins,
         },
         /// Connected by Modbus TCP.
+        #[non_exhaustive]
         Tcp {
             /// Name of the module.
             name: String,
@@ -293,6 +403,7 @@ pub mod io {
     ///
     /// The elements and their order are those of chapter 2. The document prints no sample.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioRtu {
         /// Baud rate.
         pub baud_rate: i64,
@@ -309,6 +420,7 @@ pub mod io {
     }
     /// Network address of an extension I/O module.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioTcp {
         /// IP address.
         pub address: String,
@@ -319,6 +431,7 @@ pub mod io {
     }
     /// The pins of an extension I/O module, by kind.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPins {
         /// Analog inputs.
         ///
@@ -343,6 +456,7 @@ pub mod io {
     }
     /// Where the registers of some pins start, and how many pins there are.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPinRange {
         /// Address of the first register.
         pub start: i64,
@@ -351,6 +465,7 @@ pub mod io {
     }
     /// Index at which the pins of an extension I/O module start, by kind.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPinMap {
         /// Index of the first analog input.
         ///
@@ -375,6 +490,7 @@ pub mod io {
     }
     /// Whether the extension I/O modules run, and the state of their pins.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioState {
         /// Whether the modules run.
         ///
@@ -404,6 +520,7 @@ pub mod io {
     }
     /// The input that triggers a function of the controller, or -1 and -1 where there is none.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct FunctionInput {
         /// Where the input is.
         pub kind: FunctionInputKind,
@@ -427,4 +544,6 @@ pub mod io {
     }
     impl From<i64> for FunctionInputKind {}
     impl From<FunctionInputKind> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for FunctionInputKind {}
 }

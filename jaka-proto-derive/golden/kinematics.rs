@@ -10,6 +10,7 @@ pub mod kinematics {
     ///
     /// Sends `kine_forward` (4.46). Changes nothing on the robot.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct KineForward {
         /// Joint position to compute the pose of.
         ///
@@ -17,11 +18,17 @@ pub mod kinematics {
         #[doc(alias = "jointPosition")]
         pub joint_position: super::types::JointPosition,
     }
+    impl KineForward {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(joint_position: impl Into<super::types::JointPosition>) -> Self {}
+    }
     impl proto::Command for KineForward {
         type Reply = KineForwardReply;
     }
     /// What the controller answers to [`KineForward`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct KineForwardReply {
         /// Pose of the robot's end at that joint position.
         ///
@@ -41,6 +48,7 @@ pub mod kinematics {
     /// - The document's reply prints `[x,y,z,rx,ry,rz]` in `jointPosition`; its text says that these are joint angles.
     /// - The document's text calls the pose `[x, y, z, a, b, c]`, its sample `[x, y, z, rx, ry, rz]`.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct KineInverse {
         /// Reference for the solution.
         ///
@@ -55,11 +63,20 @@ pub mod kinematics {
         #[doc(alias = "cartPosition")]
         pub pose: super::types::Pose,
     }
+    impl KineInverse {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(
+            reference_joint_position: impl Into<super::types::JointPosition>,
+            pose: impl Into<super::types::Pose>,
+        ) -> Self {}
+    }
     impl proto::Command for KineInverse {
         type Reply = KineInverseReply;
     }
     /// What the controller answers to [`KineInverse`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct KineInverseReply {
         /// Joint position that was found.
         ///
@@ -70,13 +87,20 @@ pub mod kinematics {
     /// Reads the positions of the six joints.
     ///
     /// Sends `get_joint_pos` (4.49). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetJointPos;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetJointPos {}
+    impl GetJointPos {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetJointPos {
         type Reply = GetJointPosReply;
     }
     /// What the controller answers to [`GetJointPos`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetJointPosReply {
         /// Positions of the six joints.
         ///
@@ -94,13 +118,20 @@ pub mod kinematics {
     ///
     /// - The heading says present coordinate frame, the text present tool frame; neither mentions the user frame.
     /// - The document calls the pose `[x, y, z, a, b, c]` and gives no unit here; 4.47 gives millimetres and degrees.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTcpPos;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTcpPos {}
+    impl GetTcpPos {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTcpPos {
         type Reply = GetTcpPosReply;
     }
     /// What the controller answers to [`GetTcpPos`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTcpPosReply {
         /// Pose of the robot's end, which the selected tool frame defines.
         ///
@@ -114,13 +145,20 @@ pub mod kinematics {
     /// conventions for DH parameters is meant.
     ///
     /// Sends `get_dh_param` (4.82). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetDhParam;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetDhParam {}
+    impl GetDhParam {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetDhParam {
         type Reply = GetDhParamReply;
     }
     /// What the controller answers to [`GetDhParam`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetDhParamReply {
         /// DH parameter alpha, one for each joint. Unit not stated.
         pub alpha: [f64; 6],

@@ -19,8 +19,10 @@ pub mod motion {
     /// - The document's samples for increment and absolute send `jnum` 3, axis 4, and call it joint 2.
     /// - The text gives `poscmd` in millimetres on every Cartesian axis, rotations included, and `jogvel` a unit only on a joint, deg/s. The other units follow from the field notes, which find degrees and millimetres throughout.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub enum Jog {
         /// Stops the jog of one axis.
+        #[non_exhaustive]
         Stop {
             /// Frame of the motion to stop.
             ///
@@ -36,6 +38,7 @@ pub mod motion {
         /// Moves on and on.
         ///
         /// Send `Stop` for the axis to end it: the document names nothing else that does.
+        #[non_exhaustive]
         Continuous {
             /// Frame of the motion.
             ///
@@ -54,6 +57,7 @@ pub mod motion {
             velocity: f64,
         },
         /// Moves by a distance from the present position.
+        #[non_exhaustive]
         Increment {
             /// Frame of the motion.
             ///
@@ -79,6 +83,7 @@ pub mod motion {
             distance: f64,
         },
         /// Moves to a position of the axis.
+        #[non_exhaustive]
         Absolute {
             /// Frame of the motion.
             ///
@@ -102,6 +107,43 @@ pub mod motion {
             position: f64,
         },
     }
+    impl Jog {
+        /// Stops the jog of one axis.
+        ///
+        /// - `axis`: 0 to 5
+        #[must_use]
+        pub const fn stop(frame: JogFrame, axis: i64) -> Self {}
+        /// Moves on and on.
+        ///
+        /// - `axis`: 0 to 5
+        /// - `velocity`: in deg/s for a joint or a rotation, mm/s for a translation
+        #[must_use]
+        pub const fn continuous(frame: JogFrame, axis: i64, velocity: f64) -> Self {}
+        /// Moves by a distance from the present position.
+        ///
+        /// - `axis`: 0 to 5
+        /// - `velocity`: in deg/s for a joint or a rotation, mm/s for a translation
+        /// - `distance`: in deg for a joint or a rotation, mm for a translation
+        #[must_use]
+        pub const fn increment(
+            frame: JogFrame,
+            axis: i64,
+            velocity: f64,
+            distance: f64,
+        ) -> Self {}
+        /// Moves to a position of the axis.
+        ///
+        /// - `axis`: 0 to 5
+        /// - `velocity`: in deg/s for a joint or a rotation, mm/s for a translation
+        /// - `position`: in deg for a joint or a rotation, mm for a translation
+        #[must_use]
+        pub const fn absolute(
+            frame: JogFrame,
+            axis: i64,
+            velocity: f64,
+            position: f64,
+        ) -> Self {}
+    }
     impl proto::Command for Jog {
         type Reply = ();
     }
@@ -113,6 +155,7 @@ pub mod motion {
     ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct JointMove {
         /// Whether `joint_position` is a target or an offset.
         ///
@@ -132,6 +175,39 @@ pub mod motion {
         #[doc(alias = "accel")]
         pub acceleration: Option<f64>,
     }
+    impl JointMove {
+        /// With the required fields alone.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn new(
+            mode: super::types::MoveMode,
+            joint_position: impl Into<super::types::JointPosition>,
+            speed: f64,
+        ) -> Self {}
+        /// The coordinates are the target.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn absolute(
+            joint_position: impl Into<super::types::JointPosition>,
+            speed: f64,
+        ) -> Self {}
+        /// The coordinates are an offset.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn relative(
+            joint_position: impl Into<super::types::JointPosition>,
+            speed: f64,
+        ) -> Self {}
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
+        ///
+        /// `accel` on the wire.
+        #[doc(alias = "accel")]
+        #[must_use]
+        pub fn acceleration(mut self, acceleration: f64) -> Self {}
+    }
     impl proto::Command for JointMove {
         type Reply = ();
     }
@@ -146,6 +222,7 @@ pub mod motion {
     ///
     /// Sends `end_move` (4.8). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct EndMove {
         /// Target pose of the tool centre point.
         ///
@@ -159,6 +236,19 @@ pub mod motion {
         /// `accel` on the wire.
         #[doc(alias = "accel")]
         pub acceleration: Option<f64>,
+    }
+    impl EndMove {
+        /// With the required fields alone.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn new(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
+        ///
+        /// `accel` on the wire.
+        #[doc(alias = "accel")]
+        #[must_use]
+        pub fn acceleration(mut self, acceleration: f64) -> Self {}
     }
     impl proto::Command for EndMove {
         type Reply = ();
@@ -176,6 +266,7 @@ pub mod motion {
     /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit; millimetres follow from the field notes, which find them throughout.
     #[doc(alias = "moveL")]
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct MoveL {
         /// Whether `pose` is a target or an offset.
         ///
@@ -202,6 +293,41 @@ pub mod motion {
         #[doc(alias = "tol")]
         pub tolerance: Option<f64>,
     }
+    impl MoveL {
+        /// With the required fields alone.
+        ///
+        /// - `speed`: in mm/s, at least 0
+        #[must_use]
+        pub fn new(
+            mode: super::types::MoveMode,
+            pose: impl Into<super::types::Pose>,
+            speed: f64,
+        ) -> Self {}
+        /// The coordinates are the target.
+        ///
+        /// - `speed`: in mm/s, at least 0
+        #[must_use]
+        pub fn absolute(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
+        /// The coordinates are an offset.
+        ///
+        /// - `speed`: in mm/s, at least 0
+        #[must_use]
+        pub fn relative(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
+        /// Acceleration of the tool centre point along the line. In mm/s², at least 0. The document advises 8000 at most. Controllers take the command
+        /// without it (field notes).
+        ///
+        /// `accel` on the wire.
+        #[doc(alias = "accel")]
+        #[must_use]
+        pub fn acceleration(mut self, acceleration: f64) -> Self {}
+        /// Greatest error allowed, or 0 where none is needed. In mm, at least 0. The document names no unit. Controllers take the command without it
+        /// (field notes).
+        ///
+        /// `tol` on the wire.
+        #[doc(alias = "tol")]
+        #[must_use]
+        pub fn tolerance(mut self, tolerance: f64) -> Self {}
+    }
     impl proto::Command for MoveL {
         type Reply = ();
     }
@@ -222,6 +348,7 @@ pub mod motion {
     /// - The `cmdName` is `movc`, while the section is titled MoveC.
     #[doc(alias = "movc")]
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct MoveC {
         /// Whether the two poses are targets or offsets, as for `move_l`. The document does not explain it here.
         ///
@@ -251,6 +378,48 @@ pub mod motion {
         #[doc(alias = "tol")]
         pub tolerance: f64,
     }
+    impl MoveC {
+        /// With the required fields alone.
+        ///
+        /// - `speed`: in deg/s as printed or mm/s by the kind of motion (uncertain), at least 0
+        /// - `acceleration`: in deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0
+        /// - `tolerance`: in mm, at least 0
+        #[must_use]
+        pub fn new(
+            mode: super::types::MoveMode,
+            mid_pose: impl Into<super::types::Pose>,
+            end_pose: impl Into<super::types::Pose>,
+            speed: f64,
+            acceleration: f64,
+            tolerance: f64,
+        ) -> Self {}
+        /// The coordinates are the target.
+        ///
+        /// - `speed`: in deg/s as printed or mm/s by the kind of motion (uncertain), at least 0
+        /// - `acceleration`: in deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0
+        /// - `tolerance`: in mm, at least 0
+        #[must_use]
+        pub fn absolute(
+            mid_pose: impl Into<super::types::Pose>,
+            end_pose: impl Into<super::types::Pose>,
+            speed: f64,
+            acceleration: f64,
+            tolerance: f64,
+        ) -> Self {}
+        /// The coordinates are an offset.
+        ///
+        /// - `speed`: in deg/s as printed or mm/s by the kind of motion (uncertain), at least 0
+        /// - `acceleration`: in deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0
+        /// - `tolerance`: in mm, at least 0
+        #[must_use]
+        pub fn relative(
+            mid_pose: impl Into<super::types::Pose>,
+            end_pose: impl Into<super::types::Pose>,
+            speed: f64,
+            acceleration: f64,
+            tolerance: f64,
+        ) -> Self {}
+    }
     impl proto::Command for MoveC {
         type Reply = ();
     }
@@ -266,8 +435,14 @@ pub mod motion {
     /// # Errata
     ///
     /// - In the sample, the reply's `cmdName` begins with a blank.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct WaitComplete;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct WaitComplete {}
+    impl WaitComplete {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for WaitComplete {
         type Reply = ();
     }
@@ -286,4 +461,6 @@ pub mod motion {
     }
     impl From<i64> for JogFrame {}
     impl From<JogFrame> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for JogFrame {}
 }

@@ -13,6 +13,7 @@ pub mod network {
     /// - The document's text calls the key `millisecond`; its sample sends `timeLimit`.
     /// - The document's text calls the key `mnt`; its sample sends `motType`.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetNetworkExceptionHandle {
         /// How long after the failure the arm acts. In ms, at least 0.
         ///
@@ -24,6 +25,13 @@ pub mod network {
         /// `motType` on the wire.
         #[doc(alias = "motType")]
         pub action: NetworkExceptionAction,
+    }
+    impl SetNetworkExceptionHandle {
+        /// With the required fields alone.
+        ///
+        /// - `delay`: in ms, at least 0
+        #[must_use]
+        pub const fn new(delay: i64, action: NetworkExceptionAction) -> Self {}
     }
     impl proto::Command for SetNetworkExceptionHandle {
         type Reply = ();
@@ -45,4 +53,6 @@ pub mod network {
     }
     impl From<i64> for NetworkExceptionAction {}
     impl From<NetworkExceptionAction> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for NetworkExceptionAction {}
 }

@@ -1,7 +1,7 @@
 /// What newer firmware changes.
 ///
 /// A field more for `joint_move`, a wider range, a settled dispute, a status key and an error code.
-#[allow(unreachable_pub)]
+#[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
 pub mod changed {
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
@@ -11,6 +11,7 @@ pub mod changed {
     ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct JointMove {
         /// Whether `joint_position` is a target or an offset.
         ///
@@ -34,6 +35,44 @@ pub mod changed {
         /// Known to firmware 1.7.1 and later.
         pub zone: Option<f64>,
     }
+    impl JointMove {
+        /// With the required fields alone.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn new(
+            mode: ::jaka_sync::types::MoveMode,
+            joint_position: impl Into<::jaka_sync::types::JointPosition>,
+            speed: f64,
+        ) -> Self {}
+        /// The coordinates are the target.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn absolute(
+            joint_position: impl Into<::jaka_sync::types::JointPosition>,
+            speed: f64,
+        ) -> Self {}
+        /// The coordinates are an offset.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn relative(
+            joint_position: impl Into<::jaka_sync::types::JointPosition>,
+            speed: f64,
+        ) -> Self {}
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
+        ///
+        /// `accel` on the wire.
+        #[doc(alias = "accel")]
+        #[must_use]
+        pub fn acceleration(mut self, acceleration: f64) -> Self {}
+        /// Distance from the target at which the next motion may begin. In mm, at least 0.
+        ///
+        /// Known to firmware 1.7.1 and later.
+        #[must_use]
+        pub fn zone(mut self, zone: f64) -> Self {}
+    }
     impl proto::Command for JointMove {
         type Reply = ();
     }
@@ -44,12 +83,20 @@ pub mod changed {
     ///
     /// Sends `rapid_rate` (4.17).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct RapidRate {
         /// Rate. 0 to 1.5. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
         pub rate: f64,
+    }
+    impl RapidRate {
+        /// With the required fields alone.
+        ///
+        /// - `rate`: 0 to 1.5
+        #[must_use]
+        pub const fn new(rate: f64) -> Self {}
     }
     impl proto::Command for RapidRate {
         type Reply = ();
@@ -61,6 +108,7 @@ pub mod changed {
     ///
     /// Sends `set_tio_vout_param` (4.80).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTioVoutParam {
         /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
         ///
@@ -80,6 +128,13 @@ pub mod changed {
         #[doc(alias = "tio_vout_vol")]
         pub output_voltage: ToolVoltage,
     }
+    impl SetTioVoutParam {
+        /// With the required fields alone.
+        ///
+        /// - `output_enable`: 0 to 1
+        #[must_use]
+        pub const fn new(output_enable: i64, output_voltage: ToolVoltage) -> Self {}
+    }
     impl proto::Command for SetTioVoutParam {
         type Reply = ();
     }
@@ -96,6 +151,8 @@ pub mod changed {
     }
     impl From<i64> for ToolVoltage {}
     impl From<ToolVoltage> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for ToolVoltage {}
     /// State of the robot, as one packet of port 10000 gives it.
     ///
     /// Any key may be absent. A refused command on port 10001 does not show here.

@@ -1,24 +1,32 @@
 /// What newer firmware adds.
 ///
 /// Three commands that the built-in spec does not have.
-#[allow(unreachable_pub)]
+#[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
 pub mod newer {
     #[allow(unused_imports)]
     use ::jaka_sync::proto::{self as proto, check, wire};
     /// Reads how the motion stands.
     ///
     /// Sends `get_motion_state`. Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetMotionState;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetMotionState {}
     impl wire::Fields for GetMotionState {
         fn write_fields(&self, _out: &mut wire::Writer) {}
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self)
+            reader.skip().map(|()| Self {})
         }
     }
     proto::__object_impls!(GetMotionState);
+    impl GetMotionState {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {
+            Self {}
+        }
+    }
     impl check::Validate for GetMotionState {
         #[allow(unused_variables)]
         fn validate(
@@ -40,6 +48,7 @@ pub mod newer {
     }
     /// What the controller answers to [`GetMotionState`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetMotionStateReply {
         /// Whether the arm is in position.
         ///
@@ -103,17 +112,25 @@ pub mod newer {
     /// Reads whether the emergency stop is pressed.
     ///
     /// Sends `emergency_stop_status`. Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct EmergencyStopStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct EmergencyStopStatus {}
     impl wire::Fields for EmergencyStopStatus {
         fn write_fields(&self, _out: &mut wire::Writer) {}
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self)
+            reader.skip().map(|()| Self {})
         }
     }
     proto::__object_impls!(EmergencyStopStatus);
+    impl EmergencyStopStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {
+            Self {}
+        }
+    }
     impl check::Validate for EmergencyStopStatus {
         #[allow(unused_variables)]
         fn validate(
@@ -135,6 +152,7 @@ pub mod newer {
     }
     /// What the controller answers to [`EmergencyStopStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct EmergencyStopStatusReply {
         /// Whether the emergency stop is pressed.
         pub emergency_stop: bool,
@@ -170,6 +188,7 @@ pub mod newer {
     /// Sends `set_port10000_delay_ms`.
     #[doc(alias = "set_port10000_delay_ms")]
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetStatusPeriod {
         /// Time between two packets. In ms, at least 1.
         ///
@@ -203,6 +222,15 @@ pub mod newer {
         }
     }
     proto::__object_impls!(SetStatusPeriod);
+    impl SetStatusPeriod {
+        /// With the required fields alone.
+        ///
+        /// - `period`: in ms, at least 1
+        #[must_use]
+        pub const fn new(period: i64) -> Self {
+            Self { period }
+        }
+    }
     impl check::Validate for SetStatusPeriod {
         #[allow(unused_variables)]
         fn validate(
@@ -232,6 +260,47 @@ pub mod newer {
             proto::Effect::Setting,
         );
     }
+    /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
+    /// to each place where a field is forgotten, and are no part of the interface.
+    #[doc(hidden)]
+    #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
+    pub mod literal {
+        pub struct GetMotionStateReply {
+            pub in_position: bool,
+            pub paused: bool,
+            pub queue: i64,
+            pub active_queue: i64,
+        }
+        impl From<GetMotionStateReply> for super::GetMotionStateReply {
+            #[inline]
+            fn from(
+                GetMotionStateReply {
+                    in_position,
+                    paused,
+                    queue,
+                    active_queue,
+                }: GetMotionStateReply,
+            ) -> Self {
+                Self {
+                    in_position,
+                    paused,
+                    queue,
+                    active_queue,
+                }
+            }
+        }
+        pub struct EmergencyStopStatusReply {
+            pub emergency_stop: bool,
+        }
+        impl From<EmergencyStopStatusReply> for super::EmergencyStopStatusReply {
+            #[inline]
+            fn from(
+                EmergencyStopStatusReply { emergency_stop }: EmergencyStopStatusReply,
+            ) -> Self {
+                Self { emergency_stop }
+            }
+        }
+    }
     /// The commands of [`newer`](self) as methods: of a client, of a robot, and of all else that takes commands.
     pub trait NewerCommands: ::jaka_sync::Call {
         /// Reads how the motion stands.
@@ -243,7 +312,7 @@ pub mod newer {
         fn get_motion_state(
             &mut self,
         ) -> Result<GetMotionStateReply, ::jaka_sync::Error> {
-            ::jaka_sync::Call::call(self, &GetMotionState)
+            ::jaka_sync::Call::call(self, &GetMotionState::new())
         }
         /// Reads whether the emergency stop is pressed.
         ///
@@ -254,7 +323,7 @@ pub mod newer {
         fn emergency_stop_status(
             &mut self,
         ) -> Result<EmergencyStopStatusReply, ::jaka_sync::Error> {
-            ::jaka_sync::Call::call(self, &EmergencyStopStatus)
+            ::jaka_sync::Call::call(self, &EmergencyStopStatus::new())
         }
         /// Sets the time between two status packets.
         ///
@@ -264,7 +333,7 @@ pub mod newer {
         /// As `Call::call`.
         #[doc(alias = "set_port10000_delay_ms")]
         fn set_status_period(&mut self, period: i64) -> Result<(), ::jaka_sync::Error> {
-            ::jaka_sync::Call::call(self, &SetStatusPeriod { period })
+            ::jaka_sync::Call::call(self, &SetStatusPeriod::new(period))
         }
     }
     impl<T: ::jaka_sync::Call + ?Sized> NewerCommands for T {}

@@ -12,11 +12,19 @@ pub mod payload {
     ///
     /// - The document's reply prints the `cmdName` with blanks around it, ` set_payload `.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetPayload {
         /// Mass of the payload. In kg, at least 0.
         pub mass: f64,
         /// Centroid of the payload.
         pub centroid: Centroid,
+    }
+    impl SetPayload {
+        /// With the required fields alone.
+        ///
+        /// - `mass`: in kg, at least 0
+        #[must_use]
+        pub fn new(mass: f64, centroid: impl Into<Centroid>) -> Self {}
     }
     impl proto::Command for SetPayload {
         type Reply = ();
@@ -24,13 +32,20 @@ pub mod payload {
     /// Reads the mass and the centroid of the payload.
     ///
     /// Sends `get_payload` (4.43). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetPayload;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetPayload {}
+    impl GetPayload {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetPayload {
         type Reply = GetPayloadReply;
     }
     /// What the controller answers to [`GetPayload`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetPayloadReply {
         /// Centroid of the payload.
         pub centroid: Centroid,

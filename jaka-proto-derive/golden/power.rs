@@ -14,8 +14,14 @@ pub mod power {
     /// # Errata
     ///
     /// - The reply's key `power status` has a blank in it.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct PowerOn;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct PowerOn {}
+    impl PowerOn {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for PowerOn {
         type Reply = PowerOnReply;
     }
@@ -32,8 +38,14 @@ pub mod power {
     /// Switches the arm's power off.
     ///
     /// Sends `power_off` (4.2).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct PowerOff;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct PowerOff {}
+    impl PowerOff {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for PowerOff {
         type Reply = ();
     }
@@ -46,8 +58,14 @@ pub mod power {
     /// # Errata
     ///
     /// - The reply's key `enabled status` has a blank in it.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct EnableRobot;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct EnableRobot {}
+    impl EnableRobot {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for EnableRobot {
         type Reply = EnableRobotReply;
     }
@@ -64,8 +82,14 @@ pub mod power {
     /// Disables the arm.
     ///
     /// Sends `disable_robot` (4.4).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct DisableRobot;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct DisableRobot {}
+    impl DisableRobot {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for DisableRobot {
         type Reply = ();
     }
@@ -74,8 +98,14 @@ pub mod power {
     /// The document shows a reply, users see none. The connection is of no use afterwards.
     ///
     /// Sends `shutdown` (4.5).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct Shutdown;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct Shutdown {}
+    impl Shutdown {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for Shutdown {
         type Reply = ();
     }
@@ -85,13 +115,20 @@ pub mod power {
     /// controller's error.
     ///
     /// Sends `get_robot_state` (4.12). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetRobotState;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetRobotState {}
+    impl GetRobotState {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetRobotState {
         type Reply = GetRobotStateReply;
     }
     /// What the controller answers to [`GetRobotState`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetRobotStateReply {
         /// Whether the arm is enabled.
         ///
@@ -122,13 +159,20 @@ pub mod power {
     /// Reads the version of the controller's software.
     ///
     /// Sends `get_version` (4.51). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetVersion;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetVersion {}
+    impl GetVersion {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetVersion {
         type Reply = GetVersionReply;
     }
     /// What the controller answers to [`GetVersion`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetVersionReply {
         /// Version, such as `1.6.5_01_X86`.
         pub version: String,

@@ -11,12 +11,20 @@ pub mod program {
     ///
     /// Sends `rapid_rate` (4.17).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct RapidRate {
         /// Rate. 0 to 1. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
         pub rate: f64,
+    }
+    impl RapidRate {
+        /// With the required fields alone.
+        ///
+        /// - `rate`: 0 to 1
+        #[must_use]
+        pub const fn new(rate: f64) -> Self {}
     }
     impl proto::Command for RapidRate {
         type Reply = ();
@@ -32,6 +40,7 @@ pub mod program {
     ///
     /// - The text writes the key `program_name`, the sample `programName`.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct LoadProgram {
         /// File name of the program. Chinese characters are not supported.
         ///
@@ -41,19 +50,31 @@ pub mod program {
         #[doc(alias = "programName")]
         pub program_name: String,
     }
+    impl LoadProgram {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(program_name: impl Into<String>) -> Self {}
+    }
     impl proto::Command for LoadProgram {
         type Reply = ();
     }
     /// Reads the name of the loaded program.
     ///
     /// Sends `get_loaded_program` (4.19). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetLoadedProgram;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetLoadedProgram {}
+    impl GetLoadedProgram {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetLoadedProgram {
         type Reply = GetLoadedProgramReply;
     }
     /// What the controller answers to [`GetLoadedProgram`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetLoadedProgramReply {
         /// File name of the program. The document does not say what it is when no program is loaded, nor whether a trajectory's
         /// name keeps its `track/`.
@@ -67,8 +88,14 @@ pub mod program {
     /// Sends `play_program` (4.20). The robot must be powered and enabled.
     ///
     /// Reconstructed, since the document's page is lost: reply only: the document has the request, the page with the reply is lost. Field notes: certain.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct PlayProgram;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct PlayProgram {}
+    impl PlayProgram {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for PlayProgram {
         type Reply = ();
     }
@@ -77,8 +104,14 @@ pub mod program {
     /// Sends `pause_program` (4.21).
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply likely.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct PauseProgram;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct PauseProgram {}
+    impl PauseProgram {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for PauseProgram {
         type Reply = ();
     }
@@ -87,8 +120,14 @@ pub mod program {
     /// Sends `resume_program` (4.22). The robot must be powered and enabled.
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply likely.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct ResumeProgram;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct ResumeProgram {}
+    impl ResumeProgram {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for ResumeProgram {
         type Reply = ();
     }
@@ -101,8 +140,14 @@ pub mod program {
     /// Sends `stop_program` (4.23).
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain. Sections 4.7 to 4.9 name it to end a motion.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct StopProgram;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct StopProgram {}
+    impl StopProgram {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for StopProgram {
         type Reply = ();
     }
@@ -111,13 +156,20 @@ pub mod program {
     /// Sends `get_program_state` (4.24). Changes nothing on the robot.
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetProgramState;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetProgramState {}
+    impl GetProgramState {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetProgramState {
         type Reply = GetProgramStateReply;
     }
     /// What the controller answers to [`GetProgramState`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetProgramStateReply {
         /// State of the program.
         ///
@@ -140,4 +192,6 @@ pub mod program {
     }
     impl From<&str> for ProgramState {}
     impl AsRef<str> for ProgramState {}
+    /// The value as on the wire.
+    impl ::core::fmt::Display for ProgramState {}
 }

@@ -13,13 +13,20 @@ pub mod servo {
     /// # Errata
     ///
     /// - The text explains `relFlag`, which neither request nor reply has; it belongs to `servo_move` (4.14).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct IsInServomove;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct IsInServomove {}
+    impl IsInServomove {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for IsInServomove {
         type Reply = IsInServomoveReply;
     }
     /// What the controller answers to [`IsInServomove`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct IsInServomoveReply {
         /// Whether the robot is in servo mode.
         ///
@@ -38,12 +45,18 @@ pub mod servo {
     ///
     /// - The key `relFlag` means enter or leave here. In other commands it chooses between target and offset.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ServoMove {
         /// On to enter servo mode, off to leave it.
         ///
         /// `relFlag` on the wire.
         #[doc(alias = "relFlag")]
         pub servo_mode: super::types::Switch,
+    }
+    impl ServoMove {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(servo_mode: super::types::Switch) -> Self {}
     }
     impl proto::Command for ServoMove {
         type Reply = ();
@@ -65,6 +78,7 @@ pub mod servo {
     /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
     /// - The text calls `joint_move` the fifth command. It is in 4.7.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ServoJ {
         /// Whether `joint_position` is a target or an offset.
         ///
@@ -82,6 +96,27 @@ pub mod servo {
         /// `stepNum` on the wire.
         #[doc(alias = "stepNum")]
         pub step_count: Option<i64>,
+    }
+    impl ServoJ {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(
+            mode: super::types::MoveMode,
+            joint_position: impl Into<super::types::JointPosition>,
+        ) -> Self {}
+        /// The coordinates are the target.
+        #[must_use]
+        pub fn absolute(joint_position: impl Into<super::types::JointPosition>) -> Self {}
+        /// The coordinates are an offset.
+        #[must_use]
+        pub fn relative(joint_position: impl Into<super::types::JointPosition>) -> Self {}
+        /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. Controllers take the command without it (field
+        /// notes).
+        ///
+        /// `stepNum` on the wire.
+        #[doc(alias = "stepNum")]
+        #[must_use]
+        pub fn step_count(mut self, step_count: i64) -> Self {}
     }
     impl proto::Command for ServoJ {
         type Reply = ();
@@ -103,6 +138,7 @@ pub mod servo {
     /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
     /// - The text speaks of points of the six joints and of `servo_j`, as copied from 4.15. The set-point is a pose.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ServoP {
         /// Set-point, or offset, of the tool centre point.
         ///
@@ -120,6 +156,27 @@ pub mod servo {
         /// `stepNum` on the wire.
         #[doc(alias = "stepNum")]
         pub step_count: Option<i64>,
+    }
+    impl ServoP {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(
+            pose: impl Into<super::types::Pose>,
+            mode: super::types::MoveMode,
+        ) -> Self {}
+        /// The coordinates are the target.
+        #[must_use]
+        pub fn absolute(pose: impl Into<super::types::Pose>) -> Self {}
+        /// The coordinates are an offset.
+        #[must_use]
+        pub fn relative(pose: impl Into<super::types::Pose>) -> Self {}
+        /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. Controllers take the command without it (field
+        /// notes).
+        ///
+        /// `stepNum` on the wire.
+        #[doc(alias = "stepNum")]
+        #[must_use]
+        pub fn step_count(mut self, step_count: i64) -> Self {}
     }
     impl proto::Command for ServoP {
         type Reply = ();
@@ -141,10 +198,13 @@ pub mod servo {
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub enum SetServoMoveFilter {
         /// No filter.
+        #[non_exhaustive]
         Disabled,
         /// First-order low-pass filter on the joints.
+        #[non_exhaustive]
         JointLowPass {
             /// Cut-off frequency. In Hz, at least 0.
             ///
@@ -153,6 +213,7 @@ pub mod servo {
             cutoff_frequency: f64,
         },
         /// Nonlinear filter on the joints.
+        #[non_exhaustive]
         JointNonlinear {
             /// Greatest speed at which the orientation changes. In deg/s (printed as %/s), at least 0.
             ///
@@ -171,6 +232,7 @@ pub mod servo {
             max_rotation_jerk: f64,
         },
         /// Multi-stage mean filter on the joints.
+        #[non_exhaustive]
         JointMean {
             /// Width of the filter's window. At least 0. A wider one smooths more and is less accurate.
             ///
@@ -195,6 +257,7 @@ pub mod servo {
             acceleration_coefficient: f64,
         },
         /// Nonlinear filter in Cartesian space.
+        #[non_exhaustive]
         CartesianNonlinear {
             /// Greatest speed at which the orientation changes. In deg/s (printed as %/s), at least 0.
             ///
@@ -228,6 +291,7 @@ pub mod servo {
             max_translation_jerk: f64,
         },
         /// Speed look-ahead.
+        #[non_exhaustive]
         SpeedLookahead {
             /// Size of the mean filter's buffer. At least 0.
             ///
@@ -240,6 +304,59 @@ pub mod servo {
             #[doc(alias = "mmf_kp")]
             coefficient: f64,
         },
+    }
+    impl SetServoMoveFilter {
+        /// No filter.
+        #[must_use]
+        pub const fn disabled() -> Self {}
+        /// First-order low-pass filter on the joints.
+        ///
+        /// - `cutoff_frequency`: in Hz, at least 0
+        #[must_use]
+        pub const fn joint_low_pass(cutoff_frequency: f64) -> Self {}
+        /// Nonlinear filter on the joints.
+        ///
+        /// - `max_rotation_speed`: in deg/s (printed as %/s), at least 0
+        /// - `max_rotation_acceleration`: in deg/s² (printed as %/s²), at least 0
+        /// - `max_rotation_jerk`: in deg/s³ (printed as %/s³), at least 0
+        #[must_use]
+        pub const fn joint_nonlinear(
+            max_rotation_speed: f64,
+            max_rotation_acceleration: f64,
+            max_rotation_jerk: f64,
+        ) -> Self {}
+        /// Multi-stage mean filter on the joints.
+        ///
+        /// - `window_width`: at least 0
+        #[must_use]
+        pub const fn joint_mean(
+            window_width: i64,
+            position_coefficient: f64,
+            speed_coefficient: f64,
+            acceleration_coefficient: f64,
+        ) -> Self {}
+        /// Nonlinear filter in Cartesian space.
+        ///
+        /// - `max_rotation_speed`: in deg/s (printed as %/s), at least 0
+        /// - `max_rotation_acceleration`: in deg/s² (printed as %/s²), at least 0
+        /// - `max_rotation_jerk`: in deg/s³ (printed as %/s³), at least 0
+        /// - `max_translation_speed`: in mm/s, at least 0
+        /// - `max_translation_acceleration`: in mm/s², at least 0
+        /// - `max_translation_jerk`: in mm/s³, at least 0
+        #[must_use]
+        pub const fn cartesian_nonlinear(
+            max_rotation_speed: f64,
+            max_rotation_acceleration: f64,
+            max_rotation_jerk: f64,
+            max_translation_speed: f64,
+            max_translation_acceleration: f64,
+            max_translation_jerk: f64,
+        ) -> Self {}
+        /// Speed look-ahead.
+        ///
+        /// - `buffer_size`: at least 0
+        #[must_use]
+        pub const fn speed_lookahead(buffer_size: i64, coefficient: f64) -> Self {}
     }
     impl proto::Command for SetServoMoveFilter {
         type Reply = ();

@@ -11,8 +11,14 @@ pub mod session {
     /// and enabling as they are.
     ///
     /// Sends `quit` (4.11).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct Quit;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct Quit {}
+    impl Quit {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for Quit {
         type Reply = ();
     }

@@ -10,17 +10,25 @@ pub mod power {
     /// Switches the arm's power off.
     ///
     /// Sends `power_off` (4.2).
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct PowerOff;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct PowerOff {}
     impl wire::Fields for PowerOff {
         fn write_fields(&self, _out: &mut wire::Writer) {}
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self)
+            reader.skip().map(|()| Self {})
         }
     }
     proto::__object_impls!(PowerOff);
+    impl PowerOff {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {
+            Self {}
+        }
+    }
     impl check::Validate for PowerOff {
         #[allow(unused_variables)]
         fn validate(
@@ -47,17 +55,25 @@ pub mod power {
     /// controller's error.
     ///
     /// Sends `get_robot_state` (4.12). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetRobotState;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetRobotState {}
     impl wire::Fields for GetRobotState {
         fn write_fields(&self, _out: &mut wire::Writer) {}
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self)
+            reader.skip().map(|()| Self {})
         }
     }
     proto::__object_impls!(GetRobotState);
+    impl GetRobotState {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {
+            Self {}
+        }
+    }
     impl check::Validate for GetRobotState {
         #[allow(unused_variables)]
         fn validate(
@@ -79,6 +95,7 @@ pub mod power {
     }
     /// What the controller answers to [`GetRobotState`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetRobotStateReply {
         /// Whether the arm is enabled.
         ///
@@ -173,6 +190,36 @@ pub mod power {
         }
     }
     proto::__object_impls!(GetRobotStateReply);
+    /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
+    /// to each place where a field is forgotten, and are no part of the interface.
+    #[doc(hidden)]
+    #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
+    pub mod literal {
+        pub struct GetRobotStateReply {
+            pub enabled: bool,
+            pub powered_on: bool,
+            pub error_code: Option<super::wire::Typed<String>>,
+            pub error_message: Option<String>,
+        }
+        impl From<GetRobotStateReply> for super::GetRobotStateReply {
+            #[inline]
+            fn from(
+                GetRobotStateReply {
+                    enabled,
+                    powered_on,
+                    error_code,
+                    error_message,
+                }: GetRobotStateReply,
+            ) -> Self {
+                Self {
+                    enabled,
+                    powered_on,
+                    error_code,
+                    error_message,
+                }
+            }
+        }
+    }
 }
 /// Jog and planned motion.
 ///
@@ -192,6 +239,7 @@ pub mod motion {
     ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct JointMove {
         /// Whether `joint_position` is a target or an offset.
         ///
@@ -258,6 +306,53 @@ pub mod motion {
         }
     }
     proto::__object_impls!(JointMove);
+    impl JointMove {
+        /// With the required fields alone.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn new(
+            mode: super::types::MoveMode,
+            joint_position: impl Into<super::types::JointPosition>,
+            speed: f64,
+        ) -> Self {
+            Self {
+                mode,
+                joint_position: joint_position.into(),
+                speed,
+                acceleration: None,
+            }
+        }
+        /// The coordinates are the target.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn absolute(
+            joint_position: impl Into<super::types::JointPosition>,
+            speed: f64,
+        ) -> Self {
+            Self::new(super::types::MoveMode::Absolute, joint_position, speed)
+        }
+        /// The coordinates are an offset.
+        ///
+        /// - `speed`: in deg/s, at least 0
+        #[must_use]
+        pub fn relative(
+            joint_position: impl Into<super::types::JointPosition>,
+            speed: f64,
+        ) -> Self {
+            Self::new(super::types::MoveMode::Relative, joint_position, speed)
+        }
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
+        ///
+        /// `accel` on the wire.
+        #[doc(alias = "accel")]
+        #[must_use]
+        pub fn acceleration(mut self, acceleration: f64) -> Self {
+            self.acceleration = Some(acceleration);
+            self
+        }
+    }
     impl check::Validate for JointMove {
         #[allow(unused_variables)]
         fn validate(
@@ -335,10 +430,13 @@ pub mod servo {
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub enum SetServoMoveFilter {
         /// No filter.
+        #[non_exhaustive]
         Disabled,
         /// First-order low-pass filter on the joints.
+        #[non_exhaustive]
         JointLowPass {
             /// Cut-off frequency. In Hz, at least 0.
             ///
@@ -400,6 +498,22 @@ pub mod servo {
         }
     }
     proto::__object_impls!(SetServoMoveFilter);
+    impl SetServoMoveFilter {
+        /// No filter.
+        #[must_use]
+        pub const fn disabled() -> Self {
+            Self::Disabled {}
+        }
+        /// First-order low-pass filter on the joints.
+        ///
+        /// - `cutoff_frequency`: in Hz, at least 0
+        #[must_use]
+        pub const fn joint_low_pass(cutoff_frequency: f64) -> Self {
+            Self::JointLowPass {
+                cutoff_frequency,
+            }
+        }
+    }
     impl check::Validate for SetServoMoveFilter {
         #[allow(unused_variables)]
         fn validate(
@@ -451,6 +565,7 @@ pub mod program {
     ///
     /// Sends `rapid_rate` (4.17).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct RapidRate {
         /// Rate. 0 to 1. The default is 1.
         ///
@@ -481,6 +596,15 @@ pub mod program {
         }
     }
     proto::__object_impls!(RapidRate);
+    impl RapidRate {
+        /// With the required fields alone.
+        ///
+        /// - `rate`: 0 to 1
+        #[must_use]
+        pub const fn new(rate: f64) -> Self {
+            Self { rate }
+        }
+    }
     impl check::Validate for RapidRate {
         #[allow(unused_variables)]
         fn validate(
@@ -515,17 +639,25 @@ pub mod program {
     /// Sends `get_program_state` (4.24). Changes nothing on the robot.
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetProgramState;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetProgramState {}
     impl wire::Fields for GetProgramState {
         fn write_fields(&self, _out: &mut wire::Writer) {}
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self)
+            reader.skip().map(|()| Self {})
         }
     }
     proto::__object_impls!(GetProgramState);
+    impl GetProgramState {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {
+            Self {}
+        }
+    }
     impl check::Validate for GetProgramState {
         #[allow(unused_variables)]
         fn validate(
@@ -547,6 +679,7 @@ pub mod program {
     }
     /// What the controller answers to [`GetProgramState`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetProgramStateReply {
         /// State of the program.
         ///
@@ -613,6 +746,12 @@ pub mod program {
             }
         }
     }
+    /// The value as on the wire.
+    impl ::core::fmt::Display for ProgramState {
+        fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+            f.pad(self.as_ref())
+        }
+    }
     proto::__text_enum_impls!(ProgramState);
     impl check::Validate for ProgramState {
         #[allow(unused_variables)]
@@ -626,6 +765,23 @@ pub mod program {
                 Self::Other(_) => check::Standing::Unknown,
             };
             place.listed(&self.as_ref(), standing, "`idle`, `running` or `paused`")
+        }
+    }
+    /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
+    /// to each place where a field is forgotten, and are no part of the interface.
+    #[doc(hidden)]
+    #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
+    pub mod literal {
+        pub struct GetProgramStateReply {
+            pub program_state: super::ProgramState,
+        }
+        impl From<GetProgramStateReply> for super::GetProgramStateReply {
+            #[inline]
+            fn from(
+                GetProgramStateReply { program_state }: GetProgramStateReply,
+            ) -> Self {
+                Self { program_state }
+            }
         }
     }
 }
@@ -647,17 +803,25 @@ pub mod io {
     /// - Chapter 2 describes the same settings with the pins as an array in the order di, do, ai, ao. Here they are a dictionary.
     /// - No RTU module is shown here. Its settings follow chapter 2, which lists the data bits twice: as data bit length before the slave number, and as data bits behind it.
     /// - Chapter 2 lists a slave number behind a TCP module's port. The sample here has none.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetExtioStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetExtioStatus {}
     impl wire::Fields for GetExtioStatus {
         fn write_fields(&self, _out: &mut wire::Writer) {}
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self)
+            reader.skip().map(|()| Self {})
         }
     }
     proto::__object_impls!(GetExtioStatus);
+    impl GetExtioStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {
+            Self {}
+        }
+    }
     impl check::Validate for GetExtioStatus {
         #[allow(unused_variables)]
         fn validate(
@@ -680,6 +844,7 @@ pub mod io {
     }
     /// What the controller answers to [`GetExtioStatus`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetExtioStatusReply {
         /// All modules. On the wire a Python literal inside a string.
         pub extio_status: ExtioStatus,
@@ -714,6 +879,7 @@ pub mod io {
     proto::__object_impls!(GetExtioStatusReply);
     /// The extension I/O modules and their state, as `get_extio_status` answers.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioStatus {
         /// Number of modules.
         pub count: i64,
@@ -771,6 +937,7 @@ pub mod io {
     }
     /// One extension I/O module.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioModule {
         /// How the module is connected, and its pins.
         pub setup: ExtioSetup,
@@ -842,6 +1009,7 @@ pub mod io {
     #[non_exhaustive]
     pub enum ExtioSetup {
         /// Connected by Modbus RTU.
+        #[non_exhaustive]
         Rtu {
             /// Name of the module.
             name: String,
@@ -853,6 +1021,7 @@ pub mod io {
             pins: ExtioPins,
         },
         /// Connected by Modbus TCP.
+        #[non_exhaustive]
         Tcp {
             /// Name of the module.
             name: String,
@@ -980,6 +1149,7 @@ pub mod io {
     ///
     /// The elements and their order are those of chapter 2. The document prints no sample.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioRtu {
         /// Baud rate.
         pub baud_rate: i64,
@@ -1058,6 +1228,7 @@ pub mod io {
     }
     /// Network address of an extension I/O module.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioTcp {
         /// IP address.
         pub address: String,
@@ -1117,6 +1288,7 @@ pub mod io {
     }
     /// The pins of an extension I/O module, by kind.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPins {
         /// Analog inputs.
         ///
@@ -1197,6 +1369,7 @@ pub mod io {
     }
     /// Where the registers of some pins start, and how many pins there are.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPinRange {
         /// Address of the first register.
         pub start: i64,
@@ -1238,6 +1411,7 @@ pub mod io {
     }
     /// Index at which the pins of an extension I/O module start, by kind.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPinMap {
         /// Index of the first analog input.
         ///
@@ -1318,6 +1492,7 @@ pub mod io {
     }
     /// Whether the extension I/O modules run, and the state of their pins.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioState {
         /// Whether the modules run.
         ///
@@ -1477,6 +1652,197 @@ pub mod io {
             Ok(())
         }
     }
+    /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
+    /// to each place where a field is forgotten, and are no part of the interface.
+    #[doc(hidden)]
+    #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
+    pub mod literal {
+        pub struct GetExtioStatusReply {
+            pub extio_status: super::ExtioStatus,
+        }
+        impl From<GetExtioStatusReply> for super::GetExtioStatusReply {
+            #[inline]
+            fn from(GetExtioStatusReply { extio_status }: GetExtioStatusReply) -> Self {
+                Self { extio_status }
+            }
+        }
+        pub struct ExtioStatus {
+            pub count: i64,
+            pub modules: Vec<super::ExtioModule>,
+            pub state: super::ExtioState,
+        }
+        impl From<ExtioStatus> for super::ExtioStatus {
+            #[inline]
+            fn from(ExtioStatus { count, modules, state }: ExtioStatus) -> Self {
+                Self { count, modules, state }
+            }
+        }
+        pub struct ExtioModule {
+            pub setup: super::ExtioSetup,
+            pub pin_map: super::ExtioPinMap,
+        }
+        impl From<ExtioModule> for super::ExtioModule {
+            #[inline]
+            fn from(ExtioModule { setup, pin_map }: ExtioModule) -> Self {
+                Self { setup, pin_map }
+            }
+        }
+        pub enum ExtioSetup {
+            Rtu {
+                name: String,
+                connection: super::wire::Typed<super::ExtioRtu>,
+                pins: super::ExtioPins,
+            },
+            Tcp { name: String, connection: super::ExtioTcp, pins: super::ExtioPins },
+        }
+        impl From<ExtioSetup> for super::ExtioSetup {
+            #[inline]
+            fn from(value: ExtioSetup) -> Self {
+                match value {
+                    ExtioSetup::Rtu { name, connection, pins } => {
+                        Self::Rtu {
+                            name,
+                            connection,
+                            pins,
+                        }
+                    }
+                    ExtioSetup::Tcp { name, connection, pins } => {
+                        Self::Tcp {
+                            name,
+                            connection,
+                            pins,
+                        }
+                    }
+                }
+            }
+        }
+        pub struct ExtioRtu {
+            pub baud_rate: i64,
+            pub data_bit_length: i64,
+            pub slave_id: i64,
+            pub data_bits: i64,
+            pub parity: super::wire::Value,
+            pub stop_bit_length: i64,
+        }
+        impl From<ExtioRtu> for super::ExtioRtu {
+            #[inline]
+            fn from(
+                ExtioRtu {
+                    baud_rate,
+                    data_bit_length,
+                    slave_id,
+                    data_bits,
+                    parity,
+                    stop_bit_length,
+                }: ExtioRtu,
+            ) -> Self {
+                Self {
+                    baud_rate,
+                    data_bit_length,
+                    slave_id,
+                    data_bits,
+                    parity,
+                    stop_bit_length,
+                }
+            }
+        }
+        pub struct ExtioTcp {
+            pub address: String,
+            pub port: i64,
+            pub slave_id: Option<i64>,
+        }
+        impl From<ExtioTcp> for super::ExtioTcp {
+            #[inline]
+            fn from(ExtioTcp { address, port, slave_id }: ExtioTcp) -> Self {
+                Self { address, port, slave_id }
+            }
+        }
+        pub struct ExtioPins {
+            pub analog_inputs: super::ExtioPinRange,
+            pub digital_outputs: super::ExtioPinRange,
+            pub analog_outputs: super::ExtioPinRange,
+            pub digital_inputs: super::ExtioPinRange,
+        }
+        impl From<ExtioPins> for super::ExtioPins {
+            #[inline]
+            fn from(
+                ExtioPins {
+                    analog_inputs,
+                    digital_outputs,
+                    analog_outputs,
+                    digital_inputs,
+                }: ExtioPins,
+            ) -> Self {
+                Self {
+                    analog_inputs,
+                    digital_outputs,
+                    analog_outputs,
+                    digital_inputs,
+                }
+            }
+        }
+        pub struct ExtioPinRange {
+            pub start: i64,
+            pub count: i64,
+        }
+        impl From<ExtioPinRange> for super::ExtioPinRange {
+            #[inline]
+            fn from(ExtioPinRange { start, count }: ExtioPinRange) -> Self {
+                Self { start, count }
+            }
+        }
+        pub struct ExtioPinMap {
+            pub analog_inputs: i64,
+            pub digital_outputs: i64,
+            pub analog_outputs: i64,
+            pub digital_inputs: i64,
+        }
+        impl From<ExtioPinMap> for super::ExtioPinMap {
+            #[inline]
+            fn from(
+                ExtioPinMap {
+                    analog_inputs,
+                    digital_outputs,
+                    analog_outputs,
+                    digital_inputs,
+                }: ExtioPinMap,
+            ) -> Self {
+                Self {
+                    analog_inputs,
+                    digital_outputs,
+                    analog_outputs,
+                    digital_inputs,
+                }
+            }
+        }
+        pub struct ExtioState {
+            pub running: bool,
+            pub digital_inputs: Option<Vec<bool>>,
+            pub digital_outputs: Option<Vec<bool>>,
+            pub analog_inputs: Option<Vec<f64>>,
+            pub analog_outputs: Option<Vec<f64>>,
+        }
+        impl From<ExtioState> for super::ExtioState {
+            #[inline]
+            fn from(
+                ExtioState {
+                    running,
+                    digital_inputs,
+                    digital_outputs,
+                    analog_inputs,
+                    analog_outputs,
+                }: ExtioState,
+            ) -> Self {
+                Self {
+                    running,
+                    digital_inputs,
+                    digital_outputs,
+                    analog_inputs,
+                    analog_outputs,
+                }
+            }
+        }
+    }
 }
 /// Force control and drag mode.
 ///
@@ -1491,6 +1857,7 @@ pub mod force {
     ///
     /// Sends `set_vel_compliant_ctrl` (4.79).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetVelCompliantCtrl {
         /// Level and ratios.
         ///
@@ -1524,6 +1891,13 @@ pub mod force {
         }
     }
     proto::__object_impls!(SetVelCompliantCtrl);
+    impl SetVelCompliantCtrl {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(compliance: VelocityCompliance) -> Self {
+            Self { compliance }
+        }
+    }
     impl check::Validate for SetVelCompliantCtrl {
         #[allow(unused_variables)]
         fn validate(
@@ -1548,6 +1922,7 @@ pub mod force {
     ///
     /// The document gives neither ranges nor units, and does not say how a level and the four ratios work together.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct VelocityCompliance {
         /// Level of the compliance, `vc_level` in the document.
         pub level: i64,
@@ -1590,6 +1965,25 @@ pub mod force {
         }
     }
     proto::__serde_impls!(VelocityCompliance);
+    impl VelocityCompliance {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(
+            level: i64,
+            rate1: f64,
+            rate2: f64,
+            rate3: f64,
+            rate4: f64,
+        ) -> Self {
+            Self {
+                level,
+                rate1,
+                rate2,
+                rate3,
+                rate4,
+            }
+        }
+    }
     impl check::Validate for VelocityCompliance {
         #[allow(unused_variables)]
         fn validate(
@@ -1603,6 +1997,39 @@ pub mod force {
             place.check("rate3", &self.rate3, &check::Limits::NONE)?;
             place.check("rate4", &self.rate4, &check::Limits::NONE)?;
             Ok(())
+        }
+    }
+    /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
+    /// to each place where a field is forgotten, and are no part of the interface.
+    #[doc(hidden)]
+    #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
+    pub mod literal {
+        pub struct VelocityCompliance {
+            pub level: i64,
+            pub rate1: f64,
+            pub rate2: f64,
+            pub rate3: f64,
+            pub rate4: f64,
+        }
+        impl From<VelocityCompliance> for super::VelocityCompliance {
+            #[inline]
+            fn from(
+                VelocityCompliance {
+                    level,
+                    rate1,
+                    rate2,
+                    rate3,
+                    rate4,
+                }: VelocityCompliance,
+            ) -> Self {
+                Self {
+                    level,
+                    rate1,
+                    rate2,
+                    rate3,
+                    rate4,
+                }
+            }
         }
     }
 }
@@ -1679,6 +2106,16 @@ pub mod types {
                 MoveMode::Absolute => 0,
                 MoveMode::Relative => 1,
                 MoveMode::Other(other) => other,
+            }
+        }
+    }
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for MoveMode {
+        fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+            match self {
+                Self::Absolute => f.pad("absolute"),
+                Self::Relative => f.pad("relative"),
+                Self::Other(other) => ::core::fmt::Display::fmt(other, f),
             }
         }
     }
@@ -1866,7 +2303,7 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call).
     pub fn power_off(&mut self) -> Result<(), Error> {
-        self.call(&::jaka_proto::messages::power::PowerOff)
+        self.call(&::jaka_proto::messages::power::PowerOff::new())
     }
     /// Reads whether the arm has power and is enabled.
     ///
@@ -1880,7 +2317,7 @@ impl Client {
     pub fn get_robot_state(
         &mut self,
     ) -> Result<::jaka_proto::messages::power::GetRobotStateReply, Error> {
-        self.call(&::jaka_proto::messages::power::GetRobotState)
+        self.call(&::jaka_proto::messages::power::GetRobotState::new())
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
@@ -1933,11 +2370,7 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call).
     pub fn rapid_rate(&mut self, rate: f64) -> Result<(), Error> {
-        self.call(
-            &::jaka_proto::messages::program::RapidRate {
-                rate,
-            },
-        )
+        self.call(&::jaka_proto::messages::program::RapidRate::new(rate))
     }
     /// Reads the state of the program.
     ///
@@ -1950,7 +2383,7 @@ impl Client {
     pub fn get_program_state(
         &mut self,
     ) -> Result<::jaka_proto::messages::program::GetProgramStateReply, Error> {
-        self.call(&::jaka_proto::messages::program::GetProgramState)
+        self.call(&::jaka_proto::messages::program::GetProgramState::new())
     }
     /// Reads the configuration and state of the extension I/O modules.
     ///
@@ -1970,7 +2403,7 @@ impl Client {
     pub fn get_extio_status(
         &mut self,
     ) -> Result<::jaka_proto::messages::io::GetExtioStatusReply, Error> {
-        self.call(&::jaka_proto::messages::io::GetExtioStatus)
+        self.call(&::jaka_proto::messages::io::GetExtioStatus::new())
     }
     /// Sets the parameters of compliance in velocity.
     ///
@@ -1982,10 +2415,6 @@ impl Client {
         &mut self,
         compliance: ::jaka_proto::messages::force::VelocityCompliance,
     ) -> Result<(), Error> {
-        self.call(
-            &::jaka_proto::messages::force::SetVelCompliantCtrl {
-                compliance,
-            },
-        )
+        self.call(&::jaka_proto::messages::force::SetVelCompliantCtrl::new(compliance))
     }
 }

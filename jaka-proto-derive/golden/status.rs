@@ -323,6 +323,8 @@ pub mod status {
     }
     impl From<i64> for TaskState {}
     impl From<TaskState> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for TaskState {}
     /// Task mode of the robot.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -340,6 +342,8 @@ pub mod status {
     }
     impl From<i64> for TaskMode {}
     impl From<TaskMode> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for TaskMode {}
     /// State of the program.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -357,10 +361,13 @@ pub mod status {
     }
     impl From<i64> for InterpreterState {}
     impl From<InterpreterState> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for InterpreterState {}
     /// Configuration and state of the extension I/O modules, as port 10000 gives them.
     ///
     /// The document describes the parts and prints no sample. `get_extio_status` answers the same in another shape.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioReport {
         /// State of all pins of all modules.
         ///
@@ -386,6 +393,7 @@ pub mod status {
     }
     /// State of all pins of the extension I/O modules, by kind.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioPinStates {
         /// State of the digital inputs.
         pub digital_inputs: Vec<bool>,
@@ -401,6 +409,7 @@ pub mod status {
     #[non_exhaustive]
     pub enum ExtioReportSetup {
         /// Connected by Modbus RTU.
+        #[non_exhaustive]
         Rtu {
             /// Name of the module.
             name: String,
@@ -412,6 +421,7 @@ pub mod status {
             pins: ExtioReportPins,
         },
         /// Connected by Modbus TCP.
+        #[non_exhaustive]
         Tcp {
             /// Name of the module.
             name: String,
@@ -427,6 +437,7 @@ pub mod status {
     ///
     /// The order is not that of `get_extio_status`, which names the kinds.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioReportPins {
         /// Digital inputs.
         pub digital_inputs: super::io::ExtioPinRange,
@@ -442,6 +453,7 @@ pub mod status {
     /// The document calls each value an offset of registers here, and an index of pins in 4.34. It prints `pinmap[N][2]` for
     /// the analog inputs and again for the analog outputs; the second is read as `pinmap[N][3]`.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct ExtioReportPinMap {
         /// Start of the digital inputs.
         pub digital_inputs: i64,
@@ -465,10 +477,13 @@ pub mod status {
     }
     impl From<i64> for ExtioMode {}
     impl From<ExtioMode> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for ExtioMode {}
     /// Measurements in the cabinet and the joints, for diagnosis.
     ///
     /// The document states no units.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct MonitorData {
         /// Major version number of the SCB.
         pub scb_major_version: i64,
@@ -488,6 +503,7 @@ pub mod status {
     /// The document states no units. It writes `monitor_data[5][0]` for the current and leaves out the joint; that each joint
     /// has a row of its own comes from the field notes, which have seen rows of 10 and of 11 values.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct JointMonitor {
         /// Instantaneous current. Unit not stated.
         pub current: f64,
@@ -516,6 +532,7 @@ pub mod status {
     }
     /// Settings and state of the torque sensor.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct TorqueSensorReport {
         /// How the sensor is connected, and its payload.
         pub settings: TorqueSensorSettings,
@@ -527,6 +544,7 @@ pub mod status {
     #[non_exhaustive]
     pub enum TorqueSensorSettings {
         /// Connected by TCP/IP.
+        #[non_exhaustive]
         Tcp {
             /// Network address of the sensor.
             connection: TorqueSensorTcp,
@@ -538,6 +556,7 @@ pub mod status {
             payload: wire::Typed<TorqueSensorPayload>,
         },
         /// Connected by a serial line.
+        #[non_exhaustive]
         Serial {
             /// Serial settings of the connection.
             ///
@@ -555,6 +574,7 @@ pub mod status {
     }
     /// Network address of a torque sensor.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct TorqueSensorTcp {
         /// IP address.
         pub address: String,
@@ -563,6 +583,7 @@ pub mod status {
     }
     /// Serial settings of a torque sensor.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct TorqueSensorSerial {
         /// Baud rate.
         pub baud_rate: i64,
@@ -575,6 +596,7 @@ pub mod status {
     }
     /// Payload at the torque sensor.
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct TorqueSensorPayload {
         /// Mass of the payload. In kg.
         pub mass: f64,
@@ -585,6 +607,7 @@ pub mod status {
     ///
     /// The document states no units for what it reads, and not the order of the six values.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct TorqueSensorState {
         /// Whether the sensor works; it is off otherwise.
         pub working: bool,

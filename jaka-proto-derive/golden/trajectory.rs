@@ -9,6 +9,7 @@ pub mod trajectory {
     ///
     /// Sends `set_traj_config` (4.52).
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTrajConfig {
         /// Acceleration at which the trajectory is run. In mm/s², at least 0.
         ///
@@ -31,19 +32,41 @@ pub mod trajectory {
         #[doc(alias = "rpy_interval")]
         pub orientation_interval: f64,
     }
+    impl SetTrajConfig {
+        /// With the required fields alone.
+        ///
+        /// - `acceleration`: in mm/s², at least 0
+        /// - `speed`: in mm/s, at least 0
+        /// - `position_interval`: at least 0
+        /// - `orientation_interval`: at least 0
+        #[must_use]
+        pub const fn new(
+            acceleration: f64,
+            speed: f64,
+            position_interval: f64,
+            orientation_interval: f64,
+        ) -> Self {}
+    }
     impl proto::Command for SetTrajConfig {
         type Reply = ();
     }
     /// Reads how finely a trajectory is recorded, and how fast it is run later.
     ///
     /// Sends `get_traj_config` (4.53). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTrajConfig;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTrajConfig {}
+    impl GetTrajConfig {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTrajConfig {
         type Reply = GetTrajConfigReply;
     }
     /// What the controller answers to [`GetTrajConfig`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTrajConfigReply {
         /// Acceleration at which the trajectory is run. In mm/s².
         ///
@@ -74,6 +97,7 @@ pub mod trajectory {
     ///
     /// - The key is `filename` here and `fileName` in 4.58 and 4.59.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct SetTrajSampleMode {
         /// Whether to record.
         pub mode: super::types::Switch,
@@ -83,19 +107,31 @@ pub mod trajectory {
         #[doc(alias = "filename")]
         pub file_name: String,
     }
+    impl SetTrajSampleMode {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(mode: super::types::Switch, file_name: impl Into<String>) -> Self {}
+    }
     impl proto::Command for SetTrajSampleMode {
         type Reply = ();
     }
     /// Reads whether a trajectory is being recorded.
     ///
     /// Sends `get_traj_sample_status` (4.55). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetTrajSampleStatus;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTrajSampleStatus {}
+    impl GetTrajSampleStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetTrajSampleStatus {
         type Reply = GetTrajSampleStatusReply;
     }
     /// What the controller answers to [`GetTrajSampleStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
     pub struct GetTrajSampleStatusReply {
         /// Whether recording is on.
         ///
@@ -106,13 +142,20 @@ pub mod trajectory {
     /// Reads the names of the trajectory files on the controller.
     ///
     /// Sends `get_exist_traj_file_name` (4.56). Changes nothing on the robot.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct GetExistTrajFileName;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetExistTrajFileName {}
+    impl GetExistTrajFileName {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for GetExistTrajFileName {
         type Reply = GetExistTrajFileNameReply;
     }
     /// What the controller answers to [`GetExistTrajFileName`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GetExistTrajFileNameReply {
         /// Names of the trajectory files.
         ///
@@ -124,6 +167,7 @@ pub mod trajectory {
     ///
     /// Sends `rename_traj_file_name` (4.57).
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct RenameTrajFileName {
         /// Present name of the trajectory file.
         ///
@@ -136,6 +180,11 @@ pub mod trajectory {
         #[doc(alias = "dest")]
         pub destination: String,
     }
+    impl RenameTrajFileName {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(source: impl Into<String>, destination: impl Into<String>) -> Self {}
+    }
     impl proto::Command for RenameTrajFileName {
         type Reply = ();
     }
@@ -147,12 +196,18 @@ pub mod trajectory {
     ///
     /// - The document's text calls the key `filename`; its sample sends `fileName`.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct RemoveTrajFile {
         /// Name of the trajectory file.
         ///
         /// `fileName` on the wire.
         #[doc(alias = "fileName")]
         pub file_name: String,
+    }
+    impl RemoveTrajFile {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(file_name: impl Into<String>) -> Self {}
     }
     impl proto::Command for RemoveTrajFile {
         type Reply = ();
@@ -167,12 +222,18 @@ pub mod trajectory {
     ///
     /// - The document's text calls the key `filename`; its sample sends `fileName`.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct GenerateTrajExeFile {
         /// Name of the trajectory file.
         ///
         /// `fileName` on the wire.
         #[doc(alias = "fileName")]
         pub file_name: String,
+    }
+    impl GenerateTrajExeFile {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(file_name: impl Into<String>) -> Self {}
     }
     impl proto::Command for GenerateTrajExeFile {
         type Reply = ();

@@ -46,6 +46,8 @@ pub mod types {
     }
     impl From<i64> for MoveMode {}
     impl From<MoveMode> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for MoveMode {}
     /// Off or on.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -59,4 +61,6 @@ pub mod types {
     }
     impl From<i64> for Switch {}
     impl From<Switch> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for Switch {}
 }

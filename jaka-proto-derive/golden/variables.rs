@@ -9,13 +9,20 @@ pub mod variables {
     /// # Errata
     ///
     /// - The text explains a variable named `system_var1` with the value 12.0. The sample has `test` with the value 1.0.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub struct QueryUserDefinedVariable;
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct QueryUserDefinedVariable {}
+    impl QueryUserDefinedVariable {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     impl proto::Command for QueryUserDefinedVariable {
         type Reply = QueryUserDefinedVariableReply;
     }
     /// What the controller answers to [`QueryUserDefinedVariable`].
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct QueryUserDefinedVariableReply {
         /// One entry for each variable.
         ///
@@ -33,6 +40,7 @@ pub mod variables {
     ///
     /// - The key `id_new` is no new id. It names the variable to change.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct ModifyUserDefinedVariable {
         /// Id of the variable to change, as `query_user_defined_variable` answers it.
         ///
@@ -50,11 +58,17 @@ pub mod variables {
         #[doc(alias = "value_new")]
         pub value: f64,
     }
+    impl ModifyUserDefinedVariable {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(id: i64, alias: impl Into<String>, value: f64) -> Self {}
+    }
     impl proto::Command for ModifyUserDefinedVariable {
         type Reply = ();
     }
     /// A user-defined system variable.
     #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
     pub struct UserVariable {
         /// Name of the variable.
         pub alias: String,

@@ -5,12 +5,12 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::codec::{Scope, ident};
-use crate::{docs, typedef};
+use crate::{construct, docs};
 
 /// An `impl Client` with a method for each command.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
     let messages = quote!(::jaka_proto::messages);
-    let scope = Scope { spec, topic: None, elsewhere: &messages, wire: &quote!(wire) };
+    let scope = Scope { spec, topic: None, own: &TokenStream::new(), elsewhere: &messages, wire: &quote!(wire) };
     let methods = spec.topics.iter().flat_map(|topic| {
         let module = scope.module(topic);
         topic.commands.iter().map(move |command| {
@@ -53,9 +53,8 @@ impl Method {
         let reply = command.reply_type().map(|reply| ident(&reply));
         let reply = reply.map_or_else(|| quote!(()), |reply| quote!(#module #reply));
         let (parameter, argument) = match &command.request {
-            Request::Fields(fields) if fields.is_empty() => (TokenStream::new(), quote!(&#request)),
-            Request::Fields(fields) if fields.len() == 1 => single(scope, &fields[0], &request),
-            _ => (quote!(, request: &#request), quote!(request)),
+            Request::Fields(fields) => of_fields(scope, fields, &request),
+            Request::Choice(_) => (quote!(, request: &#request), quote!(request)),
         };
         let alias = docs::alias(&command.wire, &command.name);
         let deprecated = command.deprecated.as_ref().map(|note| quote!(#[deprecated(note = #note)]));
@@ -63,28 +62,22 @@ impl Method {
     }
 }
 
-/// The parameter that stands for a request with one field, and the request made from it.
-fn single(scope: Scope<'_>, field: &Field, request: &TokenStream) -> (TokenStream, TokenStream) {
-    let name = ident(&field.name);
-    let whole = (quote!(, request: &#request), quote!(request));
-    if field.optional || field.or_raw {
-        return whole;
+/// The parameter of a method, and the request made from it, by what the request requires.
+///
+/// Nothing: no parameter. One number, text or named type: that. Otherwise the request itself. Optional fields do not count, so
+/// that a method stays as it is where one comes: a request with some of them is sent by `call`.
+fn of_fields(scope: Scope<'_>, fields: &[Field], request: &TokenStream) -> (TokenStream, TokenStream) {
+    let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
+    match required.as_slice() {
+        [] => (TokenStream::new(), quote!(&#request::new())),
+        [field] if is_argument(field) => {
+            let (name, (ty, _)) = (ident(&field.name), construct::argument(scope, field));
+            (quote!(, #name: #ty), quote!(&#request::new(#name)))
+        }
+        _ => (quote!(, request: &#request), quote!(request)),
     }
-    let (ty, value) = match &field.ty {
-        Type::Scalar(Scalar::Text) => (quote!(impl Into<String>), quote!(#name: #name.into())),
-        Type::Scalar(Scalar::Float) => (quote!(f64), quote!(#name)),
-        Type::Scalar(Scalar::Int) => (quote!(i64), quote!(#name)),
-        Type::Named(id) => {
-            let path = scope.path(*id);
-            if typedef::converts(&scope.spec[*id]) {
-                (quote!(impl Into<#path>), quote!(#name: #name.into()))
-            } else {
-                (path, quote!(#name))
-            }
-        }
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => {
-            return whole;
-        }
-    };
-    (quote!(, #name: #ty), quote!(&#request { #value }))
+}
+
+fn is_argument(field: &Field) -> bool {
+    !field.or_raw && matches!(field.ty, Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_))
 }

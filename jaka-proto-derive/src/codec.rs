@@ -12,13 +12,20 @@ pub(crate) struct Scope<'s> {
     pub(crate) spec: &'s Spec,
     /// The topic whose module it is; none outside of all of them.
     pub(crate) topic: Option<&'s Topic>,
+    /// What stands before the names of the topic's own types.
+    pub(crate) own: &'s TokenStream,
     /// The path of the module that has the other topics' modules.
     pub(crate) elsewhere: &'s TokenStream,
     /// The path of the module `wire`.
     pub(crate) wire: &'s TokenStream,
 }
 
-impl Scope<'_> {
+impl<'s> Scope<'s> {
+    /// The scope of a topic's module, where `proto`, `check` and `wire` are jaka-proto and its modules.
+    pub(crate) fn of_module(spec: &'s Spec, topic: &'s Topic, paths: &'s ModulePaths) -> Self {
+        Self { spec, topic: Some(topic), own: &paths.own, elsewhere: &paths.elsewhere, wire: &paths.wire }
+    }
+
     /// The Rust type, as named from inside the topic's module.
     pub(crate) fn rust_type(self, ty: &Type) -> TokenStream {
         match ty {
@@ -47,7 +54,7 @@ impl Scope<'_> {
     pub(crate) fn path(self, id: TypeId) -> TokenStream {
         let is_own = self.topic.is_some_and(|topic| topic.types.contains(&id));
         let topic = self.spec.topic_of(id).filter(|_| !is_own);
-        let module = topic.map(|topic| self.module(topic));
+        let module = topic.map_or_else(|| self.own.clone(), |topic| self.module(topic));
         let name = ident(&self.spec[id].name);
         quote!(#module #name)
     }
@@ -60,12 +67,18 @@ impl Scope<'_> {
 
     /// The type of a struct's field.
     pub(crate) fn field_type(self, field: &Field) -> TokenStream {
-        let mut ty = self.rust_type(&field.ty);
-        if field.or_raw {
-            let wire = self.wire;
-            ty = quote!(#wire::Typed<#ty>);
-        }
+        let ty = self.required_type(field);
         if field.optional { quote!(Option<#ty>) } else { ty }
+    }
+
+    /// The type of a field's value, where it is there.
+    pub(crate) fn required_type(self, field: &Field) -> TokenStream {
+        let ty = self.rust_type(&field.ty);
+        if !field.or_raw {
+            return ty;
+        }
+        let wire = self.wire;
+        quote!(#wire::Typed<#ty>)
     }
 
     /// `name: type` for each field, with docs; `vis` stands before each.
@@ -77,6 +90,25 @@ impl Scope<'_> {
             quote!(#docs #vis #name: #ty)
         });
         quote!(#(#fields),*)
+    }
+}
+
+/// The paths that a topic's module uses.
+pub(crate) struct ModulePaths {
+    own: TokenStream,
+    elsewhere: TokenStream,
+    wire: TokenStream,
+}
+
+impl ModulePaths {
+    /// Those of the module itself; `elsewhere` has the other topics' modules.
+    pub(crate) fn new(elsewhere: TokenStream) -> Self {
+        Self { own: TokenStream::new(), elsewhere, wire: quote!(wire) }
+    }
+
+    /// Those of a module inside it.
+    pub(crate) fn inner(elsewhere: TokenStream) -> Self {
+        Self { own: quote!(super::), elsewhere, wire: quote!(super::wire) }
     }
 }
 
@@ -348,7 +380,8 @@ pub(crate) fn declare_variants(scope: Scope<'_>, choice: &Choice) -> TokenStream
         let docs = docs::attributes(&variant.doc);
         let name = ident(&variant.name);
         let fields = scope.declare(&variant.fields, &TokenStream::new());
-        if variant.fields.is_empty() { quote!(#docs #name) } else { quote!(#docs #name { #fields }) }
+        let body = (!variant.fields.is_empty()).then(|| quote!({ #fields }));
+        quote!(#docs #[non_exhaustive] #name #body)
     });
     quote!(#(#variants),*)
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::codec::{Scope, ident};
-use crate::{docs, typedef, validate};
+use crate::{construct, docs, typedef, validate};
 
 /// The request, its reply where that carries data, and what ties them together.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
@@ -13,10 +13,16 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let alias = (command.wire != command.request_type()).then(|| docs::alias(&command.wire, &command.name));
     let docs = docs::attributes(&docs::request(command));
     let docs = quote!(#docs #alias);
-    let request = match &command.request {
-        Request::Fields(fields) if fields.is_empty() => empty_request(&name, &docs),
-        Request::Fields(fields) => typedef::object(scope, &name, &docs, fields),
-        Request::Choice(choice) => typedef::object_choice(scope, &name, &docs, choice),
+    let (request, constructors) = match &command.request {
+        Request::Fields(fields) if fields.is_empty() => {
+            (empty_request(&name, &docs), construct::object(scope, &name, fields))
+        }
+        Request::Fields(fields) => {
+            (typedef::object(scope, &name, &docs, fields), construct::object(scope, &name, fields))
+        }
+        Request::Choice(choice) => {
+            (typedef::object_choice(scope, &name, &docs, choice), construct::choice(scope, &name, choice))
+        }
     };
     let checks = validate::request(command, &name);
     let reply = reply(scope, command);
@@ -30,6 +36,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let info = info(command);
     quote! {
         #request
+        #constructors
         #checks
 
         impl proto::Command for #name {
@@ -44,14 +51,15 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
 fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
     quote! {
         #docs
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-        pub struct #name;
+        #[derive(Debug, Clone, Copy, PartialEq, Default)]
+        #[non_exhaustive]
+        pub struct #name {}
 
         impl wire::Fields for #name {
             fn write_fields(&self, _out: &mut wire::Writer) {}
 
             fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                reader.skip().map(|()| Self)
+                reader.skip().map(|()| Self {})
             }
         }
 

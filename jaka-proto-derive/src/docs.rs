@@ -63,6 +63,19 @@ pub(crate) fn field(field: &Field) -> TokenStream {
     quote!(#text #alias)
 }
 
+/// What a constructor makes, and in which units it takes its arguments: those for the required fields.
+pub(crate) fn constructor(doc: &str, fields: &[Field]) -> TokenStream {
+    let first = attributes(first_sentence(doc).0);
+    let required = fields.iter().filter(|field| !field.optional);
+    let measured = required.filter_map(|field| {
+        let measure = measure(field.unit.as_deref(), field.range)?;
+        Some(format!("- `{}`: {}{}", field.name, measure[..1].to_lowercase(), measure[1..].trim_end_matches('.')))
+    });
+    let measured: Vec<_> = measured.collect();
+    let list = (!measured.is_empty()).then(|| attributes(&format!("\n{}", measured.join("\n"))));
+    quote!(#first #list)
+}
+
 /// `In deg/s, at least 0.`
 fn measure(unit: Option<&str>, range: Range) -> Option<String> {
     let range = words::range(range);

@@ -9,8 +9,8 @@ use syn::parse::{Parse, ParseStream};
 use syn::{LitStr, parenthesized};
 
 use crate::client::Method;
-use crate::codec::{Scope, ident};
-use crate::{docs, error_codes, events, topic};
+use crate::codec::{ModulePaths, Scope, ident};
+use crate::{docs, error_codes, events, literal, topic};
 
 /// What `jaka_sync::pack!` hands over: the path of jaka-sync, and that of the TOML file.
 pub(crate) struct Input {
@@ -88,20 +88,23 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
     let topic = &module.topic;
     let name = ident(&topic.name);
     let docs = docs::topic(topic);
-    let scope = Scope { spec: &module.spec, topic: Some(topic), elsewhere: sync, wire: &quote!(wire) };
+    let paths = ModulePaths::new(sync.clone());
+    let scope = Scope::of_module(&module.spec, topic, &paths);
     let items = topic::items(scope, topic);
+    let literals = literal::module(&module.spec, topic, sync.clone());
     let repeated = repeated(module, scope);
     let methods = methods(module, scope, sync);
     let codes = error_codes::in_pack(&topic.errors);
     let events = events::in_pack(&topic.events);
     quote! {
         #docs
-        #[allow(unreachable_pub)]
+        #[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
         pub mod #name {
             #[allow(unused_imports)]
             use #sync::proto::{self as proto, check, wire};
 
             #items
+            #literals
             #repeated
             #methods
             #codes

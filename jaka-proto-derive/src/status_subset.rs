@@ -34,7 +34,7 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let fields = fields(&spec, input)?;
     let Input { sync, head, name, .. } = input;
     let wire = quote!(#sync::proto::wire);
-    let scope = Scope { spec: &spec, topic: None, elsewhere: sync, wire: &wire };
+    let scope = Scope { spec: &spec, topic: None, own: &TokenStream::new(), elsewhere: sync, wire: &wire };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
     let read = read_object_in_place(&fields, Manner::StatusSubset);

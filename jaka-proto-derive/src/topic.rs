@@ -4,8 +4,8 @@ use jaka_spec::{Spec, Topic};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::{Scope, ident};
-use crate::{command, docs, error_codes, events, request, typedef};
+use crate::codec::{ModulePaths, Scope, ident};
+use crate::{command, docs, error_codes, events, literal, request, typedef};
 
 /// All messages of the spec.
 pub(crate) fn messages(spec: &Spec) -> TokenStream {
@@ -23,7 +23,9 @@ pub(crate) fn module(spec: &Spec, topic: &Topic) -> Option<TokenStream> {
     }
     let name = ident(&topic.name);
     let docs = docs::topic(topic);
-    let items = items(Scope { spec, topic: Some(topic), elsewhere: &quote!(super), wire: &quote!(wire) }, topic);
+    let paths = ModulePaths::new(quote!(super));
+    let items = items(Scope::of_module(spec, topic, &paths), topic);
+    let literals = literal::module(spec, topic, quote!(super::super));
     Some(quote! {
         #docs
         pub mod #name {
@@ -31,6 +33,7 @@ pub(crate) fn module(spec: &Spec, topic: &Topic) -> Option<TokenStream> {
             use ::jaka_proto::{self as proto, check, wire};
 
             #items
+            #literals
         }
     })
 }

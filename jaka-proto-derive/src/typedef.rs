@@ -1,7 +1,7 @@
 //! Named types.
 
 use jaka_spec::words::first_sentence;
-use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeId, TypeKind, Variant, is_floats};
+use jaka_spec::{Choice, EnumValue, Field, Type, TypeDef, TypeId, TypeKind, Variant, is_floats, to_snake};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -10,8 +10,7 @@ use crate::codec::{
     read_object_in_place, variant_path, write_array, write_further_elements, write_further_fields, write_object,
     write_type,
 };
-use crate::docs;
-use crate::validate;
+use crate::{construct, docs, validate};
 
 /// The type, its codec and its checks.
 pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef)) -> TokenStream {
@@ -29,7 +28,19 @@ pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef)) -> TokenSt
         TypeKind::Wrapper(ty, unit) => wrapper(scope, &name, def, ty, unit.as_deref()),
     };
     let checks = validate::type_def(def);
-    quote!(#item #checks)
+    // What programs only receive, they need not make.
+    let constructors = scope.spec.is_sent(id).then(|| constructors(scope, def, &name));
+    quote!(#item #constructors #checks)
+}
+
+fn constructors(scope: Scope<'_>, def: &TypeDef, name: &Ident) -> Option<TokenStream> {
+    match &def.kind {
+        TypeKind::Object(fields) => Some(construct::object(scope, name, fields)),
+        TypeKind::Array { fields, .. } if !is_floats(fields) => Some(construct::object(scope, name, fields)),
+        TypeKind::Choice(choice) => Some(construct::choice(scope, name, choice)),
+        // These convert from an array, or have public variants.
+        TypeKind::Array { .. } | TypeKind::Wrapper(..) | TypeKind::IntEnum(_) | TypeKind::TextEnum(_) => None,
+    }
 }
 
 /// Derives for a struct: `Copy` where all fields are; `Default` where all may be absent.
@@ -67,7 +78,7 @@ fn object_in_place(
         quote! {
             fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 let mut this = Self::default();
-                this.read_fields_into(reader)?;
+                wire::Fields::read_fields_into(&mut this, reader)?;
                 Ok(this)
             }
         }
@@ -98,13 +109,11 @@ fn object_with(
 ) -> TokenStream {
     let derives = derives(scope, fields);
     let declared = scope.declare(fields, &quote!(pub));
-    // All fields may be absent: such a struct can be made with `Default`, and grow without breaking anyone.
-    let grows = fields.iter().all(|field| field.optional).then(|| quote!(#[non_exhaustive]));
     let write = write_object(fields, |name| quote!(&self.#name));
     quote! {
         #docs
         #derives
-        #grows
+        #[non_exhaustive]
         pub struct #name { #declared }
 
         impl wire::Fields for #name {
@@ -124,10 +133,13 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
         let read = read_array_in_place(fields, exact, |name| quote!(&mut self.#name));
         decode_into(&quote!(reader.begin_array()?; #read))
     });
+    // What converts from an array of numbers cannot grow.
+    let grows = (!is_floats(fields)).then(|| quote!(#[non_exhaustive]));
     let conversions = is_floats(fields).then(|| float_conversions(name, fields));
     quote! {
         #docs
         #derives
+        #grows
         pub struct #name { #declared }
 
         impl wire::Encode for #name {
@@ -241,6 +253,7 @@ fn int_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<i64>]) -> Toke
     let variants = enum_variants(values);
     let names: Vec<_> = values.iter().map(|value| ident(&value.name)).collect();
     let wires: Vec<_> = values.iter().map(|value| Literal::i64_unsuffixed(value.wire)).collect();
+    let phrases: Vec<_> = values.iter().map(|value| to_snake(&value.name).replace('_', " ")).collect();
     quote! {
         #docs
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -265,6 +278,16 @@ fn int_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<i64>]) -> Toke
                 match value {
                     #(#name::#names => #wires,)*
                     #name::Other(other) => other,
+                }
+            }
+        }
+
+        /// The value in words; one that the spec does not list as its number.
+        impl ::core::fmt::Display for #name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                match self {
+                    #(Self::#names => f.pad(#phrases),)*
+                    Self::Other(other) => ::core::fmt::Display::fmt(other, f),
                 }
             }
         }
@@ -302,6 +325,13 @@ fn text_enum(name: &Ident, docs: &TokenStream, values: &[EnumValue<String>]) -> 
                     #(Self::#names => #wires,)*
                     Self::Other(other) => other,
                 }
+            }
+        }
+
+        /// The value as on the wire.
+        impl ::core::fmt::Display for #name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                f.pad(self.as_ref())
             }
         }
 
@@ -400,6 +430,7 @@ pub(crate) fn object_choice(scope: Scope<'_>, name: &Ident, docs: &TokenStream, 
     quote! {
         #docs
         #[derive(Debug, Clone, #copy PartialEq)]
+        #[non_exhaustive]
         pub enum #name { #variants }
 
         impl wire::Fields for #name {

@@ -17,7 +17,7 @@ fn refused(command: &impl Command) -> InvalidArgument {
 }
 
 fn joint_move() -> JointMove {
-    JointMove { mode: MoveMode::Absolute, joint_position: [0.0; 6].into(), speed: 10.0, acceleration: Some(10.0) }
+    JointMove::absolute([0.0; 6], 10.0).acceleration(10.0)
 }
 
 #[test]
@@ -28,46 +28,48 @@ fn numbers_that_are_not_finite() {
         refused(&request).to_string(),
         "`joint_move` was not sent: field `joint_position[2]` is NaN, allowed is a finite number (in deg)"
     );
-    let request = JointMove { speed: f64::INFINITY, ..joint_move() };
+    let mut request = joint_move();
+    request.speed = f64::INFINITY;
     assert_eq!(
         refused(&request).to_string(),
         "`joint_move` was not sent: field `speed` is inf, allowed is at least 0 deg/s"
     );
-    let request = JointMove { acceleration: Some(f64::NEG_INFINITY), ..joint_move() };
+    let request = joint_move().acceleration(f64::NEG_INFINITY);
     assert_eq!(refused(&request).field, "acceleration");
     let pose = Pose { ry: f64::NAN, ..Pose::from([0.0; 6]) };
-    let request = EndMove { pose, speed: 1.0, acceleration: None };
+    let request = EndMove::new(pose, 1.0);
     assert_eq!(refused(&request).field, "pose.ry");
 }
 
 #[test]
 fn numbers_out_of_range() {
     assert_eq!(
-        refused(&RapidRate { rate: 1.5 }).to_string(),
+        refused(&RapidRate::new(1.5)).to_string(),
         "`rapid_rate` was not sent: field `rate` is 1.5, allowed is 0 to 1"
     );
     assert_eq!(
-        refused(&SetClsnSensitivity { level: 9 }).to_string(),
+        refused(&SetClsnSensitivity::new(9)).to_string(),
         "`set_clsn_sensitivity` was not sent: field `level` is 9, allowed is 0 to 5"
     );
-    let frame = SetToolOffsets { offset: [0.0; 6].into(), id: 0, name: "gripper".to_owned() };
+    let frame = SetToolOffsets::new([0.0; 6], 0, "gripper");
     assert_eq!(refused(&frame).to_string(), "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10");
-    assert_eq!(SetToolId { tool_id: 0 }.check(AdvisoryRanges::Enforced), Ok(()));
-    let jog = Jog::Continuous { frame: JogFrame::Joint, axis: 6, velocity: 1.0 };
+    assert_eq!(SetToolId::new(0).check(AdvisoryRanges::Enforced), Ok(()));
+    let jog = Jog::continuous(JogFrame::Joint, 6, 1.0);
     assert_eq!(refused(&jog).to_string(), "`jog` was not sent: field `axis` is 6, allowed is 0 to 5");
 }
 
 #[test]
 fn text_that_the_controller_does_not_take() {
     assert_eq!(
-        refused(&LoadProgram { program_name: "程序.jks".to_owned() }).to_string(),
+        refused(&LoadProgram::new("程序.jks")).to_string(),
         "`load_program` was not sent: field `program_name` is `程序.jks`, allowed is printable ASCII"
     );
 }
 
 #[test]
 fn enum_values_that_the_spec_does_not_list() {
-    let request = JointMove { mode: MoveMode::Other(2), ..joint_move() };
+    let mut request = joint_move();
+    request.mode = MoveMode::Other(2);
     assert_eq!(
         refused(&request).to_string(),
         "`joint_move` was not sent: field `mode` is 2, allowed is 0 (Absolute) or 1 (Relative)"
@@ -76,7 +78,7 @@ fn enum_values_that_the_spec_does_not_list() {
 
 #[test]
 fn what_only_newer_firmware_takes_is_let_through_on_request() {
-    let output = |kind| SetDigitalOutput { kind, index: 1, value: Switch::On };
+    let output = |kind| SetDigitalOutput::new(kind, 1, Switch::On);
     let invalid = refused(&output(DigitalOutputKind::Profinet));
     assert!(invalid.advisory);
     assert_eq!(
@@ -88,5 +90,5 @@ fn what_only_newer_firmware_takes_is_let_through_on_request() {
     assert_eq!(output(DigitalOutputKind::Tool).check(AdvisoryRanges::Enforced), Ok(()));
     assert!(output(DigitalOutputKind::Other(99)).check(AdvisoryRanges::Ignored).is_err());
     // A range that is no advice holds in any case.
-    assert!(RapidRate { rate: 1.5 }.check(AdvisoryRanges::Ignored).is_err());
+    assert!(RapidRate::new(1.5).check(AdvisoryRanges::Ignored).is_err());
 }

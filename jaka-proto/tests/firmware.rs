@@ -169,5 +169,5 @@ fn without_a_known_firmware_all_is_sent() {
 fn every_firmware_can_be_asked_for_its_version() {
     assert_eq!(GetVersion::INFO.firmware, FirmwareRange::ALL);
     let rules = Rules { firmware: Some(version("0.1")), ..Rules::default() };
-    assert_eq!(Request::GetVersion(GetVersion).check(rules), Ok(()));
+    assert_eq!(Request::GetVersion(GetVersion::new()).check(rules), Ok(()));
 }

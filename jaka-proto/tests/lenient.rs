@@ -251,7 +251,7 @@ fn strings_with_escapes_and_bare_control_characters() {
 
 #[test]
 fn serde_sees_the_json_of_the_wire() {
-    let state = GetRobotState;
+    let state = GetRobotState::new();
     assert_eq!(serde_json::to_string(&state).expect("it serialises"), "{}");
     let reply: GetJointPosReply = serde_json::from_str(r#"{"joint_pos": [1, 2, 3, 4, 5, 6]}"#).expect("it decodes");
     assert_eq!(serde_json::to_string(&reply).expect("it serialises"), r#"{"joint_pos":[1,2,3,4,5,6]}"#);

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod checks;
+mod construct;
 mod envelope;
 mod events;
 mod exchange;

@@ -183,9 +183,8 @@ fn refuse(command: &str, (code, message): &(ErrorCode, String), out: &mut Writer
 }
 
 /// Writes a reply, which can only be of the type that belongs to the command.
-#[expect(clippy::needless_pass_by_value, reason = "a reply is made for one answer")]
-fn reply<C: Command>(_command: &C, reply: C::Reply, out: &mut Writer) -> Outcome {
-    write_reply(C::INFO, &reply, out);
+fn reply<C: Command>(_command: &C, reply: impl Into<C::Reply>, out: &mut Writer) -> Outcome {
+    write_reply(C::INFO, &reply.into(), out);
     Outcome::Replied
 }
 

@@ -6,7 +6,6 @@ use std::{fs, io};
 
 use jaka_proto::Request;
 use jaka_proto::messages::motion::JointMove;
-use jaka_proto::messages::types::MoveMode;
 
 use crate::motion::Joints;
 
@@ -36,9 +35,8 @@ impl Runner {
 /// The programs that every controller has: the document's example, which moves joint 1 there and back.
 pub(crate) fn built_in() -> HashMap<String, Program> {
     let turn = |angle: f64| {
-        let joint_position = [angle, 0.0, 0.0, 0.0, 0.0, 0.0].into();
-        let (mode, speed, acceleration) = (MoveMode::Relative, 30.0, Some(120.0));
-        Request::JointMove(JointMove { mode, joint_position, speed, acceleration })
+        let offset = [angle, 0.0, 0.0, 0.0, 0.0, 0.0];
+        Request::JointMove(JointMove::relative(offset, 30.0).acceleration(120.0))
     };
     let program = vec![turn(10.0), turn(-10.0)];
     HashMap::from([("test.jks".to_owned(), program.clone()), ("track/test.jks".to_owned(), program)])
@@ -46,11 +44,7 @@ pub(crate) fn built_in() -> HashMap<String, Program> {
 
 /// A program that goes through recorded positions.
 pub(crate) fn replay(points: &[Joints]) -> Program {
-    let to = |joints: &Joints| {
-        let joint_position = (*joints).into();
-        let (mode, speed, acceleration) = (MoveMode::Absolute, 30.0, Some(120.0));
-        Request::JointMove(JointMove { mode, joint_position, speed, acceleration })
-    };
+    let to = |joints: &Joints| Request::JointMove(JointMove::absolute(*joints, 30.0).acceleration(120.0));
     points.iter().map(to).collect()
 }
 

@@ -4,8 +4,10 @@ mod extio;
 mod newer;
 
 use jaka_proto::messages::force::TorqueSensorCommunication;
+use jaka_proto::messages::io::literal as io_literal;
 use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, FunctionInput, FunctionInputKind};
 use jaka_proto::messages::program::ProgramState;
+use jaka_proto::messages::status::literal as status_literal;
 use jaka_proto::messages::status::{
     InterpreterState, JointMonitor, MonitorData, RobotStatus, TaskMode, TaskState, TorqueSensorPayload,
     TorqueSensorReport, TorqueSensorSettings, TorqueSensorState, TorqueSensorTcp,
@@ -110,7 +112,7 @@ fn set_modes(state: &State, status: &mut RobotStatus) {
 
 /// The keys that the document does not explain have its values if no part of the state determines them.
 fn set_tail(state: &State, shape: Shape, status: &mut RobotStatus) {
-    let unassigned = FunctionInput { kind: FunctionInputKind::Unassigned, index: -1 };
+    let unassigned = FunctionInput::from(io_literal::FunctionInput { kind: FunctionInputKind::Unassigned, index: -1 });
     let inputs = state.function_inputs.iter().copied().chain(std::iter::repeat(unassigned));
     let count = state.function_inputs.len().max(shape.functions);
     status.on_soft_limit = Some(state.on_soft_limit);
@@ -128,7 +130,7 @@ fn set_tail(state: &State, shape: Shape, status: &mut RobotStatus) {
 
 /// Measurements, all of them 0: there are no physics yet.
 fn monitor_data() -> MonitorData {
-    let joint = JointMonitor {
+    let joint = JointMonitor::from(status_literal::JointMonitor {
         current: 0.0,
         voltage: 0.0,
         temperature: 0.0,
@@ -140,35 +142,44 @@ fn monitor_data() -> MonitorData {
         running_time_since_start: 0.0,
         torque: 0.0,
         eleventh: None,
-    };
-    MonitorData {
+    });
+    MonitorData::from(status_literal::MonitorData {
         scb_major_version: 0,
         scb_minor_version: 0,
         cabinet_temperature: 0.0,
         bus_average_power: 0.0,
         bus_average_current: 0.0,
         joints: vec![joint; 6],
-    }
+    })
 }
 
 fn torque_sensor(sensor: &TorqueSensor) -> TorqueSensorReport {
-    let payload = TorqueSensorPayload { mass: sensor.payload.mass, centroid: sensor.payload.centroid };
+    let payload = TorqueSensorPayload::from(status_literal::TorqueSensorPayload {
+        mass: sensor.payload.mass,
+        centroid: sensor.payload.centroid,
+    });
     let payload = Typed::Known(payload);
     let settings = if sensor.communication == TorqueSensorCommunication::Rs485 {
         // No command sets the line's parameters, and nothing prints any.
-        TorqueSensorSettings::Serial { connection: Typed::Raw(Value::Array(Vec::new())), payload }
+        TorqueSensorSettings::from(status_literal::TorqueSensorSettings::Serial {
+            connection: Typed::Raw(Value::Array(Vec::new())),
+            payload,
+        })
     } else {
-        let connection = TorqueSensorTcp { address: sensor.address.clone(), port: sensor.port };
-        TorqueSensorSettings::Tcp { connection, payload }
+        let connection = TorqueSensorTcp::from(status_literal::TorqueSensorTcp {
+            address: sensor.address.clone(),
+            port: sensor.port,
+        });
+        TorqueSensorSettings::from(status_literal::TorqueSensorSettings::Tcp { connection, payload })
     };
     // Whether the sensor works does not follow from its mode, of which the sources disagree what is on.
-    let state = TorqueSensorState {
+    let state = TorqueSensorState::from(status_literal::TorqueSensorState {
         working: false,
         error_code: Typed::Known(0),
         contact_force: [0.0; 6],
         raw_reading: [0.0; 6],
-    };
-    TorqueSensorReport { settings, state }
+    });
+    TorqueSensorReport::from(status_literal::TorqueSensorReport { settings, state })
 }
 
 #[cfg(test)]

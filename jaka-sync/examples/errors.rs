@@ -10,7 +10,6 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Error};
 
 fn main() -> ExitCode {
@@ -28,8 +27,7 @@ fn run() -> Result<(), Box<dyn StdError>> {
     report(&robot.rapid_rate(1.5));
 
     println!("\nA motion that the controller refuses, since the arm is not enabled:");
-    let mut request =
-        JointMove { mode: MoveMode::Relative, joint_position: [0.0; 6].into(), speed: 1.0, acceleration: None };
+    let mut request = JointMove::relative([0.0; 6], 1.0);
     report(&robot.joint_move(&request));
 
     println!("\nNot a number, deep inside a request:");

@@ -10,7 +10,6 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::MoveMode;
 
 fn main() -> ExitCode {
     common::end(run())
@@ -28,12 +27,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     })?;
     robot.power_up(Duration::from_secs(60))?;
     let before = robot.client().get_joint_pos()?.joint_position.0;
-    let turn = JointMove {
-        mode: MoveMode::Relative,
-        joint_position: [0.0, 0.0, 0.0, 0.0, 0.0, 5.0].into(),
-        speed: 5.0,
-        acceleration: Some(20.0),
-    };
+    // By 5 deg from where it is, at 5 deg/s and 20 deg/s².
+    let turn = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 5.0).acceleration(20.0);
     let end = robot.run(&turn, Duration::from_secs(30))?;
     println!("{} ({:.1?})", end.outcome, end.waited);
     let after = robot.client().get_joint_pos()?.joint_position.0;

@@ -14,7 +14,6 @@ use std::time::{Duration, Instant};
 
 use jaka_sync::motion::JointMove;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Snapshot};
 
 /// A second of packets at the rate of the fastest firmware: standard output may be slow for so long.
@@ -79,8 +78,8 @@ fn set_going(address: &str) -> Result<Client, jaka_sync::Error> {
     let mut client = Client::connect(address)?;
     client.power_on()?;
     client.enable_robot()?;
-    let joint_position = [10.0, 0.0, 0.0, 0.0, 0.0, 0.0].into();
-    client.joint_move(&JointMove { mode: MoveMode::Relative, joint_position, speed: 8.0, acceleration: Some(20.0) })?;
+    let joint_position = [10.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    client.joint_move(&JointMove::relative(joint_position, 8.0).acceleration(20.0))?;
     Ok(client)
 }
 

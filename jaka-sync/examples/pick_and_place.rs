@@ -11,9 +11,9 @@ use std::process::ExitCode;
 use std::thread::sleep;
 use std::time::Duration;
 
-use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::motion::{EndMove, JointMove, MoveL};
-use jaka_sync::types::{MoveMode, Pose, Switch};
+use jaka_sync::types::{Pose, Switch};
 use jaka_sync::{Motion, Outcome, Robot};
 
 /// The number of the gripper's output in commands.
@@ -55,7 +55,7 @@ fn pick_and_place(robot: &mut Robot) -> Result<(), Box<dyn Error>> {
     go(robot, "above the place", &swing(above_place))?;
     down_and_up(robot, above_place, Switch::Off)?;
 
-    let back = JointMove { mode: MoveMode::Absolute, joint_position: home, speed: 15.0, acceleration: Some(60.0) };
+    let back = JointMove::absolute(home, 15.0).acceleration(60.0);
     go(robot, "back", &back)
 }
 
@@ -69,12 +69,12 @@ fn down_and_up(robot: &mut Robot, above: Pose, gripper: Switch) -> Result<(), Bo
 
 /// Through free space: the joints take the shortest way.
 fn swing(pose: Pose) -> EndMove {
-    EndMove { pose, speed: 15.0, acceleration: Some(60.0) }
+    EndMove::new(pose, 15.0).acceleration(60.0)
 }
 
 /// Near the part: the tool keeps to a straight line.
 fn line(pose: Pose) -> MoveL {
-    MoveL { mode: MoveMode::Absolute, pose, speed: 50.0, acceleration: Some(200.0), tolerance: None }
+    MoveL::absolute(pose, 50.0).acceleration(200.0)
 }
 
 /// Runs a motion to its end. Whatever goes wrong, the gripper stays as it is: a part that it holds is not dropped.
@@ -97,7 +97,7 @@ fn go(robot: &mut Robot, what: &str, motion: &impl Motion) -> Result<(), Box<dyn
 
 /// Switches the gripper, and waits until the status shows it and the fingers have had their time.
 fn grip(robot: &mut Robot, value: Switch) -> Result<(), Box<dyn Error>> {
-    robot.client().set_digital_output(&SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index: OUTPUT, value })?;
+    robot.client().set_digital_output(&SetDigitalOutput::cabinet(OUTPUT, value))?;
     let is_set = |outputs: &Vec<bool>| outputs.get(OUTPUT_IN_STATUS) == Some(&(value == Switch::On));
     robot.monitor().wait_until(|status| status.digital_outputs.as_ref().is_some_and(is_set), Duration::from_secs(2))?;
     sleep(FINGERS);

@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use common::Target;
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::types::JointPosition;
 use jaka_sync::{Monitor, MotionEnd, Outcome, Robot};
 
 const MOTION: Duration = Duration::from_secs(20);
@@ -56,7 +56,7 @@ fn there_and_back(robot: &mut Robot, target: &Target) -> Result<(), Box<dyn Erro
 }
 
 fn to(joint_position: JointPosition) -> JointMove {
-    JointMove { mode: MoveMode::Absolute, joint_position, speed: 5.0, acceleration: Some(20.0) }
+    JointMove::absolute(joint_position, 5.0).acceleration(20.0)
 }
 
 /// Runs a motion; a simulated arm collides once it has moved by three degrees.

@@ -15,7 +15,6 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Outcome, Robot, RobotStop};
 
 fn main() -> ExitCode {
@@ -80,7 +79,7 @@ fn swing(robot: &mut Robot, stop: &Stop) -> Result<(), Box<dyn Error>> {
         if stop.is_asked() {
             break;
         }
-        let motion = JointMove { mode: MoveMode::Absolute, joint_position, speed: 5.0, acceleration: Some(20.0) };
+        let motion = JointMove::absolute(joint_position, 5.0).acceleration(20.0);
         robot.start(&motion)?;
         if stop.is_asked() {
             // The stop came while the motion was being sent, and may have reached the controller before it.

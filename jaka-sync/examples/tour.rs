@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use jaka_sync::frames::SetToolOffsets;
-use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::motion::JointMove;
 use jaka_sync::power::GetRobotStateReply;
 use jaka_sync::servo::SetServoMoveFilter;
@@ -77,7 +77,7 @@ fn move_and_return(robot: &mut Client) -> Result<(), Box<dyn Error>> {
     away.0[0] += 2.0;
     for joint_position in [away, start] {
         let mode = MoveMode::Absolute;
-        robot.joint_move(&JointMove { mode, joint_position, speed: 5.0, acceleration: Some(10.0) })?;
+        robot.joint_move(&JointMove::new(mode, joint_position, 5.0).acceleration(10.0))?;
         arrive(robot, joint_position)?;
     }
     Ok(())
@@ -106,7 +106,7 @@ fn joints(position: JointPosition) -> String {
 fn switch_output(robot: &mut Client, status: &mut StatusStream) -> Result<(), Box<dyn Error>> {
     println!("\nSwitch digital output 1 of the cabinet on and off");
     for value in [Switch::On, Switch::Off] {
-        robot.set_digital_output(&SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index: 1, value })?;
+        robot.set_digital_output(&SetDigitalOutput::cabinet(1, value))?;
         // What has arrived so far is older than the reply; the packet after it is not.
         status.newest_packet()?;
         let outputs = status.next_packet()?.digital_outputs.unwrap_or_default();
@@ -119,7 +119,7 @@ fn tool_frame(robot: &mut Client, may_change: bool) -> Result<(), Box<dyn Error>
     println!("\nTool frames");
     if may_change {
         let offset = Pose { x: 0.0, y: 0.0, z: 120.0, rx: 0.0, ry: 0.0, rz: 90.0 };
-        robot.set_tool_offsets(&SetToolOffsets { offset, id: 3, name: "gripper".to_owned() })?;
+        robot.set_tool_offsets(&SetToolOffsets::new(offset, 3, "gripper"))?;
         robot.set_tool_id(3)?;
         println!("  set frame 3 and selected it");
     }
@@ -136,7 +136,7 @@ fn tool_frame(robot: &mut Client, may_change: bool) -> Result<(), Box<dyn Error>
 
 fn servo_filter(robot: &mut Client) -> Result<(), Box<dyn Error>> {
     println!("\nServo filter");
-    robot.set_servo_move_filter(&SetServoMoveFilter::Disabled)?;
+    robot.set_servo_move_filter(&SetServoMoveFilter::disabled())?;
     println!("  disabled; in servo mode: {}", robot.is_in_servomove()?.in_servo_mode);
     Ok(())
 }

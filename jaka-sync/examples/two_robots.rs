@@ -14,7 +14,7 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::types::JointPosition;
 use jaka_sync::{Outcome, Robot, RobotStop};
 
 /// An error that can leave its thread.
@@ -86,7 +86,7 @@ impl Cell {
 
     fn go(&self, name: &str, robot: &mut Robot, joint_position: JointPosition) -> Result<(), Failure> {
         self.check()?;
-        let motion = JointMove { mode: MoveMode::Absolute, joint_position, speed: 10.0, acceleration: Some(40.0) };
+        let motion = JointMove::absolute(joint_position, 10.0).acceleration(40.0);
         robot.start(&motion)?;
         // The other's stop may have come just before the motion was accepted: this ends in a stop of both once more.
         self.check()?;

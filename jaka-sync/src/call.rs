@@ -11,7 +11,7 @@ use crate::{Client, Command, Error, Robot};
 /// use jaka_sync::{Call, Error};
 ///
 /// fn version(robot: &mut impl Call) -> Result<String, Error> {
-///     Ok(robot.call(&GetVersion)?.version)
+///     Ok(robot.call(&GetVersion::new())?.version)
 /// }
 /// ```
 pub trait Call {

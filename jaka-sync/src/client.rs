@@ -183,7 +183,7 @@ impl Client {
     /// As [`call`](Self::call); [`UnexpectedReply`](ErrorKind::UnexpectedReply) with the controller's text if that is not a version.
     /// The checks then stay as they were.
     pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
-        let text = self.call(&GetVersion)?.version;
+        let text = self.call(&GetVersion::new())?.version;
         let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
         let no_version = |_| self.link.attach(unexpected(GetVersion::INFO.name, unfit()));
         let firmware = text.parse().map_err(no_version)?;

@@ -24,11 +24,11 @@ use crate::{Client, Error};
 ///
 /// ```no_run
 /// use jaka_sync::Client;
-/// use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+/// use jaka_sync::io::SetDigitalOutput;
 /// use jaka_sync::types::Switch;
 ///
 /// let mut robot = Client::connect("10.5.5.100")?;
-/// let off = |index| SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::Off };
+/// let off = |index| SetDigitalOutput::cabinet(index, Switch::Off);
 /// let mut pipeline = robot.pipeline(8);
 /// for index in 0..16 {
 ///     pipeline.send(&off(index))?;

@@ -39,7 +39,6 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 /// use std::time::Duration;
 /// use jaka_sync::Robot;
 /// use jaka_sync::motion::JointMove;
-/// use jaka_sync::types::MoveMode;
 ///
 /// let mut robot = Robot::connect("10.5.5.100")?;
 /// let stop = robot.stop_handle();
@@ -49,13 +48,8 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 ///     }
 /// })?;
 /// robot.power_up(Duration::from_secs(60))?;
-/// // The last joint, by 5 deg from where it is, at 5 deg/s.
-/// let turn = JointMove {
-///     mode: MoveMode::Relative,
-///     joint_position: [0.0, 0.0, 0.0, 0.0, 0.0, 5.0].into(),
-///     speed: 5.0,
-///     acceleration: Some(20.0),
-/// };
+/// // The last joint, by 5 deg from where it is, at 5 deg/s and 20 deg/s².
+/// let turn = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 5.0).acceleration(20.0);
 /// robot.run(&turn, Duration::from_secs(30))?.reached()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

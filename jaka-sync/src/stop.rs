@@ -49,7 +49,7 @@ impl StopHandle {
     /// the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
         let outgoing = Outgoing::of(StopProgram::INFO, self.timeout).by(Right::Stop);
-        let write = &mut |out: &mut _| StopProgram.write_request(out);
+        let write = &mut |out: &mut _| StopProgram::new().write_request(out);
         self.link.call(&outgoing, write, &mut String::new(), &mut TextOnly)
     }
 }

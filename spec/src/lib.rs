@@ -27,7 +27,7 @@ pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
-pub use names::{to_camel, to_screaming};
+pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use pack::{Module, Pack, load_pack};
 pub use report::{Error, Errors};
 pub use scalar::Scalar;

@@ -282,6 +282,7 @@ pub struct Variant {
 
 /// One field of a request, a reply or a type.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a key of its own in the TOML files")]
 pub struct Field {
     /// Key on the wire; empty for an element of an array.
     pub wire: String,
@@ -297,6 +298,8 @@ pub struct Field {
     pub ascii: bool,
     /// True where the key may be left out.
     pub optional: bool,
+    /// True for an enum that selects a kind of message: Rust gets a constructor for each of its values.
+    pub constructors: bool,
     /// True where sources leave room for another shape: what does not fit the type is kept as raw JSON.
     pub or_raw: bool,
     /// What the field means. The first sentence stands alone.

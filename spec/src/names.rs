@@ -95,7 +95,7 @@ pub(crate) const RESERVED_MODULES: &[&str] = &[
 ];
 
 /// True for a name such as `joint_move` that can be a field, a method or a module.
-pub(crate) fn is_snake(name: &str) -> bool {
+pub fn is_snake(name: &str) -> bool {
     let mut bytes = name.bytes();
     bytes.next().is_some_and(|b| b.is_ascii_lowercase())
         && bytes.all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_')
@@ -126,6 +126,11 @@ pub fn to_camel(snake: &str) -> String {
 /// The trait with the methods of the pack that this module is made of.
 pub(crate) fn trait_name(module: &str) -> String {
     to_camel(module) + "Commands"
+}
+
+/// `TcpIp` becomes `tcp_ip`.
+pub fn to_snake(camel: &str) -> String {
+    to_screaming(camel).to_ascii_lowercase()
 }
 
 /// `PermissionDenied` becomes `PERMISSION_DENIED`.

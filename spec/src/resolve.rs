@@ -26,6 +26,8 @@ pub(crate) struct Index<'s> {
     types: Vec<TypeDef>,
     defined: BTreeSet<TypeId>,
     uses: Vec<TypeUse<'s>>,
+    /// Where an enum is wanted, and the type that is there.
+    enum_uses: Vec<(String, Placed<'s, TypeId>)>,
     /// The trait with a pack's methods.
     own_trait: Option<String>,
 }
@@ -124,6 +126,11 @@ impl<'s> Index<'s> {
         &self.types[id.0]
     }
 
+    /// The type `ty` is to be an enum.
+    pub(crate) fn enum_use(&mut self, item: &Item<'_, 's>, ty: Placed<'s, TypeId>) {
+        self.enum_uses.push((item.what.clone(), ty));
+    }
+
     pub(crate) fn type_use(&mut self, item: &Item<'_, 's>, at: At<'s>, ty: &Type) {
         self.uses.push(TypeUse { what: item.what.clone(), at, ty: ty.clone() });
     }
@@ -161,6 +168,11 @@ fn message_types(command: &str) -> [String; 2] {
 
 /// Runs the checks that need all files.
 pub(crate) fn check(index: &Index<'_>, report: &Report) {
+    for (what, ty) in &index.enum_uses {
+        if !matches!(index.types[ty.value.0].kind, TypeKind::IntEnum(_) | TypeKind::TextEnum(_)) {
+            report.error(ty.at, format!("{what}: {NO_ENUM}"));
+        }
+    }
     for TypeUse { what, at, ty } in &index.uses {
         let problem = ty.named().and_then(|id| {
             let name = &index.types[id.0].name;

@@ -1,6 +1,8 @@
 //! Types with their names looked up: what they are on the wire, and what the generated Rust types can do.
 
-use crate::model::{Choice, EnumValue, Field, Spec, Type, TypeKind};
+use std::collections::BTreeSet;
+
+use crate::model::{Choice, EnumValue, Field, Spec, Type, TypeId, TypeKind};
 use crate::scalar::Scalar;
 
 /// What a type is on the wire: named types are looked up, and wrappers taken off.
@@ -82,6 +84,26 @@ impl Spec {
     /// True if a struct of these fields can be `Copy`.
     pub fn all_copy(&self, fields: &[Field]) -> bool {
         fields.iter().all(|field| !field.or_raw && self.is_copy(&field.ty))
+    }
+}
+
+impl Spec {
+    /// True if requests have the type, also inside other types: the client checks it, and programs make values of it.
+    pub fn is_sent(&self, id: TypeId) -> bool {
+        self.sent().contains(&id)
+    }
+
+    /// The types that requests have, also inside other types.
+    fn sent(&self) -> BTreeSet<TypeId> {
+        let mut sent = BTreeSet::new();
+        let fields = self.commands().flat_map(|command| command.request.fields());
+        let mut open: Vec<_> = fields.filter_map(|field| field.ty.named()).collect();
+        while let Some(id) = open.pop() {
+            if sent.insert(id) {
+                open.extend(self[id].kind.parts());
+            }
+        }
+        sent
     }
 }
 

@@ -7,11 +7,11 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Fault};
-use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
-use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::types::Switch;
 use jaka_sync::{
     AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, ErrorKind, Robot, StatusStream, StopHandle,
 };
@@ -33,8 +33,8 @@ fn ready() -> (Controller, Client) {
 }
 
 fn one_degree() -> JointMove {
-    let joint_position = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0].into();
-    JointMove { mode: MoveMode::Relative, joint_position, speed: 10.0, acceleration: None }
+    let joint_position = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    JointMove::relative(joint_position, 10.0)
 }
 
 #[test]
@@ -82,14 +82,14 @@ fn code_can_be_generic_over_the_command() {
         Ok((client.call(command)?, client.call(command)?))
     }
     let (_controller, mut client) = connected();
-    let (first, second) = twice(&mut client, &GetJointPos).expect("it answers");
+    let (first, second) = twice(&mut client, &GetJointPos::new()).expect("it answers");
     assert_eq!(first, second);
 }
 
 #[test]
 fn ranges_of_newer_firmware_can_be_switched_off() {
     let (controller, mut strict) = connected();
-    let relay = SetDigitalOutput { kind: DigitalOutputKind::Relay, index: 1, value: Switch::On };
+    let relay = SetDigitalOutput::relay(1, Switch::On);
     let error = strict.set_digital_output(&relay).expect_err("the relay is of newer firmware");
     assert!(error.to_string().contains("newer firmware may take it"), "{error}");
     drop(strict);
@@ -156,7 +156,7 @@ fn a_deadline_of_ones_own() {
     let (controller, mut client) = connected();
     controller.inject(Fault::Drop);
     let timeout = Duration::from_millis(20);
-    let error = client.call_within(&GetJointPos, timeout).expect_err("no reply comes");
+    let error = client.call_within(&GetJointPos::new(), timeout).expect_err("no reply comes");
     assert!(matches!(error.kind(), ErrorKind::Timeout { after, .. } if *after == timeout));
 }
 
@@ -335,7 +335,7 @@ fn a_client_that_is_dropped_closes_its_connection_and_its_stop_handle_says_so() 
     let (mut server, _) = listener.accept().expect("the client waits");
     server.set_read_timeout(Some(Duration::from_secs(60))).expect("it is a time");
     let stop = client.stop_handle();
-    client.pipeline(1).send(&StopProgram).expect("it is not known yet");
+    client.pipeline(1).send(&StopProgram::new()).expect("it is not known yet");
     drop(client);
     let mut bytes = String::new();
     server.read_to_string(&mut bytes).expect("the end is orderly, and comes");
@@ -435,9 +435,9 @@ fn no_timeout_is_too_long() {
         Config::new().connect_timeout(Duration::MAX).reply_timeout(Duration::MAX).keepalive(Some(Duration::MAX));
     let mut client = config.connect_client(controller.command_addr()).expect("the controller listens");
     client.get_version().expect("it answers");
-    client.call_within(&GetJointPos, Duration::MAX).expect("it answers");
+    client.call_within(&GetJointPos::new(), Duration::MAX).expect("it answers");
     let mut pipeline = client.pipeline(usize::MAX);
-    pipeline.send(&StopProgram).expect("it is not known yet");
+    pipeline.send(&StopProgram::new()).expect("it is not known yet");
     assert_eq!(pipeline.finish().expect("it answers"), 1);
     client.stop_handle().stop().expect("it answers");
     let mut status = config.connect_status(controller.status_addr()).expect("the controller listens");

@@ -49,7 +49,7 @@ fn nothing_is_refused_by_default() {
     let (controller, mut client) = connected();
     assert_eq!(client.get_version().expect("it answers").version, "1.6.5_01_X86");
     assert_eq!(client.firmware(), None);
-    client.set_fan(&QUIET).expect("the simulator takes it");
+    client.call(&QUIET).expect("the simulator takes it");
     assert_eq!(controller.requests()[1], r#"{"cmdName":"set_fan","curve":{"speed":0.5,"quiet":true}}"#);
 }
 
@@ -60,7 +60,7 @@ fn a_command_that_the_controller_does_not_have_is_not_sent() {
     assert_eq!((firmware, client.firmware()), (FirmwareVersion::new([1, 6, 5]), Some(firmware)));
     assert_eq!(controller.requests(), [r#"{"cmdName":"get_version"}"#]);
 
-    let error = client.set_fan(&PLAIN).expect_err("the firmware is too old");
+    let error = client.set_fan(PLAIN.curve).expect_err("the firmware is too old");
     assert_eq!(
         error.to_string(),
         "`set_fan` was not sent: the controller's firmware 1.6.5 does not have it; firmware 1.7 and later has"
@@ -82,10 +82,10 @@ fn a_field_that_the_controller_does_not_have_is_not_sent() {
     let (controller, mut client) = connected();
     says(&controller, "V1.7.1.46_X64");
     client.check_firmware().expect("the text is a version");
-    client.set_fan(&PLAIN).expect("the firmware has the command");
-    client.set_fan(&DELAYED).expect("the firmware has the field");
+    client.set_fan(PLAIN.curve).expect("the firmware has the command");
+    client.call(&DELAYED).expect("the firmware has the field");
     assert_eq!(
-        missing(client.set_fan(&QUIET)).to_string(),
+        missing(client.call(&QUIET)).to_string(),
         "`set_fan` was not sent: the controller's firmware 1.7.1.46 does not have its field `curve.quiet`; \
          firmware 1.7.2 and later has"
     );
@@ -93,8 +93,8 @@ fn a_field_that_the_controller_does_not_have_is_not_sent() {
 
     says(&controller, "1.8.0");
     client.check_firmware().expect("the text is a version");
-    client.set_fan(&QUIET).expect("the firmware has the field");
-    assert_eq!(missing(client.set_fan(&DELAYED)).field.as_deref(), Some("delay"));
+    client.call(&QUIET).expect("the firmware has the field");
+    assert_eq!(missing(client.call(&DELAYED)).field.as_deref(), Some("delay"));
 }
 
 #[test]
@@ -109,22 +109,22 @@ fn a_version_that_cannot_be_read_is_an_error_and_changes_nothing() {
         "field `version`: expected a firmware version such as 1.6.5_01_X86, found `development build`"
     );
     assert_eq!(client.firmware(), None);
-    client.set_fan(&QUIET).expect("nothing is refused");
+    client.call(&QUIET).expect("nothing is refused");
 
     client.check_firmware().expect("now it is one");
     says(&controller, "");
     client.check_firmware().expect_err("it is no version");
-    missing(client.set_fan(&PLAIN));
+    missing(client.set_fan(PLAIN.curve));
 }
 
 #[test]
 fn a_firmware_that_is_set_is_not_asked_for() {
     let (controller, mut client) = connected();
     client.set_firmware(Some(FirmwareVersion::new([1, 5, 14])));
-    missing(client.set_fan(&PLAIN));
+    missing(client.set_fan(PLAIN.curve));
     assert!(controller.requests().is_empty());
     client.set_firmware(None);
-    client.set_fan(&PLAIN).expect("nothing is refused");
+    client.set_fan(PLAIN.curve).expect("nothing is refused");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use jaka_sync::kinematics::KineInverse;
 use jaka_sync::motion::{EndMove, Jog, JogFrame, JointMove, MoveC, MoveL};
 use jaka_sync::program::ProgramState;
 use jaka_sync::servo::{ServoJ, ServoP};
-use jaka_sync::types::{JointPosition, MoveMode, Pose, Switch};
+use jaka_sync::types::{MoveMode, Pose, Switch};
 use jaka_sync::{Client, ErrorCode, StatusStream};
 
 const CYCLE: Duration = Duration::from_millis(8);
@@ -61,7 +61,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 fn by_joint(mode: MoveMode, position: [f64; 6], speed: f64, acceleration: f64) -> JointMove {
-    JointMove { mode, joint_position: position.into(), speed, acceleration: Some(acceleration) }
+    JointMove::new(mode, position, speed).acceleration(acceleration)
 }
 
 #[test]
@@ -143,8 +143,7 @@ fn a_straight_line_is_straight() {
     let (controller, mut client) = ready();
     let start = pose(&mut client);
     let offset = Pose { x: 60.0, y: -120.0, z: 80.0, rx: 10.0, ry: -15.0, rz: 20.0 };
-    let request =
-        MoveL { mode: MoveMode::Relative, pose: offset, speed: 100.0, acceleration: Some(400.0), tolerance: None };
+    let request = MoveL::relative(offset, 100.0).acceleration(400.0);
     client.move_l(&request).expect("it is reachable");
     let direction: [f64; 3] = [60.0, -120.0, 80.0];
     let way = distance(direction, [0.0; 3]);
@@ -161,7 +160,9 @@ fn a_straight_line_is_straight() {
     let end = pose(&mut client);
     assert!(distance(place(end), std::array::from_fn(|i| start[i] + direction[i])) < 0.01);
     // Back to the pose itself, orientation too.
-    let back = MoveL { mode: MoveMode::Absolute, pose: start.into(), ..request };
+    let mut back = request;
+    back.mode = MoveMode::Absolute;
+    back.pose = start.into();
     client.move_l(&back).expect("it came from there");
     run(&controller, || ());
     assert_close(pose(&mut client), start, 0.01);
@@ -179,14 +180,7 @@ fn an_arc_is_round_and_goes_through_its_three_points() {
         Pose::from(pose)
     };
     let (mid, end) = (std::f64::consts::FRAC_PI_4, std::f64::consts::FRAC_PI_2);
-    let request = MoveC {
-        mode: MoveMode::Absolute,
-        mid_pose: on_circle(mid),
-        end_pose: on_circle(end),
-        speed: 40.0,
-        acceleration: 200.0,
-        tolerance: 0.0,
-    };
+    let request = MoveC::absolute(on_circle(mid), on_circle(end), 40.0, 200.0, 0.0);
     client.move_c(&request).expect("it is reachable");
     let centre = [start[0] - 50.0, start[1], start[2]];
     let mut nearest_to_middle = f64::MAX;
@@ -202,7 +196,9 @@ fn an_arc_is_round_and_goes_through_its_three_points() {
     let way = 50.0 * end;
     assert!((taken.as_secs_f64() - (way / 40.0 + 40.0 / 200.0)).abs() <= CYCLE.as_secs_f64() + 1e-9);
     // Three points on a line make no circle.
-    let straight = MoveC { mid_pose: on_circle(end), end_pose: on_circle(end), ..request };
+    let mut straight = request;
+    straight.mid_pose = on_circle(end);
+    straight.end_pose = on_circle(end);
     assert!(client.move_c(&straight).is_err_and(|error| error.is_refused()));
 }
 
@@ -212,7 +208,7 @@ fn end_move_goes_to_a_pose_by_joints() {
     let mut target = pose(&mut client);
     target[1] += 150.0;
     target[2] += 50.0;
-    client.end_move(&EndMove { pose: target.into(), speed: 30.0, acceleration: Some(90.0) }).expect("it is reachable");
+    client.end_move(&EndMove::new(target, 30.0).acceleration(90.0)).expect("it is reachable");
     run(&controller, || ());
     assert_close(pose(&mut client), target, 0.01);
 }
@@ -222,11 +218,11 @@ fn unreachable_targets_are_refused_as_the_document_shows() {
     let (_controller, mut client) = ready();
     let far = Pose { x: 5000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 };
     let reference_joint_position = client.get_joint_pos().expect("it answers").joint_position;
-    let error = client.kine_inverse(&KineInverse { reference_joint_position, pose: far }).expect_err("it is too far");
+    let error = client.kine_inverse(&KineInverse::new(reference_joint_position, far)).expect_err("it is too far");
     let refusal = error.refusal().expect("the controller refuses");
     assert_eq!((refusal.code, refusal.message.as_str()), (ErrorCode(2), "call kine_inverse failed"));
-    assert!(client.end_move(&EndMove { pose: far, speed: 10.0, acceleration: None }).is_err_and(|e| e.is_refused()));
-    let line = MoveL { mode: MoveMode::Absolute, pose: far, speed: 10.0, acceleration: None, tolerance: None };
+    assert!(client.end_move(&EndMove::new(far, 10.0)).is_err_and(|e| e.is_refused()));
+    let line = MoveL::absolute(far, 10.0);
     assert!(client.move_l(&line).is_err_and(|error| error.is_refused()));
     let beyond = by_joint(MoveMode::Absolute, [0.0, 0.0, 500.0, 0.0, 0.0, 0.0], 10.0, 10.0);
     assert!(client.joint_move(&beyond).is_err_and(|error| error.is_refused()));
@@ -238,7 +234,7 @@ fn kinematics_agree_with_one_another() {
     let at = client.get_joint_pos().expect("it answers").joint_position;
     let tcp = pose(&mut client);
     assert_close(client.kine_forward(at).expect("it answers").pose.into(), tcp, 1e-9);
-    let request = KineInverse { reference_joint_position: at, pose: tcp.into() };
+    let request = KineInverse::new(at, tcp);
     assert_close(client.kine_inverse(&request).expect("it is there").joint_position.0, at.0, 1e-6);
     let dh = client.get_dh_param().expect("it answers");
     assert!(dh.a.iter().chain(&dh.d).any(|length| length.abs() > 100.0), "the lengths are those of an arm: {dh:?}");
@@ -249,16 +245,16 @@ fn frames_change_the_pose_and_the_targets() {
     let (controller, mut client) = ready();
     let flange = pose(&mut client);
     let tool = Pose { x: 0.0, y: 0.0, z: 120.0, rx: 0.0, ry: 0.0, rz: 0.0 };
-    client.set_tool_offsets(&SetToolOffsets { offset: tool, id: 4, name: "gripper".to_owned() }).expect("it answers");
+    client.set_tool_offsets(&SetToolOffsets::new(tool, 4, "gripper")).expect("it answers");
     client.set_tool_id(4).expect("it answers");
     assert!((distance(place(pose(&mut client)), place(flange)) - 120.0).abs() < 1e-6);
     let user = Pose { x: 100.0, y: -50.0, z: 10.0, rx: 0.0, ry: 0.0, rz: 90.0 };
-    client.set_user_offsets(&SetUserOffsets { offset: user, id: 2, name: "table".to_owned() }).expect("it answers");
+    client.set_user_offsets(&SetUserOffsets::new(user, 2, "table")).expect("it answers");
     client.set_user_id(2).expect("it answers");
     let seen = pose(&mut client);
     // A relative move follows the axes of the user frame: its x is the base's y.
     let offset = Pose { x: 30.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 };
-    let line = MoveL { mode: MoveMode::Relative, pose: offset, speed: 50.0, acceleration: None, tolerance: None };
+    let line = MoveL::relative(offset, 50.0);
     client.move_l(&line).expect("it is reachable");
     run(&controller, || ());
     assert!((pose(&mut client)[0] - seen[0] - 30.0).abs() < 0.01);
@@ -316,42 +312,38 @@ fn in_position_falls_late_and_not_at_all_for_a_move_of_no_length() {
 fn jogs_in_all_modes_and_frames() {
     let (controller, mut client) = ready();
     let start = joints(&mut client);
-    client.jog(&Jog::Continuous { frame: JogFrame::Joint, axis: 1, velocity: -10.0 }).expect("the arm is enabled");
-    let again = client.jog(&Jog::Continuous { frame: JogFrame::Joint, axis: 1, velocity: 5.0 });
+    client.jog(&Jog::continuous(JogFrame::Joint, 1, -10.0)).expect("the arm is enabled");
+    let again = client.jog(&Jog::continuous(JogFrame::Joint, 1, 5.0));
     assert!(again.is_err_and(|error| error.is_refused()), "it must be stopped first");
     controller.advance(Duration::from_secs(1));
-    client.jog(&Jog::Stop { frame: JogFrame::Joint, axis: 1 }).expect("it answers");
+    client.jog(&Jog::stop(JogFrame::Joint, 1)).expect("it answers");
     run(&controller, || ());
     assert!((joints(&mut client)[1] - start[1] + 10.0).abs() < 0.2);
-    client
-        .jog(&Jog::Absolute { frame: JogFrame::Joint, axis: 1, velocity: 20.0, position: start[1] })
-        .expect("it goes");
+    client.jog(&Jog::absolute(JogFrame::Joint, 1, 20.0, start[1])).expect("it goes");
     run(&controller, || ());
     assert_close(joints(&mut client), start, 1e-9);
-    client.jog(&Jog::Increment { frame: JogFrame::Joint, axis: 5, velocity: 20.0, distance: -7.0 }).expect("it goes");
+    client.jog(&Jog::increment(JogFrame::Joint, 5, 20.0, -7.0)).expect("it goes");
     run(&controller, || ());
     assert!((joints(&mut client)[5] - start[5] + 7.0).abs() < 1e-9);
 
     let before = pose(&mut client);
-    client.jog(&Jog::Increment { frame: JogFrame::World, axis: 1, velocity: 50.0, distance: 25.0 }).expect("it goes");
+    client.jog(&Jog::increment(JogFrame::World, 1, 50.0, 25.0)).expect("it goes");
     run(&controller, || ());
     assert!((pose(&mut client)[1] - before[1] - 25.0).abs() < 0.01);
-    client
-        .jog(&Jog::Absolute { frame: JogFrame::World, axis: 1, velocity: 50.0, position: before[1] })
-        .expect("it goes");
+    client.jog(&Jog::absolute(JogFrame::World, 1, 50.0, before[1])).expect("it goes");
     run(&controller, || ());
     assert_close(pose(&mut client), before, 0.01);
     // The tool points down, so forward along its z is down.
-    client.jog(&Jog::Continuous { frame: JogFrame::Tool, axis: 2, velocity: 20.0 }).expect("it goes");
+    client.jog(&Jog::continuous(JogFrame::Tool, 2, 20.0)).expect("it goes");
     controller.advance(Duration::from_secs(1));
-    client.jog(&Jog::Stop { frame: JogFrame::Tool, axis: 2 }).expect("it answers");
+    client.jog(&Jog::stop(JogFrame::Tool, 2)).expect("it answers");
     assert!((distance(place(pose(&mut client)), place(before)) - 20.0).abs() < 0.3);
 }
 
 #[test]
 fn a_jog_ends_at_the_soft_limit() {
     let (controller, mut client) = ready();
-    client.jog(&Jog::Continuous { frame: JogFrame::Joint, axis: 0, velocity: 90.0 }).expect("the arm is enabled");
+    client.jog(&Jog::continuous(JogFrame::Joint, 0, 90.0)).expect("the arm is enabled");
     controller.advance(Duration::from_secs(60));
     assert!(controller.state().in_position);
     assert!(joints(&mut client)[0] > 90.0);
@@ -361,12 +353,8 @@ fn a_jog_ends_at_the_soft_limit() {
 fn servo_set_points_move_within_their_cycles() {
     let (controller, mut client) = ready();
     let start = joints(&mut client);
-    let step = |angle: f64, step_count| ServoJ {
-        mode: MoveMode::Relative,
-        joint_position: JointPosition([angle, 0.0, 0.0, 0.0, 0.0, 0.0]),
-        step_count,
-    };
-    let error = client.servo_j(&step(0.1, None)).expect_err("servo mode is off");
+    let step = |angle: f64| ServoJ::relative([angle, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let error = client.servo_j(&step(0.1)).expect_err("servo mode is off");
     let refusal = error.refusal().expect("the controller refuses");
     assert_eq!(refusal.code, ErrorCode(-1));
     assert_eq!(refusal.message, "servoj command can only be excuted in servo move mode");
@@ -374,15 +362,15 @@ fn servo_set_points_move_within_their_cycles() {
     client.servo_move(Switch::On).expect("it answers");
     assert!(client.is_in_servomove().expect("it answers").in_servo_mode);
     for _ in 0..10 {
-        client.servo_j(&step(0.5, Some(1))).expect("servo mode is on");
+        client.servo_j(&step(0.5).step_count(1)).expect("servo mode is on");
         controller.advance(CYCLE);
     }
     assert!((joints(&mut client)[0] - start[0] - 5.0).abs() < 1e-9);
     // 1.5 degrees in a cycle are 187.5 deg/s: no effect. In two cycles they are fine.
-    client.servo_j(&step(1.5, Some(1))).expect("it answers all the same");
+    client.servo_j(&step(1.5).step_count(1)).expect("it answers all the same");
     controller.advance(CYCLE * 4);
     assert!((joints(&mut client)[0] - start[0] - 5.0).abs() < 1e-9);
-    client.servo_j(&step(1.5, Some(2))).expect("servo mode is on");
+    client.servo_j(&step(1.5).step_count(2)).expect("servo mode is on");
     controller.advance(CYCLE);
     assert!((joints(&mut client)[0] - start[0] - 5.75).abs() < 1e-9);
     controller.advance(CYCLE);
@@ -390,7 +378,7 @@ fn servo_set_points_move_within_their_cycles() {
 
     let mut target = pose(&mut client);
     target[2] += 0.5;
-    let request = ServoP { pose: target.into(), mode: MoveMode::Absolute, step_count: Some(1) };
+    let request = ServoP::absolute(target).step_count(1);
     client.servo_p(&request).expect("servo mode is on");
     controller.advance(CYCLE);
     assert_close(pose(&mut client), target, 0.01);
@@ -427,13 +415,13 @@ fn recorded_trajectories_are_replayed() {
     use jaka_sync::trajectory::{GenerateTrajExeFile, SetTrajSampleMode};
     let (controller, mut client) = ready();
     let start = joints(&mut client);
-    let sample = |mode| SetTrajSampleMode { mode, file_name: "arch".to_owned() };
+    let sample = |mode| SetTrajSampleMode::new(mode, "arch");
     client.set_traj_sample_mode(&sample(Switch::On)).expect("it answers");
     client.joint_move(&by_joint(MoveMode::Relative, [8.0, 0.0, 0.0, 0.0, 4.0, 0.0], 20.0, 80.0)).expect("it goes");
     run(&controller, || ());
     let end = joints(&mut client);
     client.set_traj_sample_mode(&sample(Switch::Off)).expect("it answers");
-    client.call(&GenerateTrajExeFile { file_name: "arch".to_owned() }).expect("it was recorded");
+    client.call(&GenerateTrajExeFile::new("arch")).expect("it was recorded");
     client.joint_move(&by_joint(MoveMode::Absolute, start, 20.0, 80.0)).expect("it goes");
     run(&controller, || ());
     client.load_program("track/arch.jks").expect("it was generated");
@@ -447,7 +435,7 @@ fn a_payload_is_identified_by_a_motion() {
     use jaka_sync::force::IdentifyStatus;
     use jaka_sync::payload::SetPayload;
     let (controller, mut client) = ready();
-    client.set_payload(&SetPayload { mass: 1.5, centroid: [1.0, 2.0, 30.0].into() }).expect("it answers");
+    client.set_payload(&SetPayload::new(1.5, [1.0, 2.0, 30.0])).expect("it answers");
     let mut end = joints(&mut client);
     end[5] += 45.0;
     client.start_torq_sensor_payload_identify(end).expect("it is reachable");

@@ -9,7 +9,6 @@ use std::time::Duration;
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::{Envelope, ErrorCode};
 use jaka_sync::servo::ServoJ;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Disconnect, ErrorKind};
 use serde_json::json;
 
@@ -178,7 +177,7 @@ fn a_pipeline_counts_odd_replies() {
     let mut client = client(reply);
     let mut pipeline = client.pipeline(2);
     for _ in 0..3 {
-        let set_point = ServoJ { mode: MoveMode::Relative, joint_position: [0.0; 6].into(), step_count: None };
+        let set_point = ServoJ::relative([0.0; 6]);
         pipeline.send(&set_point).expect("it is sent");
     }
     pipeline.finish().expect("all are accepted");

@@ -51,13 +51,13 @@ fn delayed(controller: &Controller, time: Duration) {
 }
 
 fn to(angle: f64, speed: f64) -> JointMove {
-    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-    JointMove { mode: MoveMode::Absolute, joint_position, speed, acceleration: Some(400.0) }
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0];
+    JointMove::absolute(joint_position, speed).acceleration(400.0)
 }
 
 fn up(millimetres: f64, speed: f64) -> MoveL {
     let pose = Pose { x: 0.0, y: 0.0, z: millimetres, rx: 0.0, ry: 0.0, rz: 0.0 };
-    MoveL { mode: MoveMode::Relative, pose, speed, acceleration: Some(800.0), tolerance: None }
+    MoveL::relative(pose, speed).acceleration(800.0)
 }
 
 fn sent(controller: &Controller, name: &str) -> usize {
@@ -288,7 +288,7 @@ fn a_relative_motion_behind_a_stop_is_not_measured_from_a_moving_arm() {
     let (controller, mut robot) = ready();
     delayed(&controller, ms(2000));
     let stop = robot.stop_handle();
-    let slow = JointMove { acceleration: Some(20.0), ..to(60.0, 20.0) };
+    let slow = to(60.0, 20.0).acceleration(20.0);
     let stopped = thread::scope(|scope| {
         scope.spawn(|| {
             thread::sleep(ms(1200));
@@ -297,12 +297,7 @@ fn a_relative_motion_behind_a_stop_is_not_measured_from_a_moving_arm() {
         robot.run(&slow, LONG).expect("accepted")
     });
     assert!(matches!(stopped.outcome, Outcome::Stopped), "{:?}", stopped.outcome);
-    let by = JointMove {
-        mode: MoveMode::Relative,
-        joint_position: [10.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(),
-        speed: 20.0,
-        acceleration: Some(100.0),
-    };
+    let by = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0).acceleration(100.0);
     let end = robot.run(&by, LONG).expect("accepted");
     assert!(!matches!(end.outcome, Outcome::Stopped), "nobody stopped it");
 }
@@ -342,7 +337,7 @@ fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
     let at = controller.state().tcp_pose;
     let mid_pose = Pose { x: at.x + 30.0, z: at.z + 1.0, ..at };
     let end_pose = Pose { z: at.z + 0.3, ..at };
-    let circle = MoveC { mode: MoveMode::Absolute, mid_pose, end_pose, speed: 30.0, acceleration: 5.0, tolerance: 0.0 };
+    let circle = MoveC::absolute(mid_pose, end_pose, 30.0, 5.0, 0.0);
     delayed(&controller, ms(400));
     robot.start(&circle).expect("accepted");
     controller.link(Port::Command).to_client().hold();
@@ -403,11 +398,9 @@ fn a_refused_motion_is_told_within_its_deadline() {
     let controller = arm_with([Habit::LateQueries(Some(ms(3000)))], PERIOD);
     let mut robot = robot_of(&controller, &lenient()).with_status_silence(LONG);
     robot.start(&to(90.0, 10.0)).expect("accepted");
-    let far = MoveL {
-        pose: Pose { x: 9000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 },
-        mode: MoveMode::Absolute,
-        ..up(0.0, 20.0)
-    };
+    let mut far = up(0.0, 20.0);
+    far.pose = Pose { x: 9000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 };
+    far.mode = MoveMode::Absolute;
     let since = Instant::now();
     let error = robot.run(&far, ms(200)).expect_err("it is not reachable");
     let took = since.elapsed();

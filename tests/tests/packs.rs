@@ -8,7 +8,6 @@ use jaka_pack_user::newer::{self, NewerCommands as _};
 use jaka_pack_user::{is_stopped, move_with_zone, queued};
 use jaka_sim::{Controller, Delays};
 use jaka_sync::status::RobotStatus;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Robot, StatusStream};
 use serde_json::{Value, json};
 
@@ -36,7 +35,12 @@ fn commands_of_a_pack_are_called_and_answered() {
     let controller = controller();
     let mut robot = client(&controller);
     let state = robot.get_motion_state().expect("the pack's example is the answer");
-    let expected = newer::GetMotionStateReply { in_position: true, paused: false, queue: 3, active_queue: 1 };
+    let expected = newer::GetMotionStateReply::from(newer::literal::GetMotionStateReply {
+        in_position: true,
+        paused: false,
+        queue: 3,
+        active_queue: 1,
+    });
     assert_eq!(state, expected);
     assert_eq!(queued(&mut robot).expect("the same"), 3);
     assert!(!is_stopped(&mut robot).expect("without an example, the answer is no"));
@@ -97,13 +101,7 @@ fn a_motion_of_a_pack_is_waited_for() {
     let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the port is open");
     let mut robot = Robot::new(client(&controller), monitor);
     robot.power_up(Duration::from_secs(5)).expect("it has power at once");
-    let request = changed::JointMove {
-        mode: MoveMode::Absolute,
-        joint_position: [5.0, 90.0, 90.0, 90.0, -90.0, 0.0].into(),
-        speed: 90.0,
-        acceleration: None,
-        zone: Some(1.0),
-    };
+    let request = changed::JointMove::absolute([5.0, 90.0, 90.0, 90.0, -90.0, 0.0], 90.0).zone(1.0);
     let end = robot.run(&request, Duration::from_secs(20)).expect("the motion is accepted");
     end.reached().expect("the arm reaches its target");
     let requests = controller.requests();
@@ -123,7 +121,7 @@ fn a_widened_range_holds_in_the_client_and_in_the_simulator() {
 #[test]
 fn a_settled_field_is_typed() {
     let controller = controller();
-    let request = changed::SetTioVoutParam { output_enable: 1, output_voltage: ToolVoltage::V12 };
+    let request = changed::SetTioVoutParam::new(1, ToolVoltage::V12);
     client(&controller).set_tio_vout_param_changed(&request).expect("the simulator accepts it");
     assert_eq!(last_request(&controller)["tio_vout_vol"], 1);
 }

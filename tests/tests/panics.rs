@@ -100,7 +100,7 @@ fn a_panic_of_a_logger_or_of_a_reply_takes_nothing_from_the_connection() {
     }
     // A late reply is logged twice.
     controller.inject(Fault::Hold);
-    assert!(client.call_within(&GetJointPos, Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
+    assert!(client.call_within(&GetJointPos::new(), Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
     LOGGER.0.store(true, Ordering::SeqCst);
     controller.release();
     assert!(panics(|| client.get_version()), "the logger panics");

@@ -5,10 +5,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Fault};
-use jaka_sync::io::{DigitalOutputKind, SetDigitalOutput};
+use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::program::RapidRate;
 use jaka_sync::servo::ServoJ;
-use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::types::Switch;
 use jaka_sync::{Client, Config, ErrorKind, Recorder};
 
 /// Long enough for a busy machine: no test waits that long unless something is wrong.
@@ -22,12 +22,12 @@ fn connected(timeout: Duration) -> (Controller, Client) {
 }
 
 fn output(index: i64) -> SetDigitalOutput {
-    SetDigitalOutput { kind: DigitalOutputKind::Cabinet, index, value: Switch::On }
+    SetDigitalOutput::cabinet(index, Switch::On)
 }
 
 /// A command that the controller refuses outside servo mode.
 fn set_point() -> ServoJ {
-    ServoJ { mode: MoveMode::Relative, joint_position: [0.0; 6].into(), step_count: None }
+    ServoJ::relative([0.0; 6])
 }
 
 /// The connection works, and answers belong to their questions.
@@ -126,7 +126,7 @@ fn a_lost_reply_is_told() {
     controller.inject(Fault::Drop);
     let mut pipeline = client.pipeline(8);
     pipeline.send(&output(1)).expect("it is not known yet");
-    pipeline.send(&RapidRate { rate: 0.5 }).expect("it is not known yet");
+    pipeline.send(&RapidRate::new(0.5)).expect("it is not known yet");
     let error = pipeline.finish().expect_err("a later command was answered");
     assert!(
         matches!(error.kind(), ErrorKind::ReplyLost { command, .. } if command == "set_digital_output"),

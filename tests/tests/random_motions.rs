@@ -242,13 +242,8 @@ fn any_move(random: &mut Random, state: &State, is_alone: bool) -> (Move, End) {
     let speed = scale * (20.0 + f64::from(random.below(80)));
     let joint_speed = scale * (10.0 + f64::from(random.below(60)));
     let tolerance = if random.one_in(4) { 4.0 } else { 0.0 };
-    let line = |mode, pose| MoveL { mode, pose, speed, acceleration: Some(800.0), tolerance: Some(tolerance) };
-    let joint = |mode, joints: [f64; 6]| JointMove {
-        mode,
-        joint_position: joints.into(),
-        speed: joint_speed,
-        acceleration: Some(400.0),
-    };
+    let line = |mode, pose| MoveL::new(mode, pose, speed).acceleration(800.0).tolerance(tolerance);
+    let joint = |mode, joints: [f64; 6]| JointMove::new(mode, joints, joint_speed).acceleration(400.0);
     let zero = random.one_in(8);
     let turn: [f64; 6] = std::array::from_fn(|_| if zero { 0.0 } else { random.offset(4.0) * scale });
     let joints: [f64; 6] = std::array::from_fn(|i| state.joint_position.0[i] + turn[i]);
@@ -268,18 +263,11 @@ fn any_move(random: &mut Random, state: &State, is_alone: bool) -> (Move, End) {
         6 => {
             let mid_pose =
                 Pose { x: at.x + by[0] / 2.0 + 4.0, y: at.y + by[1] / 2.0 - 3.0, z: at.z + by[2] / 2.0 + 4.0, ..at };
-            let arc = MoveC {
-                mode: MoveMode::Absolute,
-                mid_pose,
-                end_pose: there,
-                speed: speed / scale,
-                acceleration: 800.0,
-                tolerance,
-            };
+            let arc = MoveC::absolute(mid_pose, there, speed / scale, 800.0, tolerance);
             (Move::Arc(arc), End::Pose(there))
         }
         _ => {
-            let end = EndMove { pose: there, speed: joint_speed, acceleration: Some(400.0) };
+            let end = EndMove::new(there, joint_speed).acceleration(400.0);
             (Move::End(end), End::Pose(there))
         }
     }
@@ -309,12 +297,7 @@ fn one_batch(rig: &mut Rig, number: u32) {
     let mut batch: Vec<_> = (0..count).map(|_| any_move(&mut rig.random, &state, count == 1)).collect();
     if count > 1 && rig.random.one_in(3) {
         // Out and back.
-        let home = JointMove {
-            mode: MoveMode::Absolute,
-            joint_position: state.joint_position,
-            speed: 40.0,
-            acceleration: Some(400.0),
-        };
+        let home = JointMove::absolute(state.joint_position, 40.0).acceleration(400.0);
         batch.push((Move::Joint(home), End::Joints(state.joint_position)));
     }
     let (trouble, stops) = (Trouble::any(&mut rig.random), any_stops(&mut rig.random));

@@ -26,7 +26,7 @@ fn a_recording_tells_the_whole_session() {
         let mut client = config.connect_client(robot.command_addr()).expect("the controller listens");
         client.rapid_rate(0.5).expect("it answers");
         robot.inject(Fault::Drop);
-        assert!(client.call_within(&GetJointPos, SHORT).is_err_and(|error| error.is_timeout()));
+        assert!(client.call_within(&GetJointPos::new(), SHORT).is_err_and(|error| error.is_timeout()));
     });
     let command = |event| (Port::Command, 1, event);
     assert!(recording.header.software.starts_with("jaka-sync "));
@@ -192,7 +192,7 @@ fn errors_of_each_kind_have_the_last_messages() {
         let mut client = config.connect_client(robot.command_addr()).expect("it listens");
         let with = |error: &Error, count| assert_eq!(error.exchanges().len(), count, "{error:?}");
         robot.inject(Fault::Drop);
-        with(&client.call_within(&GetVersion, SHORT).expect_err("no reply comes"), 1);
+        with(&client.call_within(&GetVersion::new(), SHORT).expect_err("no reply comes"), 1);
         robot.inject(Fault::Instead(br#"{"errorCode": "0", "cmdName": "get_joint_pos"}"#.to_vec()));
         let unexpected = client.get_joint_pos().expect_err("the position is missing");
         assert!(matches!(unexpected.kind(), ErrorKind::UnexpectedReply { .. }));

@@ -8,7 +8,6 @@ use jaka_proto::recording::{Port, Recording};
 use jaka_sim::{Controller, Delays, Deviation, Fault, FaultPlan, Replay, ReplayTiming};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
 use jaka_tests::{events, recorded};
 use serde_json::json;
@@ -33,7 +32,7 @@ fn eventful(config: &Config, commands: SocketAddr, status: SocketAddr) -> Vec<St
     see(&client.get_version());
     see(&client.enable_robot()); // refused: no power
     see(&packets.next_packet());
-    see(&client.call_within(&GetJointPos, SHORT)); // its reply is late
+    see(&client.call_within(&GetJointPos::new(), SHORT)); // its reply is late
     see(&client.power_on()); // the late reply comes first
     see(&packets.next_packet());
     see(&packets.next_packet());
@@ -74,12 +73,7 @@ fn motions_and_servo_sessions_of_a_robot_are_replayed() {
         let client = config.connect_client(controller.command_addr()).expect("the controller listens");
         let mut robot = Robot::new(client, monitor);
         robot.power_up(LIMIT).expect("it powers up at once");
-        let request = JointMove {
-            mode: MoveMode::Relative,
-            joint_position: [10.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(),
-            speed: 20.0,
-            acceleration: None,
-        };
+        let request = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0);
         robot.run(&request, LIMIT).expect("it is sent").reached().expect("nothing is in the way");
         let mut session = robot
             .enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))
@@ -235,7 +229,7 @@ fn matching_keeps_silent_and_closes_where_the_controller_did() {
     let robot = jaka_tests::controller();
     let program = |config: &Config, address| {
         let mut client = config.connect_client(address).expect("the controller listens");
-        let silent = client.call_within(&GetJointPos, SHORT).expect_err("no reply comes");
+        let silent = client.call_within(&GetJointPos::new(), SHORT).expect_err("no reply comes");
         client.rapid_rate(0.5).expect("it answers");
         (silent.to_string(), client.get_version().expect_err("the controller closes").to_string())
     };

@@ -79,8 +79,8 @@ fn while_time_goes_on<T: Send>(
 }
 
 fn to(angle: f64) -> JointMove {
-    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-    JointMove { mode: MoveMode::Absolute, joint_position, speed: 90.0, acceleration: Some(500.0) }
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0];
+    JointMove::absolute(joint_position, 90.0).acceleration(500.0)
 }
 
 fn run(controller: &Controller, robot: &mut Robot, motion: &JointMove, each: impl FnMut(u32)) -> MotionEnd {
@@ -108,10 +108,15 @@ fn a_motion_reaches_its_target() {
     assert!(end.packets.len() <= 10 && end.packets.last().is_some_and(|last| last.status.in_position == Some(true)));
     // A motion of no length ends too, and so does one that has an offset, or is Cartesian.
     assert!(run(&controller, &mut robot, &to(30.0), |_| ()).outcome.is_reached());
-    let offset = JointMove { mode: MoveMode::Relative, joint_position: [5.0; 6].into(), ..to(0.0) };
+    let offset = {
+        let mut changed = to(0.0);
+        changed.mode = MoveMode::Relative;
+        changed.joint_position = [5.0; 6].into();
+        changed
+    };
     assert!(run(&controller, &mut robot, &offset, |_| ()).outcome.is_reached());
     let up = Pose { x: 0.0, y: 0.0, z: 20.0, rx: 0.0, ry: 0.0, rz: 0.0 };
-    let line = MoveL { mode: MoveMode::Relative, pose: up, speed: 100.0, acceleration: None, tolerance: None };
+    let line = MoveL::relative(up, 100.0);
     let monitor = Arc::clone(robot.monitor());
     let height = controller.state().tcp_pose.z;
     let end = while_time_goes_on(&controller, &monitor, || robot.run(&line, LONG), |_| ()).expect("it is reachable");
@@ -397,17 +402,17 @@ fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
     let monitor = Arc::clone(robot.monitor());
     let start = controller.state().tcp_pose;
     let side = Pose { y: start.y + 40.0, ..start };
-    let request = EndMove { pose: side, speed: 60.0, acceleration: Some(400.0) };
+    let request = EndMove::new(side, 60.0).acceleration(400.0);
     let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
     assert!(end.outcome.is_reached() && (controller.state().tcp_pose.y - side.y).abs() < 0.01);
     let mid_pose = Pose { y: start.y + 20.0, z: start.z + 20.0, ..start };
     let (mode, speed, acceleration, tolerance) = (MoveMode::Absolute, 60.0, 400.0, 0.0);
-    let request = MoveC { mode, mid_pose, end_pose: start, speed, acceleration, tolerance };
+    let request = MoveC::new(mode, mid_pose, start, speed, acceleration, tolerance);
     let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
     assert!(end.outcome.is_reached() && (controller.state().tcp_pose.y - start.y).abs() < 0.01);
     let mut joints = controller.state().joint_position;
     joints.0[5] += 20.0;
-    let request = StartTorqSensorPayloadIdentify { joint_position: joints };
+    let request = StartTorqSensorPayloadIdentify::new(joints);
     let end = while_time_goes_on(&controller, &monitor, || robot.run(&request, LONG), |_| ()).expect("it goes");
     assert!(end.outcome.is_reached() && (controller.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
 }

@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Fault, StatusFault};
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Outcome, Robot, RobotStop, ServoConfig};
 
 /// No call may take longer than its deadline by more than this, on a busy machine.
@@ -34,8 +33,8 @@ fn ready() -> (Controller, Robot) {
 }
 
 fn short_move() -> JointMove {
-    let joint_position = [3.0, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-    JointMove { mode: MoveMode::Absolute, joint_position, speed: 90.0, acceleration: Some(700.0) }
+    let joint_position = [3.0, 90.0, 90.0, 90.0, -90.0, 0.0];
+    JointMove::absolute(joint_position, 90.0).acceleration(700.0)
 }
 
 #[test]

@@ -8,7 +8,7 @@ use jaka_proto::Envelope;
 use jaka_sim::{Controller, Delays};
 use jaka_sync::motion::JointMove;
 use jaka_sync::power::GetVersion;
-use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::types::JointPosition;
 use jaka_sync::{Client, Command, Config, ErrorKind, Monitor, Outcome, Robot};
 
 const LIMIT: Duration = Duration::from_secs(60);
@@ -108,8 +108,8 @@ fn nothing_is_sent_on_its_own() {
     let mut robot = Robot::new(client, monitor);
     robot.power_up(LIMIT).expect("it powers up at once");
     let before = controller.requests().len();
-    let joint_position = [100.0, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-    let motion = JointMove { mode: MoveMode::Absolute, joint_position, speed: 20.0, acceleration: None };
+    let joint_position = [100.0, 90.0, 90.0, 90.0, -90.0, 0.0];
+    let motion = JointMove::absolute(joint_position, 20.0);
     robot.start(&motion).expect("it is reachable");
     controller.collide();
     assert!(matches!(robot.wait(LIMIT).outcome, Outcome::ProtectiveStop));
@@ -135,8 +135,8 @@ fn a_lost_connection_leaves_an_accepted_motion_running() {
         state.enabled = true;
     });
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
-    let joint_position = [5.0, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-    let motion = JointMove { mode: MoveMode::Absolute, joint_position, speed: 90.0, acceleration: Some(700.0) };
+    let joint_position = [5.0, 90.0, 90.0, 90.0, -90.0, 0.0];
+    let motion = JointMove::absolute(joint_position, 90.0).acceleration(700.0);
     client.call(&motion).expect("it is reachable");
     let before = controller.requests().len();
     controller.disconnect();

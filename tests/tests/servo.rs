@@ -54,7 +54,7 @@ const CYCLES: usize = 5000;
 fn every_set_point_is_sent_in_order_and_answered() {
     let (controller, mut robot) = ready();
     let start = controller.state().joint_position.0;
-    let filter = SetServoMoveFilter::JointLowPass { cutoff_frequency: 0.5 };
+    let filter = SetServoMoveFilter::joint_low_pass(0.5);
     let mut session = robot.enter_servo_mode(&patient().filter(filter)).expect("the arm is enabled");
     assert!(controller.state().servo_mode);
     for _ in 0..100 {

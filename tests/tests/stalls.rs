@@ -41,13 +41,13 @@ fn joint_1(controller: &Controller) -> f64 {
 }
 
 fn to(angle: f64, speed: f64) -> JointMove {
-    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-    JointMove { mode: MoveMode::Absolute, joint_position, speed, acceleration: Some(300.0) }
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0];
+    JointMove::absolute(joint_position, speed).acceleration(300.0)
 }
 
 fn up(millimetres: f64, speed: f64) -> MoveL {
     let pose = Pose { x: 0.0, y: 0.0, z: millimetres, rx: 0.0, ry: 0.0, rz: 0.0 };
-    MoveL { mode: MoveMode::Relative, pose, speed, acceleration: Some(800.0), tolerance: None }
+    MoveL::relative(pose, speed).acceleration(800.0)
 }
 
 /// The arm is where it was sent and moves no more, now.
@@ -104,8 +104,12 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
     let end = end.expect("it is reachable");
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
     assert!(controller.state().tcp_pose.z < start + 90.0);
-    let offset =
-        JointMove { mode: MoveMode::Relative, joint_position: [40.0, 0.0, 0.0, 0.0, 0.0, 0.0].into(), ..to(0.0, 40.0) };
+    let offset = {
+        let mut changed = to(0.0, 40.0);
+        changed.mode = MoveMode::Relative;
+        changed.joint_position = [40.0, 0.0, 0.0, 0.0, 0.0, 0.0].into();
+        changed
+    };
     let end = thread::scope(|scope| {
         scope.spawn(|| {
             while joint_1(&controller) < 8.0 {
@@ -494,7 +498,8 @@ fn joint_positions_are_compared_joint_by_joint() {
     let (controller, mut robot) = ready();
     let mut target = controller.state().joint_position;
     target.0[5] += 4.0;
-    let motion = JointMove { joint_position: JointPosition(target.0), ..to(0.0, 60.0) };
+    let mut motion = to(0.0, 60.0);
+    motion.joint_position = JointPosition(target.0);
     let end = robot.run(&motion, LONG).expect("it is reachable");
     assert!(end.outcome.is_reached() && (controller.state().joint_position.0[5] - target.0[5]).abs() < 0.01);
 }

@@ -5,7 +5,6 @@ use std::error::Error;
 use std::time::Duration;
 
 use jaka_sync::servo::ServoJ;
-use jaka_sync::types::MoveMode;
 use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -34,8 +33,8 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
     let mut client = Client::connect(commands)?;
     let mut pipeline = client.pipeline(64);
     for _ in 0..count {
-        let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1].into();
-        pipeline.send(&ServoJ { mode: MoveMode::Relative, joint_position, step_count: Some(1.into()) })?;
+        let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
+        pipeline.send(&ServoJ::relative(joint_position).step_count(1.into()))?;
     }
     pipeline.finish()?;
     Ok(())

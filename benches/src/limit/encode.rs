@@ -40,10 +40,11 @@ pub fn servo_j(request: &ServoJ, out: &mut Vec<u8>) {
 /// Writes `jog`, which has variants.
 pub fn jog(request: &Jog, out: &mut Vec<u8>) {
     let (head, frame, axis) = match request {
-        Jog::Stop { frame, axis } => (br#"{"cmdName":"jog","jog_mode":0,"coord_map":"#, frame, axis),
+        Jog::Stop { frame, axis, .. } => (br#"{"cmdName":"jog","jog_mode":0,"coord_map":"#, frame, axis),
         Jog::Continuous { frame, axis, .. } => (br#"{"cmdName":"jog","jog_mode":1,"coord_map":"#, frame, axis),
         Jog::Increment { frame, axis, .. } => (br#"{"cmdName":"jog","jog_mode":2,"coord_map":"#, frame, axis),
         Jog::Absolute { frame, axis, .. } => (br#"{"cmdName":"jog","jog_mode":3,"coord_map":"#, frame, axis),
+        _ => return,
     };
     out.extend_from_slice(head);
     int((*frame).into(), out);

@@ -2,13 +2,35 @@
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{Attribute, File, ImplItem, Item, ItemImpl, TraitItem, Visibility, parse_quote};
+use syn::{Attribute, Fields, File, ImplItem, Item, ItemImpl, TraitItem, Visibility, parse_quote};
 
 /// The public items, with empty bodies. Left out: what is hidden, the codec, and the checks of requests.
 pub(super) fn interface(tokens: TokenStream) -> String {
+    interface_without(tokens, "", &[])
+}
+
+/// The same without these fields of the struct `name`.
+pub(super) fn interface_without(tokens: TokenStream, name: &str, fields: &[&str]) -> String {
     let mut file: File = syn::parse2(tokens).expect("the expansion is valid Rust");
     file.items = items(file.items);
+    remove(&mut file.items, name, fields);
     prettyplease::unparse(&file)
+}
+
+fn remove(items: &mut [Item], name: &str, without: &[&str]) {
+    for item in items {
+        match item {
+            Item::Mod(module) => remove(module.content.as_mut().map_or(&mut [], |(_, items)| items), name, without),
+            Item::Struct(item) if item.ident == name => {
+                if let Fields::Named(fields) = &mut item.fields {
+                    let all = std::mem::take(&mut fields.named).into_iter();
+                    let is_kept = |ident: &syn::Ident| without.iter().all(|name| ident != name);
+                    fields.named = all.filter(|field| field.ident.as_ref().is_none_or(is_kept)).collect();
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 fn items(items: Vec<Item>) -> Vec<Item> {

@@ -1,5 +1,8 @@
 //! Poses in other units, and their orientations in other forms.
 
+use std::fmt;
+
+use super::joint_position::write_list;
 use super::rotation::{self, NotARotation, Quaternion};
 use crate::messages::types::Pose;
 
@@ -129,5 +132,22 @@ impl Pose {
 
     const fn with_rotation_deg(self, rotation: [f64; 3]) -> Self {
         Self::from_millimetres_degrees(self.position_mm(), rotation)
+    }
+}
+
+/// The position x, y, z and the rotation rx, ry, rz with their units; a precision is that of each number.
+///
+/// ```
+/// use jaka_proto::messages::types::Pose;
+///
+/// let pose = Pose::from_millimetres_degrees([300.0, 0.0, 200.5], [180.0, 0.0, 45.0]);
+/// assert_eq!(pose.to_string(), "[300, 0, 200.5] mm, [180, 0, 45] deg");
+/// ```
+impl fmt::Display for Pose {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_list(&self.position_mm(), f)?;
+        f.write_str(" mm, ")?;
+        write_list(&self.rotation_deg(), f)?;
+        f.write_str(" deg")
     }
 }

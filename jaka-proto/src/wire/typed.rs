@@ -25,6 +25,12 @@ impl<T> Typed<T> {
     }
 }
 
+impl<T> From<T> for Typed<T> {
+    fn from(value: T) -> Self {
+        Self::Known(value)
+    }
+}
+
 impl<T: Encode> Encode for Typed<T> {
     fn encode(&self, out: &mut Writer) {
         match self {

@@ -1,9 +1,7 @@
 //! Drag mode and control that yields to forces.
 
 use jaka_proto::Request;
-use jaka_proto::messages::force::{
-    AdmittanceAxis, ComplianceType, DragStatusReply, GetAdmitCtrlConfigReply, GetCompliantTypeReply, SetAdmitCtrlConfig,
-};
+use jaka_proto::messages::force::{AdmittanceAxis, ComplianceType, SetAdmitCtrlConfig, literal};
 use jaka_proto::wire::{Typed, Writer};
 
 use super::{Outcome, accept, is_on, reply};
@@ -17,7 +15,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             state.drag_mode = is_on(command.enable_flag);
             accept(command, out)
         }
-        Request::DragStatus(command) => reply(command, DragStatusReply { drag_status: state.drag_mode }, out),
+        Request::DragStatus(command) => reply(command, literal::DragStatusReply { drag_status: state.drag_mode }, out),
         Request::EnableAdmittanceCtrl(command) => {
             state.admittance.enabled = is_on(command.enable_flag);
             accept(command, out)
@@ -41,7 +39,7 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer
         Request::GetAdmitCtrlConfig(command) => {
             // One more level than the document's text has, as in its sample.
             let axes = Typed::Known(vec![control.axes.to_vec()]);
-            reply(command, GetAdmitCtrlConfigReply { axes }, out)
+            reply(command, literal::GetAdmitCtrlConfigReply { axes }, out)
         }
         Request::SetCompliantType(command) => {
             control.compliance_type = command.compliance_type;
@@ -50,7 +48,7 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer
         }
         Request::GetCompliantType(command) => {
             let AdmittanceControl { compliance_type, sensor_compensation, .. } = *control;
-            reply(command, GetCompliantTypeReply { compliance_type, sensor_compensation }, out)
+            reply(command, literal::GetCompliantTypeReply { compliance_type, sensor_compensation }, out)
         }
         Request::SetComplianceCondition(command) => {
             control.condition = command.condition;
@@ -68,12 +66,12 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer
 fn set_axis(axes: &mut [AdmittanceAxis], command: &SetAdmitCtrlConfig) {
     let index = usize::try_from(i64::from(command.axis)).ok();
     if let Some(axis) = index.and_then(|index| axes.get_mut(index)) {
-        *axis = AdmittanceAxis {
+        *axis = AdmittanceAxis::from(literal::AdmittanceAxis {
             enabled: is_on(command.enabled),
             user_force: command.user_force,
             rebound: command.rebound,
             constant_force: command.constant_force,
             normal_track: command.normal_track,
-        };
+        });
     }
 }

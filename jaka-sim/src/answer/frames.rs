@@ -1,7 +1,7 @@
 //! Tool frames and user frames.
 
 use jaka_proto::Request;
-use jaka_proto::messages::frames::{GetToolOffsetsReply, GetUserOffsetsReply};
+use jaka_proto::messages::frames::literal;
 use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Writer;
 
@@ -21,7 +21,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             accept(command, out)
         }
         Request::GetToolOffsets(command) => {
-            reply(command, GetToolOffsetsReply { offsets: offsets(&state.tool_frames) }, out)
+            reply(command, literal::GetToolOffsetsReply { offsets: offsets(&state.tool_frames) }, out)
         }
         Request::SetUserOffsets(command) => {
             set(&mut state.user_frames, command.id, command.offset, &command.name);
@@ -32,7 +32,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             accept(command, out)
         }
         Request::GetUserOffsets(command) => {
-            reply(command, GetUserOffsetsReply { offsets: offsets(&state.user_frames) }, out)
+            reply(command, literal::GetUserOffsetsReply { offsets: offsets(&state.user_frames) }, out)
         }
         _ => Outcome::Unhandled,
     }

@@ -1,9 +1,7 @@
 //! Inputs and outputs.
 
 use jaka_proto::Request;
-use jaka_proto::messages::io::{
-    GetDigitalInputStatusReply, GetExtioStatusReply, GetFuncdiStatusReply, GetTioVoutParamReply,
-};
+use jaka_proto::messages::io::literal;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
@@ -37,17 +35,17 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
 fn query(request: &Request, state: &State, out: &mut Writer) -> Outcome {
     match request {
         Request::GetDigitalInputStatus(command) => {
-            reply(command, GetDigitalInputStatusReply { digital_inputs: state.digital_inputs.clone() }, out)
+            reply(command, literal::GetDigitalInputStatusReply { digital_inputs: state.digital_inputs.clone() }, out)
         }
         Request::GetFuncdiStatus(command) => {
-            reply(command, GetFuncdiStatusReply { function_inputs: state.function_inputs.clone() }, out)
+            reply(command, literal::GetFuncdiStatusReply { function_inputs: state.function_inputs.clone() }, out)
         }
         Request::GetExtioStatus(command) => {
-            reply(command, GetExtioStatusReply { extio_status: state.extio.clone() }, out)
+            reply(command, literal::GetExtioStatusReply { extio_status: state.extio.clone() }, out)
         }
         Request::GetTioVoutParam(command) => {
             let ToolVoltage { enable, voltage } = state.tool_voltage;
-            reply(command, GetTioVoutParamReply { output_enable: enable, output_voltage: voltage }, out)
+            reply(command, literal::GetTioVoutParamReply { output_enable: enable, output_voltage: voltage }, out)
         }
         _ => Outcome::Unhandled,
     }

@@ -31,14 +31,16 @@ fn start_jog(jog: &Jog, world: &mut World) -> bool {
         }
         // The axis must be stopped before it is jogged again.
         _ if world.engine.is_busy() => false,
-        Jog::Continuous { frame, axis, velocity } => {
+        Jog::Continuous { frame, axis, velocity, .. } => {
             world.engine.jog = jogging(world, frame, axis, velocity);
             world.engine.jog.is_some()
         }
-        Jog::Increment { frame, axis, velocity, distance } => {
+        Jog::Increment { frame, axis, velocity, distance, .. } => {
             enqueue(world, frame, axis, velocity, |from| from + distance)
         }
-        Jog::Absolute { frame, axis, velocity, position } => enqueue(world, frame, axis, velocity, |_| position),
+        Jog::Absolute { frame, axis, velocity, position, .. } => enqueue(world, frame, axis, velocity, |_| position),
+        // A kind of jog that the arm does not know.
+        _ => false,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Payload of the arm.
 
 use jaka_proto::Request;
-use jaka_proto::messages::payload::GetPayloadReply;
+use jaka_proto::messages::payload::literal;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
@@ -17,7 +17,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         }
         Request::GetPayload(command) => {
             let Payload { mass, centroid } = state.payload;
-            reply(command, GetPayloadReply { centroid, mass }, out)
+            reply(command, literal::GetPayloadReply { centroid, mass }, out)
         }
         _ => Outcome::Unhandled,
     }

@@ -1,7 +1,7 @@
 //! Power, enabling and the controller's state.
 
 use jaka_proto::Request;
-use jaka_proto::messages::power::{EnableRobotReply, GetRobotStateReply, GetVersionReply, PowerOnReply};
+use jaka_proto::messages::power::literal;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
@@ -12,15 +12,11 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
     match request {
         Request::PowerOn(command) => {
             world.later(world.delays.power_on, Change::PoweredOn);
-            let mut powered = PowerOnReply::default();
-            powered.powered_on = Some(true);
-            reply(command, powered, out)
+            reply(command, literal::PowerOnReply { powered_on: Some(true) }, out)
         }
         Request::EnableRobot(command) => {
             world.later(world.delays.enable, Change::Enabled);
-            let mut enabled = EnableRobotReply::default();
-            enabled.enabled = Some(true);
-            reply(command, enabled, out)
+            reply(command, literal::EnableRobotReply { enabled: Some(true) }, out)
         }
         Request::PowerOff(command) => {
             switch_off(world);
@@ -36,7 +32,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             accept(command, out)
         }
         Request::GetRobotState(command) => reply(command, robot_state(&world.state), out),
-        Request::GetVersion(command) => reply(command, GetVersionReply { version: world.state.version.clone() }, out),
+        Request::GetVersion(command) => {
+            reply(command, literal::GetVersionReply { version: world.state.version.clone() }, out)
+        }
         _ => Outcome::Unhandled,
     }
 }
@@ -47,6 +45,11 @@ fn switch_off(world: &mut World) {
 }
 
 /// As old firmware answers; newer firmware adds the error.
-fn robot_state(state: &State) -> GetRobotStateReply {
-    GetRobotStateReply { enabled: state.enabled, powered_on: state.powered, error_code: None, error_message: None }
+fn robot_state(state: &State) -> literal::GetRobotStateReply {
+    literal::GetRobotStateReply {
+        enabled: state.enabled,
+        powered_on: state.powered,
+        error_code: None,
+        error_message: None,
+    }
 }

@@ -1,7 +1,7 @@
 //! Programs and the speed rate.
 
 use jaka_proto::Request;
-use jaka_proto::messages::program::{GetLoadedProgramReply, GetProgramStateReply, ProgramState};
+use jaka_proto::messages::program::{ProgramState, literal};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
@@ -20,10 +20,10 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         }
         Request::LoadProgram(_) => Outcome::Refused,
         Request::GetLoadedProgram(command) => {
-            reply(command, GetLoadedProgramReply { program_name: world.state.loaded_program.clone() }, out)
+            reply(command, literal::GetLoadedProgramReply { program_name: world.state.loaded_program.clone() }, out)
         }
         Request::GetProgramState(command) => {
-            reply(command, GetProgramStateReply { program_state: world.state.program_state.clone() }, out)
+            reply(command, literal::GetProgramStateReply { program_state: world.state.program_state.clone() }, out)
         }
         _ => run(request, world, out),
     }

@@ -1,7 +1,7 @@
 //! Servo mode.
 
 use jaka_proto::Request;
-use jaka_proto::messages::servo::IsInServomoveReply;
+use jaka_proto::messages::servo::literal;
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 use jaka_proto::wire::Writer;
 
@@ -12,7 +12,7 @@ use crate::world::{Change, World};
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
         Request::IsInServomove(command) => {
-            reply(command, IsInServomoveReply { in_servo_mode: world.state.servo_mode }, out)
+            reply(command, literal::IsInServomoveReply { in_servo_mode: world.state.servo_mode }, out)
         }
         Request::ServoMove(command)
             if world.habits.servo_at_rest && world.engine.is_busy() && is_on(command.servo_mode) =>

@@ -1,10 +1,7 @@
 //! The torque sensor and its payload.
 
 use jaka_proto::Request;
-use jaka_proto::messages::force::{
-    GetToolPayloadReply, GetTorqSensorIdentifyStatusReply, GetTorqSensorPayloadIdentifyResultReply,
-    GetTorqueSensorBrandReply, GetTorqueSensorCommReply, IdentifyStatus, StartTorqSensorPayloadIdentify,
-};
+use jaka_proto::messages::force::{IdentifyStatus, StartTorqSensorPayloadIdentify, literal};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
@@ -62,22 +59,22 @@ fn set(request: &Request, sensor: &mut TorqueSensor, out: &mut Writer) -> Outcom
 fn get(request: &Request, sensor: &TorqueSensor, out: &mut Writer) -> Outcome {
     match request {
         Request::GetTorqueSensorBrand(command) => {
-            reply(command, GetTorqueSensorBrandReply { brand: sensor.brand }, out)
+            reply(command, literal::GetTorqueSensorBrandReply { brand: sensor.brand }, out)
         }
         Request::GetTorqueSensorComm(command) => {
             let (address, communication, port) = (sensor.address.clone(), sensor.communication, sensor.port);
-            reply(command, GetTorqueSensorCommReply { address, communication, port }, out)
+            reply(command, literal::GetTorqueSensorCommReply { address, communication, port }, out)
         }
         Request::GetToolPayload(command) => {
             let Payload { mass, centroid } = sensor.payload;
-            reply(command, GetToolPayloadReply { centroid, mass }, out)
+            reply(command, literal::GetToolPayloadReply { centroid, mass }, out)
         }
         Request::GetTorqSensorIdentifyStatus(command) => {
-            reply(command, GetTorqSensorIdentifyStatusReply { status: sensor.identify_status }, out)
+            reply(command, literal::GetTorqSensorIdentifyStatusReply { status: sensor.identify_status }, out)
         }
         Request::GetTorqSensorPayloadIdentifyResult(command) => {
             let Payload { mass, centroid } = sensor.identified;
-            reply(command, GetTorqSensorPayloadIdentifyResultReply { centroid, mass }, out)
+            reply(command, literal::GetTorqSensorPayloadIdentifyResultReply { centroid, mass }, out)
         }
         _ => Outcome::Unhandled,
     }

@@ -1,9 +1,7 @@
 //! Trajectory recording.
 
 use jaka_proto::Request;
-use jaka_proto::messages::trajectory::{
-    GetExistTrajFileNameReply, GetTrajConfigReply, GetTrajSampleStatusReply, SetTrajSampleMode,
-};
+use jaka_proto::messages::trajectory::{SetTrajSampleMode, literal};
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, is_on, reply};
@@ -35,10 +33,10 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             }
         }
         Request::GetTrajSampleStatus(command) => {
-            reply(command, GetTrajSampleStatusReply { sampling: trajectory.sampling }, out)
+            reply(command, literal::GetTrajSampleStatusReply { sampling: trajectory.sampling }, out)
         }
         Request::GetExistTrajFileName(command) => {
-            reply(command, GetExistTrajFileNameReply { file_names: trajectory.file_names.clone() }, out)
+            reply(command, literal::GetExistTrajFileNameReply { file_names: trajectory.file_names.clone() }, out)
         }
         _ => files(request, world, out),
     }
@@ -112,7 +110,7 @@ fn program_name(file_name: &str) -> String {
     format!("track/{file_name}.jks")
 }
 
-fn config(trajectory: &Trajectory) -> GetTrajConfigReply {
+fn config(trajectory: &Trajectory) -> literal::GetTrajConfigReply {
     let TrajectoryConfig { acceleration, speed, position_interval, orientation_interval } = trajectory.config;
-    GetTrajConfigReply { acceleration, position_interval, orientation_interval, speed }
+    literal::GetTrajConfigReply { acceleration, position_interval, orientation_interval, speed }
 }

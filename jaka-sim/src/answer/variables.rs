@@ -1,7 +1,7 @@
 //! User-defined system variables.
 
 use jaka_proto::Request;
-use jaka_proto::messages::variables::QueryUserDefinedVariableReply;
+use jaka_proto::messages::variables::literal;
 use jaka_proto::wire::Writer;
 
 use super::{Outcome, accept, reply};
@@ -11,7 +11,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
     let state = &mut world.state;
     match request {
         Request::QueryUserDefinedVariable(command) => {
-            reply(command, QueryUserDefinedVariableReply { variables: state.variables.clone() }, out)
+            reply(command, literal::QueryUserDefinedVariableReply { variables: state.variables.clone() }, out)
         }
         Request::ModifyUserDefinedVariable(command) => {
             let Some(variable) = state.variables.iter_mut().find(|variable| variable.id == command.id) else {

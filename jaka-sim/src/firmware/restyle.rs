@@ -32,12 +32,9 @@ fn add_robot_error(state: &State, reply: &mut Writer) {
     if envelope.command.as_deref() != Some(GetRobotState::INFO.name) || envelope.refusal().is_some() {
         return;
     }
-    let Ok(answer) = read_payload::<GetRobotStateReply>(GetRobotState::INFO, reply.as_str()) else { return };
-    let answer = GetRobotStateReply {
-        error_code: Some(Typed::Known(state.error_code.clone())),
-        error_message: Some(state.error_message.clone()),
-        ..answer
-    };
+    let Ok(mut answer) = read_payload::<GetRobotStateReply>(GetRobotState::INFO, reply.as_str()) else { return };
+    answer.error_code = Some(Typed::Known(state.error_code.clone()));
+    answer.error_message = Some(state.error_message.clone());
     reply.clear();
     write_reply(GetRobotState::INFO, &answer, reply);
 }

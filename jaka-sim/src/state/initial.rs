@@ -50,7 +50,7 @@ impl State {
             joint_commanded_position: HOME.into(),
             tcp_commanded_pose: [0.0; 6].into(),
             servo_mode: spec_index.example::<servo::IsInServomove>()?.in_servo_mode,
-            servo_filter: servo::SetServoMoveFilter::Disabled,
+            servo_filter: servo::SetServoMoveFilter::disabled(),
             drag_mode: spec_index.example::<force::DragStatus>()?.drag_status,
             dh_parameters: dh_parameters(model),
             rapid_rate: 1.0,
@@ -84,12 +84,12 @@ impl State {
 }
 
 fn dh_parameters(model: &Model) -> kinematics::GetDhParamReply {
-    kinematics::GetDhParamReply {
+    kinematics::GetDhParamReply::from(kinematics::literal::GetDhParamReply {
         alpha: *model.alpha(),
         a: *model.a(),
         d: *model.d(),
         joint_home_offset: *model.joint_home_offset(),
-    }
+    })
 }
 
 fn tool_voltage(spec_index: &SpecIndex) -> io::Result<ToolVoltage> {
@@ -144,7 +144,7 @@ fn admittance(spec_index: &SpecIndex) -> io::Result<AdmittanceControl> {
         compliance_type: kind.compliance_type,
         sensor_compensation: kind.sensor_compensation,
         condition: [0.0; 6],
-        velocity: force::VelocityCompliance { level: 0, rate1: 0.0, rate2: 0.0, rate3: 0.0, rate4: 0.0 },
+        velocity: force::VelocityCompliance::new(0, 0.0, 0.0, 0.0, 0.0),
     })
 }
 

@@ -105,7 +105,7 @@ impl Robot {
         }
         let newest = self.monitor.last_known_packet();
         let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.clone());
-        let state = self.client.call_within(&GetRobotState, PATIENCE.min(timeout));
+        let state = self.client.call_within(&GetRobotState::new(), PATIENCE.min(timeout));
         (status.powered_on, status.enabled) = match state {
             Ok(state) => (Some(state.powered_on), Some(state.enabled)),
             Err(_) => (None, None),

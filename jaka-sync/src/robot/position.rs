@@ -42,8 +42,8 @@ impl Robot {
         let at = Instant::now();
         let link = self.client.link();
         let question = match quantity {
-            Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos.write_request(out)),
-            Quantity::Pose => link.ask(GetTcpPos::INFO, &mut |out| GetTcpPos.write_request(out)),
+            Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)),
+            Quantity::Pose => link.ask(GetTcpPos::INFO, &mut |out| GetTcpPos::new().write_request(out)),
         }?;
         self.query = Some(Query { question, quantity, at });
         Ok(())

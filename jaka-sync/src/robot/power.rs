@@ -37,12 +37,12 @@ impl Robot {
         let limit = Limit { since: Instant::now(), timeout };
         self.monitor.wait_until(|_| true, timeout)?;
         self.check_emergency_stop(Duration::ZERO)?;
-        let state = self.client.call_within(&GetRobotState, limit.left())?;
+        let state = self.client.call_within(&GetRobotState::new(), limit.left())?;
         if !state.powered_on {
-            self.switch(&PowerOn, |state| state.powered_on, limit)?;
+            self.switch(&PowerOn::new(), |state| state.powered_on, limit)?;
         }
         if !state.enabled {
-            self.switch(&EnableRobot, |state| state.enabled, limit)?;
+            self.switch(&EnableRobot::new(), |state| state.enabled, limit)?;
         }
         let is_up =
             |status: &crate::status::RobotStatus| status.powered_on != Some(false) && status.enabled != Some(false);
@@ -61,7 +61,7 @@ impl Robot {
             return Err(self.not_in_time(limit.timeout, since));
         }
         self.client.call_within(command, limit.left())?;
-        while !is_done(&self.client.call_within(&GetRobotState, limit.left())?) {
+        while !is_done(&self.client.call_within(&GetRobotState::new(), limit.left())?) {
             self.check_emergency_stop(QUERY_PERIOD.min(limit.left()))?;
             if limit.left().is_zero() {
                 return Err(self.not_in_time(limit.timeout, since));

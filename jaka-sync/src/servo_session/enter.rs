@@ -42,8 +42,7 @@ impl<'r> ServoSession<'r> {
     fn switch_on(&mut self) -> Result<JointPosition, Error> {
         let gate = self.robot.gate();
         let (client, timeout) = (self.robot.client(), self.config.enter_timeout);
-        let on =
-            client.call_through(Some(&gate), &ServoMove { servo_mode: Switch::On }, client.timeout_of(ServoMove::INFO));
+        let on = client.call_through(Some(&gate), &ServoMove::new(Switch::On), client.timeout_of(ServoMove::INFO));
         if let Err(error) = on {
             // What was not sent or was refused need not be left.
             self.is_open = error.may_have_run();
@@ -57,7 +56,7 @@ impl<'r> ServoSession<'r> {
     fn wait_until_entered(&mut self, timeout: Duration) -> Result<(), Error> {
         let since = Instant::now();
         let mut pace = Pace::new(CYCLE, Duration::ZERO);
-        while !self.robot.client().call(&IsInServomove)?.in_servo_mode {
+        while !self.robot.client().call(&IsInServomove::new())?.in_servo_mode {
             if since.elapsed() > timeout {
                 return Err(self.robot.not_ready(Explanation::ServoModeNotEntered));
             }

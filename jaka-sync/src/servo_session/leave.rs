@@ -73,7 +73,7 @@ impl ServoSession<'_> {
         self.count(answers);
         self.report.unanswered += unanswered;
         let link = self.robot.client().link();
-        let off = ServoMove { servo_mode: Switch::Off };
+        let off = ServoMove::new(Switch::Off);
         let off = link.ask(ServoMove::INFO, &mut |out| off.write_request(out))?;
         let left = self.wait_until_left(&off, unanswered);
         self.robot.client().link().forget(&off);
@@ -88,7 +88,7 @@ impl ServoSession<'_> {
         loop {
             let client = self.robot.client();
             let timeout = if unanswered > 0 { PATIENCE } else { client.timeout_of(IsInServomove::INFO) };
-            match client.call_within(&IsInServomove, timeout) {
+            match client.call_within(&IsInServomove::new(), timeout) {
                 Ok(reply) if !reply.in_servo_mode => return Ok(()),
                 Ok(_) if since.elapsed() > PATIENCE => return Err(self.still_in_servo_mode(off)),
                 Ok(_) => drop(pace.wait()),

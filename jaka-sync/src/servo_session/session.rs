@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
-use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
+use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::pace::Pace;
 use super::{ServoConfig, ServoReport};
@@ -81,11 +81,7 @@ impl ServoSession<'_> {
     pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
         self.check_speed(target)?;
-        let request = ServoJ {
-            mode: MoveMode::Absolute,
-            joint_position: target,
-            step_count: Some(self.config.step_count.into()),
-        };
+        let request = ServoJ::absolute(target).step_count(self.config.step_count.into());
         self.send(&request)?;
         self.last = Some(target);
         Ok(())
@@ -99,11 +95,7 @@ impl ServoSession<'_> {
         let offset = offset.into();
         let (from, to) = (JointPosition([0.0; 6]), offset);
         self.check_step(from, to)?;
-        let request = ServoJ {
-            mode: MoveMode::Relative,
-            joint_position: offset,
-            step_count: Some(self.config.step_count.into()),
-        };
+        let request = ServoJ::relative(offset).step_count(self.config.step_count.into());
         self.send(&request)?;
         self.last = self.last.map(|last| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i])));
         Ok(())
@@ -116,8 +108,7 @@ impl ServoSession<'_> {
     /// # Errors
     /// As [`send_joints`](Self::send_joints), except for the speed.
     pub fn send_pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
-        let request =
-            ServoP { pose: target.into(), mode: MoveMode::Absolute, step_count: Some(self.config.step_count.into()) };
+        let request = ServoP::absolute(target).step_count(self.config.step_count.into());
         self.last = None;
         self.send(&request)
     }
@@ -127,8 +118,7 @@ impl ServoSession<'_> {
     /// # Errors
     /// As [`send_pose`](Self::send_pose).
     pub fn send_pose_offset(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
-        let request =
-            ServoP { pose: offset.into(), mode: MoveMode::Relative, step_count: Some(self.config.step_count.into()) };
+        let request = ServoP::relative(offset).step_count(self.config.step_count.into());
         self.last = None;
         self.send(&request)
     }

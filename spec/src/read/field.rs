@@ -70,9 +70,11 @@ pub(crate) fn element<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
 
 fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {
     check_name(item, &name);
+    let ty = field_type(item, index);
     let field = Field {
         name: name.value,
-        ty: field_type(item, index),
+        constructors: constructors(item, &ty, index),
+        ty,
         unit: item.text("unit").map(|text| text.value),
         range: range(item),
         ascii: item.flag("ascii").is_some_and(|flag| flag.value),
@@ -87,6 +89,21 @@ fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: 
     item.finish();
     field
 }
+
+/// Whether Rust gets a constructor for each value of the field's enum.
+fn constructors<'s>(item: &Item<'_, 's>, ty: &Type, index: &mut Index<'s>) -> bool {
+    let Some(flag) = item.flag("constructors").filter(|flag| flag.value) else { return false };
+    if item.flag("optional").is_some_and(|flag| flag.value) {
+        item.error(flag.at, "`constructors` is for a field that is always there");
+    }
+    match ty {
+        Type::Named(id) => index.enum_use(item, Placed { at: flag.at, value: *id }),
+        _ => item.error(flag.at, NO_ENUM),
+    }
+    true
+}
+
+pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
 
 /// The field as an `[[override]]` changes it: what the table does not say stays as it is.
 pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut Index<'s>) -> Field {
@@ -110,6 +127,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut I
         },
         ascii: flag("ascii", base.ascii),
         optional: flag("optional", base.optional),
+        constructors: base.constructors && !item.has("type") && !flag("optional", base.optional),
         or_raw: flag("or_raw", base.or_raw),
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         disputed: base.disputed.clone(),

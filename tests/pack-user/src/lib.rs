@@ -22,13 +22,7 @@ pub fn is_stopped(robot: &mut impl Call) -> Result<bool, Error> {
 
 /// Moves the joints, with the field that newer firmware has.
 pub fn move_with_zone(robot: &mut Client, joints: [f64; 6], zone: f64) -> Result<(), Error> {
-    robot.joint_move_changed(&changed::JointMove {
-        mode: MoveMode::Absolute,
-        joint_position: joints.into(),
-        speed: 20.0,
-        acceleration: None,
-        zone: Some(zone),
-    })
+    robot.joint_move_changed(&changed::JointMove::absolute(joints, 20.0).zone(zone))
 }
 
 /// The pack's motion can be waited for, since this says where it ends.

@@ -10,7 +10,7 @@ use jaka_sync::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
 use jaka_sync::power::{GetRobotState, GetVersion};
 use jaka_sync::program::{LoadProgram, RapidRate};
 use jaka_sync::servo::ServoMove;
-use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::types::JointPosition;
 use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
 use jaka_sync::{Command, Error, MotionEnd, Outcome};
 use serde_json::{Value, json};
@@ -91,8 +91,8 @@ fn call<C: Command>(arm: &mut Arm, session: &mut Session, command: &C) -> Result
 fn forward_kinematics(arm: &mut Arm, session: &mut Session) {
     for _ in 0..3 {
         let angle = f64::from(arm.serial() % 34_000) / 100.0 - 170.0;
-        let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0].into();
-        let Ok(reply) = call(arm, session, &KineForward { joint_position }) else { continue };
+        let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0];
+        let Ok(reply) = call(arm, session, &KineForward::new(joint_position)) else { continue };
         let off = (reply.pose.rz - angle - UPRIGHT).rem_euclid(360.0);
         if off.min(360.0 - off) > 1e-6 {
             arm.find(&format!("a reply to another query: at {angle} the tool is at {:?}", reply.pose));
@@ -102,12 +102,12 @@ fn forward_kinematics(arm: &mut Arm, session: &mut Session) {
 
 fn set_mass(arm: &mut Arm, session: &mut Session) {
     let mass = f64::from(arm.serial());
-    let result = call(arm, session, &SetPayload { mass, centroid: Centroid { x: 1.5, y: -2.0, z: mass } });
+    let result = call(arm, session, &SetPayload::new(mass, Centroid { x: 1.5, y: -2.0, z: mass }));
     arm.mass.set(mass, Fate::of(&result));
 }
 
 fn get_mass(arm: &mut Arm, session: &mut Session) {
-    if let Ok(reply) = call(arm, session, &GetPayload) {
+    if let Ok(reply) = call(arm, session, &GetPayload::new()) {
         check_mass(arm, &reply);
     }
 }
@@ -133,12 +133,12 @@ fn check_mass(arm: &mut Arm, reply: &GetPayloadReply) {
 
 fn set_variable(arm: &mut Arm, session: &mut Session) {
     let value = f64::from(arm.serial());
-    let result = call(arm, session, &ModifyUserDefinedVariable { id: VARIABLE, alias: "soak".to_owned(), value });
+    let result = call(arm, session, &ModifyUserDefinedVariable::new(VARIABLE, "soak", value));
     arm.variable.set(value, Fate::of(&result));
 }
 
 fn get_variable(arm: &mut Arm, session: &mut Session) {
-    let Ok(reply) = call(arm, session, &QueryUserDefinedVariable) else { return };
+    let Ok(reply) = call(arm, session, &QueryUserDefinedVariable::new()) else { return };
     let value = reply.variables.iter().find(|variable| variable.id == VARIABLE).map(|variable| variable.value);
     if let Err(finding) = arm.variable.read(value.unwrap_or(f64::NAN)) {
         arm.find(&format!("a reply to another query: {finding}"));
@@ -170,7 +170,7 @@ pub(super) fn raw(arm: &mut Arm, session: &mut Session, name: &str, parameters: 
 
 /// A command that the controller refuses.
 fn refused(arm: &mut Arm, session: &mut Session) {
-    let command = LoadProgram { program_name: format!("soak-{}.jks", arm.serial()) };
+    let command = LoadProgram::new(format!("soak-{}.jks", arm.serial()));
     if call(arm, session, &command).is_ok() {
         arm.find("a refusal was taken for success");
     }
@@ -180,9 +180,9 @@ fn refused(arm: &mut Arm, session: &mut Session) {
 fn once(arm: &mut Arm, session: &mut Session) {
     session.once += 1;
     match session.once {
-        1 => drop(call(arm, session, &GetVersion)),
-        2 => drop(call(arm, session, &GetDhParam)),
-        3 => drop(call(arm, session, &GetFuncdiStatus)),
+        1 => drop(call(arm, session, &GetVersion::new())),
+        2 => drop(call(arm, session, &GetDhParam::new())),
+        3 => drop(call(arm, session, &GetFuncdiStatus::new())),
         _ => get_mass(arm, session),
     }
 }
@@ -194,8 +194,7 @@ fn motion(arm: &mut Arm, session: &mut Session) {
     }
     let angle = f64::from(arm.random.below(7)) - 3.0;
     let target = [angle, 90.0, 90.0, 90.0, -90.0, f64::from(arm.serial()) / 1000.0].into();
-    let command =
-        JointMove { mode: MoveMode::Absolute, joint_position: target, speed: 170.0, acceleration: Some(700.0) };
+    let command = JointMove::absolute(target, 170.0).acceleration(700.0);
     let result = session.robot.run(&command, MOTION);
     arm.note(session, text(&command), &result);
     match result {
@@ -204,7 +203,7 @@ fn motion(arm: &mut Arm, session: &mut Session) {
             check_end(arm, session, &end, target);
         }
         // A refusal is explained by the robot's state, if the controller tells it.
-        Err(error) if error.is_refused() => session.connection.note(text(&GetRobotState), Fate::Perhaps),
+        Err(error) if error.is_refused() => session.connection.note(text(&GetRobotState::new()), Fate::Perhaps),
         Err(_) => {}
     }
 }
@@ -214,7 +213,7 @@ fn note_questions(session: &mut Session, end: &MotionEnd) {
     let fate = if end.outcome.is_reached() { Fate::Seen } else { Fate::Perhaps };
     // The first at once, and one where the times are not exact.
     let most = end.waited.as_millis() / QUESTION_PERIOD.as_millis() + 2;
-    session.connection.note_repeated(text(&GetJointPos), fate, usize::try_from(most).unwrap_or(usize::MAX));
+    session.connection.note_repeated(text(&GetJointPos::new()), fate, usize::try_from(most).unwrap_or(usize::MAX));
 }
 
 fn check_end(arm: &mut Arm, session: &mut Session, end: &MotionEnd, target: JointPosition) {
@@ -277,7 +276,7 @@ fn change_status_fault(arm: &mut Arm, _: &mut Session) {
 fn status_follows(arm: &mut Arm, session: &mut Session) {
     arm.place.host.status_fault(arm.place.arm, 0);
     let rate = arm.place.rate.next();
-    if call(arm, session, &RapidRate { rate }).is_err() {
+    if call(arm, session, &RapidRate::new(rate)).is_err() {
         return;
     }
     match session.robot.monitor().wait_until(|status| status.rapid_rate == Some(rate), SHOWN) {

@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_proto::read_payload;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, ServoMove};
-use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::types::Switch;
 use jaka_sync::{Command, Error, ErrorKind, Explanation, ServoConfig, ServoReport, ServoSession};
 use serde_json::json;
 
@@ -27,7 +27,7 @@ const LONG: Duration = Duration::from_secs(60);
 const QUESTIONS: usize = 30;
 
 /// The command that leaves servo mode.
-pub(super) const LEAVE: ServoMove = ServoMove { servo_mode: Switch::Off };
+pub(super) const LEAVE: ServoMove = ServoMove::new(Switch::Off);
 
 /// A command, what became of it, and how often it may have been sent in a row.
 type Sent = (String, Fate, usize);
@@ -91,22 +91,22 @@ fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Op
 
 /// Whether the arm is at rest is asked first.
 fn asking() -> Sent {
-    (text(&GetJointPos), Fate::Perhaps, QUESTIONS)
+    (text(&GetJointPos::new()), Fate::Perhaps, QUESTIONS)
 }
 
 /// What a session begins with.
 fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     vec![
         asking(),
-        (text(&ServoMove { servo_mode: Switch::On }), switched, 1),
-        (text(&IsInServomove), entered, usize::MAX),
-        (text(&GetJointPos), entered, 1),
+        (text(&ServoMove::new(Switch::On)), switched, 1),
+        (text(&IsInServomove::new()), entered, usize::MAX),
+        (text(&GetJointPos::new()), entered, 1),
     ]
 }
 
 /// What it ends with. That servo mode was left is known by an answer.
 fn leaving(fate: Fate) -> [Sent; 2] {
-    [(text(&LEAVE), fate, 1), (text(&IsInServomove), fate, usize::MAX)]
+    [(text(&LEAVE), fate, 1), (text(&IsInServomove::new()), fate, usize::MAX)]
 }
 
 /// What went out of a session that did not begin.
@@ -135,9 +135,9 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
     let mut failed = None;
     for at in 0..count {
         let step = if at % 2 == 0 { 0.05 } else { -0.05 };
-        let offset = [step, 0.0, 0.0, 0.0, 0.0, f64::from(arm.serial()) * 1e-7].into();
+        let offset = [step, 0.0, 0.0, 0.0, 0.0, f64::from(arm.serial()) * 1e-7];
         let result = servo.send_joint_offset(offset);
-        let command = ServoJ { mode: MoveMode::Relative, joint_position: offset, step_count: Some(1) };
+        let command = ServoJ::relative(offset).step_count(1);
         sent.push((text(&command), set_point(&result), 1));
         failed = result.err();
         if failed.is_some() {

@@ -6,7 +6,7 @@ use jaka_sim::{Controller, Delays};
 use jaka_sync::motion::JointMove;
 use jaka_sync::proto::Request;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::types::{MoveMode, Pose};
+use jaka_sync::types::Pose;
 use jaka_sync::{Client, Error, StatusStream};
 
 /// How long anything may take.
@@ -112,8 +112,7 @@ pub(crate) fn servo_mode(state: &mut jaka_sim::State) {
 
 /// A turn of joint 1 from where it is, in degrees, at 20 deg/s.
 pub(crate) fn turn(angle: f64) -> JointMove {
-    let joint_position = turned([0.0; 6], angle).into();
-    JointMove { mode: MoveMode::Relative, joint_position, speed: 20.0, acceleration: Some(80.0) }
+    JointMove::relative(turned([0.0; 6], angle), 20.0).acceleration(80.0)
 }
 
 /// These joints with joint 1 turned.

@@ -3,7 +3,7 @@
 use jaka_sync::Typed;
 use jaka_sync::force::{
     AdmittanceAxis, CartesianAxis, ComplianceType, SetAdmitCtrlConfig, SetComplianceCondition, SetCompliantType,
-    VelocityCompliance,
+    VelocityCompliance, literal,
 };
 use jaka_sync::status::TaskMode;
 use jaka_sync::types::Switch;
@@ -23,8 +23,10 @@ effects! {
     set_vel_compliant_ctrl => compliance_in_velocity_is_kept,
 }
 
-const AXIS: AdmittanceAxis =
-    AdmittanceAxis { enabled: true, user_force: 25.0, rebound: 3.0, constant_force: 5.0, normal_track: 2 };
+fn axis() -> AdmittanceAxis {
+    let (user_force, rebound, constant_force) = (25.0, 3.0, 5.0);
+    literal::AdmittanceAxis { enabled: true, user_force, rebound, constant_force, normal_track: 2 }.into()
+}
 
 fn axes(arm: &mut Arm) -> Vec<AdmittanceAxis> {
     match arm.client.get_admit_ctrl_config().expect("it answers").axes {
@@ -53,29 +55,29 @@ fn drag_mode_is_told(arm: &mut Arm) {
 
 fn an_axis_is_given_back(arm: &mut Arm) {
     let mut expected = axes(arm);
-    expected[5] = AXIS;
-    let request = SetAdmitCtrlConfig {
-        axis: CartesianAxis::Rz,
-        enabled: Switch::On,
-        user_force: AXIS.user_force,
-        constant_force: AXIS.constant_force,
-        normal_track: AXIS.normal_track,
-        rebound: AXIS.rebound,
-    };
+    expected[5] = axis();
+    let request = SetAdmitCtrlConfig::new(
+        CartesianAxis::Rz,
+        Switch::On,
+        axis().user_force,
+        axis().constant_force,
+        axis().normal_track,
+        axis().rebound,
+    );
     arm.client.set_admit_ctrl_config(&request).expect("it answers");
     assert_eq!(axes(arm), expected);
 }
 
 fn axes_are_read(arm: &mut Arm) {
-    arm.controller.set_state(|state| state.admittance.axes[1] = AXIS);
+    arm.controller.set_state(|state| state.admittance.axes[1] = axis());
     assert_eq!(axes(arm), arm.controller.state().admittance.axes);
-    assert_eq!(axes(arm)[1], AXIS);
+    assert_eq!(axes(arm)[1], axis());
 }
 
 /// No command reads it back.
 fn the_condition_is_kept(arm: &mut Arm) {
     let condition = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
-    arm.client.set_compliance_condition(&SetComplianceCondition { condition }).expect("it answers");
+    arm.client.set_compliance_condition(&SetComplianceCondition::new(condition)).expect("it answers");
     assert_eq!(arm.controller.state().admittance.condition.map(f64::to_bits), condition.map(f64::to_bits));
 }
 
@@ -99,7 +101,7 @@ fn the_type_is_read(arm: &mut Arm) {
 fn the_type_is_given_back(arm: &mut Arm) {
     for (switch, sensor_compensation) in [(Switch::On, true), (Switch::Off, false)] {
         let compliance_type = ComplianceType::ConstantForce;
-        let request = SetCompliantType { sensor_compensation: switch, compliance_type };
+        let request = SetCompliantType::new(switch, compliance_type);
         arm.client.set_compliant_type(&request).expect("it answers");
         let reply = arm.client.get_compliant_type().expect("it answers");
         assert_eq!((reply.compliance_type, reply.sensor_compensation), (compliance_type, sensor_compensation));
@@ -108,7 +110,7 @@ fn the_type_is_given_back(arm: &mut Arm) {
 
 fn force_control_is_switched_off(arm: &mut Arm) {
     let compliance_type = ComplianceType::ConstantForce;
-    let request = SetCompliantType { sensor_compensation: Switch::On, compliance_type };
+    let request = SetCompliantType::new(Switch::On, compliance_type);
     arm.client.set_compliant_type(&request).expect("it answers");
     arm.client.enable_admittance_ctrl(Switch::On).expect("it answers");
     arm.client.disable_force_control().expect("it answers");
@@ -118,7 +120,7 @@ fn force_control_is_switched_off(arm: &mut Arm) {
 
 /// No command reads it back.
 fn compliance_in_velocity_is_kept(arm: &mut Arm) {
-    let compliance = VelocityCompliance { level: 1, rate1: 0.1, rate2: 0.2, rate3: 0.3, rate4: 0.4 };
+    let compliance = VelocityCompliance::new(1, 0.1, 0.2, 0.3, 0.4);
     arm.client.set_vel_compliant_ctrl(compliance).expect("it answers");
     assert_eq!(arm.controller.state().admittance.velocity, compliance);
 }

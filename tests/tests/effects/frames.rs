@@ -15,7 +15,7 @@ effects! {
 
 fn a_tool_frame_is_set(arm: &mut Arm) {
     let offset = shift(1.0, 2.0, 120.0);
-    arm.client.set_tool_offsets(&SetToolOffsets { offset, id: 4, name: "gripper".to_owned() }).expect("it answers");
+    arm.client.set_tool_offsets(&SetToolOffsets::new(offset, 4, "gripper")).expect("it answers");
     assert_eq!(arm.client.get_tool_offsets().expect("it answers").offsets[4], offset);
     assert_eq!(arm.controller.state().tool_frames[4].name, "gripper");
 }
@@ -42,7 +42,7 @@ fn tool_frames_are_read(arm: &mut Arm) {
 
 fn a_user_frame_is_set(arm: &mut Arm) {
     let offset = shift(100.0, -50.0, 10.0);
-    arm.client.set_user_offsets(&SetUserOffsets { offset, id: 2, name: "table".to_owned() }).expect("it answers");
+    arm.client.set_user_offsets(&SetUserOffsets::new(offset, 2, "table")).expect("it answers");
     assert_eq!(arm.client.get_user_offsets().expect("it answers").offsets[2], offset);
     assert_eq!(arm.controller.state().user_frames[2].name, "table");
 }

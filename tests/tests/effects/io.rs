@@ -1,8 +1,7 @@
 //! Inputs and outputs.
 
 use jaka_sync::io::{
-    AnalogOutputKind, DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput,
-    SetTioVoutParam,
+    DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput, SetTioVoutParam, literal,
 };
 use jaka_sync::types::Switch;
 
@@ -19,7 +18,7 @@ effects! {
 }
 
 fn digital_outputs_show_on_port_10000(arm: &mut Arm) {
-    let set = |kind, value| SetDigitalOutput { kind, index: 2, value };
+    let set = |kind, value| SetDigitalOutput::new(kind, 2, value);
     arm.client.set_digital_output(&set(DigitalOutputKind::Cabinet, Switch::On)).expect("it answers");
     arm.client.set_digital_output(&set(DigitalOutputKind::Tool, Switch::On)).expect("it answers");
     let status = arm.status();
@@ -39,7 +38,7 @@ fn digital_inputs_are_read(arm: &mut Arm) {
 }
 
 fn analog_outputs_show_on_port_10000(arm: &mut Arm) {
-    let request = SetAnalogOutput { kind: AnalogOutputKind::Cabinet, index: 7, value: 4.32 };
+    let request = SetAnalogOutput::cabinet(7, 4.32);
     arm.client.set_analog_output(&request).expect("it answers");
     let outputs = arm.status().analog_outputs.expect("the packet has outputs");
     assert_eq!((outputs.get(6), outputs.get(7)), (Some(&0.0), Some(&4.32)));
@@ -55,7 +54,7 @@ fn extension_modules_are_read(arm: &mut Arm) {
 }
 
 fn function_inputs_are_read(arm: &mut Arm) {
-    let input = FunctionInput { kind: FunctionInputKind::Tool, index: 1 };
+    let input = FunctionInput::from(literal::FunctionInput { kind: FunctionInputKind::Tool, index: 1 });
     arm.controller.set_state(|state| state.function_inputs[3] = input);
     let inputs = arm.client.get_funcdi_status().expect("it answers").function_inputs;
     assert_eq!(inputs[3], input);
@@ -64,7 +63,7 @@ fn function_inputs_are_read(arm: &mut Arm) {
 
 fn the_tools_voltage_is_given_back(arm: &mut Arm) {
     for (output_enable, output_voltage) in [(1, 0), (0, 1)] {
-        arm.client.set_tio_vout_param(&SetTioVoutParam { output_enable, output_voltage }).expect("it answers");
+        arm.client.set_tio_vout_param(&SetTioVoutParam::new(output_enable, output_voltage)).expect("it answers");
         let reply = arm.client.get_tio_vout_param().expect("it answers");
         assert_eq!((reply.output_enable, reply.output_voltage), (output_enable, output_voltage));
     }

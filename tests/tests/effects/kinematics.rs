@@ -28,10 +28,14 @@ fn forward_kinematics_agree_with_the_arm(arm: &mut Arm) {
 fn inverse_kinematics_agree_with_the_arm(arm: &mut Arm) {
     let before = arm.joints();
     arm.controller.set_state(|state| state.joint_position = ELSEWHERE.into());
-    let request = KineInverse { reference_joint_position: before.into(), pose: arm.pose().into() };
+    let request = KineInverse::new(before, arm.pose());
     let reply = arm.client.kine_inverse(&request).expect("the arm is there");
     assert_close(reply.joint_position, ELSEWHERE, 1e-6);
-    refused(arm.client.kine_inverse(&KineInverse { pose: shift(5000.0, 0.0, 0.0), ..request }));
+    refused(arm.client.kine_inverse(&{
+        let mut changed = request;
+        changed.pose = shift(5000.0, 0.0, 0.0);
+        changed
+    }));
 }
 
 fn joints_are_where_they_were_put(arm: &mut Arm) {

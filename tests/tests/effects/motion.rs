@@ -3,7 +3,6 @@
 use std::thread;
 
 use jaka_sync::motion::{EndMove, Jog, JogFrame, MoveC, MoveL};
-use jaka_sync::types::MoveMode;
 
 use super::arm::{Arm, LIMIT, assert_close, disabled, raised, servo_mode, shift, turn, turned};
 
@@ -19,13 +18,13 @@ effects! {
 fn a_jog_moves_one_axis_until_it_is_stopped(arm: &mut Arm) {
     let start = arm.joints();
     let (frame, axis) = (JogFrame::Joint, 0);
-    arm.client.jog(&Jog::Continuous { frame, axis, velocity: -10.0 }).expect("the arm is enabled");
+    arm.client.jog(&Jog::continuous(frame, axis, -10.0)).expect("the arm is enabled");
     arm.wait(2);
     assert_close(arm.joints(), turned(start, -20.0), 1e-6);
-    arm.client.jog(&Jog::Stop { frame, axis }).expect("it answers");
+    arm.client.jog(&Jog::stop(frame, axis)).expect("it answers");
     arm.wait(2);
     assert_close(arm.joints(), turned(start, -20.0), 1e-6);
-    arm.refuses(servo_mode, |client| client.jog(&Jog::Continuous { frame, axis, velocity: 10.0 }));
+    arm.refuses(servo_mode, |client| client.jog(&Jog::continuous(frame, axis, 10.0)));
 }
 
 fn joints_move_by_an_offset(arm: &mut Arm) {
@@ -41,7 +40,7 @@ fn joints_move_by_an_offset(arm: &mut Arm) {
 
 fn the_tool_reaches_a_pose_by_joints(arm: &mut Arm) {
     let target = raised(arm.pose(), 50.0);
-    let request = EndMove { pose: target, speed: 30.0, acceleration: None };
+    let request = EndMove::new(target, 30.0);
     arm.client.end_move(&request).expect("it is reachable");
     arm.wait(10);
     assert_close(arm.pose(), target, 0.01);
@@ -51,7 +50,7 @@ fn the_tool_reaches_a_pose_by_joints(arm: &mut Arm) {
 fn the_tool_moves_along_a_line(arm: &mut Arm) {
     let start = arm.pose();
     let pose = shift(0.0, 0.0, 60.0);
-    let request = MoveL { mode: MoveMode::Relative, pose, speed: 30.0, acceleration: Some(300.0), tolerance: None };
+    let request = MoveL::relative(pose, 30.0).acceleration(300.0);
     arm.client.move_l(&request).expect("it is reachable");
     arm.wait(1);
     // The 0.1 s of acceleration brings it half as far as the speed would.
@@ -65,14 +64,7 @@ fn the_tool_moves_along_a_line(arm: &mut Arm) {
 fn the_tool_moves_along_an_arc(arm: &mut Arm) {
     let start = arm.pose();
     // Half a circle of radius 20 mm, up and to the side.
-    let request = MoveC {
-        mode: MoveMode::Relative,
-        mid_pose: shift(0.0, 20.0, 20.0),
-        end_pose: shift(0.0, 0.0, 40.0),
-        speed: 20.0,
-        acceleration: 400.0,
-        tolerance: 0.0,
-    };
+    let request = MoveC::relative(shift(0.0, 20.0, 20.0), shift(0.0, 0.0, 40.0), 20.0, 400.0, 0.0);
     arm.client.move_c(&request).expect("it is reachable");
     arm.wait(1);
     let pose = arm.pose();

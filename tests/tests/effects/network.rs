@@ -11,7 +11,7 @@ effects! {
 /// No command reads it back, and the document does not say what counts as a failure.
 fn the_reaction_is_kept(arm: &mut Arm) {
     for (delay, action) in [(100, NetworkExceptionAction::Terminate), (0, NetworkExceptionAction::Keep)] {
-        arm.client.set_network_exception_handle(&SetNetworkExceptionHandle { delay, action }).expect("it answers");
+        arm.client.set_network_exception_handle(&SetNetworkExceptionHandle::new(delay, action)).expect("it answers");
         let kept = arm.controller.state().network_exception;
         assert_eq!((kept.delay_ms, kept.action), (delay, action));
     }

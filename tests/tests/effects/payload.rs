@@ -12,7 +12,7 @@ effects! {
 fn the_payload_is_given_back(arm: &mut Arm) {
     let tool = arm.client.get_tool_payload().expect("it answers");
     let (mass, centroid) = (2.5, [1.0, 2.0, 3.0].into());
-    arm.client.set_payload(&SetPayload { mass, centroid }).expect("it answers");
+    arm.client.set_payload(&SetPayload::new(mass, centroid)).expect("it answers");
     let payload = arm.client.get_payload().expect("it answers");
     assert_eq!((payload.mass, payload.centroid), (mass, centroid));
     // That at the sensor is another.

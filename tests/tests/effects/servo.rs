@@ -2,7 +2,7 @@
 
 use jaka_sync::ErrorCode;
 use jaka_sync::servo::{ServoJ, ServoP, SetServoMoveFilter};
-use jaka_sync::types::{MoveMode, Switch};
+use jaka_sync::types::Switch;
 
 use super::arm::{Arm, CYCLE, assert_close, disabled, raised, refused, servo_mode, turn, turned};
 
@@ -15,8 +15,7 @@ effects! {
 }
 
 fn a_turn() -> ServoJ {
-    let joint_position = turned([0.0; 6], 0.5).into();
-    ServoJ { mode: MoveMode::Relative, joint_position, step_count: Some(2) }
+    ServoJ::relative(turned([0.0; 6], 0.5)).step_count(2)
 }
 
 fn servo_mode_is_told(arm: &mut Arm) {
@@ -52,7 +51,7 @@ fn joints_follow_set_points(arm: &mut Arm) {
 
 fn the_tool_follows_set_points(arm: &mut Arm) {
     let pose = raised(arm.pose(), 0.5);
-    let request = ServoP { pose, mode: MoveMode::Absolute, step_count: None };
+    let request = ServoP::absolute(pose);
     refused(arm.client.servo_p(&request));
     arm.controller.set_state(servo_mode);
     arm.client.servo_p(&request).expect("servo mode is on");
@@ -61,9 +60,9 @@ fn the_tool_follows_set_points(arm: &mut Arm) {
 }
 
 fn the_filter_is_set_outside_servo_mode(arm: &mut Arm) {
-    let filter = SetServoMoveFilter::JointLowPass { cutoff_frequency: 12.5 };
+    let filter = SetServoMoveFilter::joint_low_pass(12.5);
     arm.client.set_servo_move_filter(&filter).expect("servo mode is off");
     assert_eq!(arm.controller.state().servo_filter, filter);
-    arm.refuses(servo_mode, |client| client.set_servo_move_filter(&SetServoMoveFilter::Disabled));
+    arm.refuses(servo_mode, |client| client.set_servo_move_filter(&SetServoMoveFilter::disabled()));
     assert_eq!(arm.controller.state().servo_filter, filter);
 }

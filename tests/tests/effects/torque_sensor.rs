@@ -27,7 +27,7 @@ fn shown(arm: &Arm) -> (String, i64, f64) {
     let report = arm.status().torque_sensor;
     match report {
         Some(Typed::Known(report)) => match report.settings {
-            TorqueSensorSettings::Tcp { connection, payload: Typed::Known(payload) } => {
+            TorqueSensorSettings::Tcp { connection, payload: Typed::Known(payload), .. } => {
                 (connection.address, connection.port, payload.mass)
             }
             other => panic!("the sensor is not reached over TCP: {other:?}"),
@@ -83,7 +83,7 @@ fn identification_is_told(arm: &mut Arm) {
 
 fn the_result_is_the_payload(arm: &mut Arm) {
     let (mass, centroid) = (1.5, [1.0, 2.0, 30.0].into());
-    arm.client.set_payload(&SetPayload { mass, centroid }).expect("it answers");
+    arm.client.set_payload(&SetPayload::new(mass, centroid)).expect("it answers");
     let before = arm.client.get_torq_sensor_payload_identify_result().expect("it answers");
     assert_ne!(before.centroid, centroid);
     let end = turned(arm.joints(), 20.0);
@@ -96,7 +96,7 @@ fn the_result_is_the_payload(arm: &mut Arm) {
 fn the_payload_shows_on_port_10000(arm: &mut Arm) {
     let arms = arm.client.get_payload().expect("it answers");
     let (mass, centroid) = (0.5, [7.0, 8.0, 9.0].into());
-    arm.client.set_tool_payload(&SetToolPayload { mass, centroid }).expect("it answers");
+    arm.client.set_tool_payload(&SetToolPayload::new(mass, centroid)).expect("it answers");
     assert_eq!(shown(arm).2.to_bits(), mass.to_bits());
     let payload = arm.client.get_tool_payload().expect("it answers");
     assert_eq!((payload.mass, payload.centroid), (mass, centroid));
@@ -116,7 +116,7 @@ fn the_payload_is_read(arm: &mut Arm) {
 
 fn the_way_to_the_sensor_shows_on_port_10000(arm: &mut Arm) {
     let (communication, address, port) = (TorqueSensorCommunication::TcpIp, "10.0.0.7".to_owned(), 5000);
-    let request = SetTorqueSensorComm { communication, address: address.clone(), port };
+    let request = SetTorqueSensorComm::new(communication, address.clone(), port);
     arm.client.set_torque_sensor_comm(&request).expect("it answers");
     let (shown_address, shown_port, _) = shown(arm);
     assert_eq!((shown_address, shown_port), (address.clone(), port));

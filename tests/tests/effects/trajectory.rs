@@ -27,7 +27,7 @@ fn put_files(arm: &Arm, names: [&str; 2]) {
 /// Records a turn of joint 1, and gives where it ends.
 fn record(arm: &mut Arm, file_name: &str) -> [f64; 6] {
     let end = turned(arm.joints(), 8.0);
-    let sample = |mode| SetTrajSampleMode { mode, file_name: file_name.to_owned() };
+    let sample = |mode| SetTrajSampleMode::new(mode, file_name);
     arm.client.set_traj_sample_mode(&sample(Switch::On)).expect("it answers");
     arm.client.joint_move(&turn(8.0)).expect("the arm is enabled");
     arm.wait(5);
@@ -36,7 +36,7 @@ fn record(arm: &mut Arm, file_name: &str) -> [f64; 6] {
 }
 
 fn the_settings_are_given_back(arm: &mut Arm) {
-    let request = SetTrajConfig { acceleration: 150.0, speed: 30.0, position_interval: 0.2, orientation_interval: 0.3 };
+    let request = SetTrajConfig::new(150.0, 30.0, 0.2, 0.3);
     arm.client.set_traj_config(&request).expect("it answers");
     let reply = arm.client.get_traj_config().expect("it answers");
     assert_eq!((reply.acceleration, reply.speed), (150.0, 30.0));
@@ -54,10 +54,11 @@ fn the_settings_are_read(arm: &mut Arm) {
 
 fn a_recording_becomes_a_file(arm: &mut Arm) {
     assert!(!files(arm).contains(&"arch".to_owned()));
-    let request = SetTrajSampleMode { mode: Switch::On, file_name: "arch".to_owned() };
+    let request = SetTrajSampleMode::new(Switch::On, "arch");
     arm.client.set_traj_sample_mode(&request).expect("it answers");
     assert!(arm.client.get_traj_sample_status().expect("it answers").sampling);
-    let request = SetTrajSampleMode { mode: Switch::Off, ..request };
+    let mut request = request;
+    request.mode = Switch::Off;
     arm.client.set_traj_sample_mode(&request).expect("it answers");
     assert!(!arm.client.get_traj_sample_status().expect("it answers").sampling);
     assert!(files(arm).contains(&"arch".to_owned()));
@@ -77,10 +78,7 @@ fn files_are_listed(arm: &mut Arm) {
 
 fn a_file_gets_another_name(arm: &mut Arm) {
     put_files(arm, ["a", "b"]);
-    let rename = |source: &str, destination: &str| RenameTrajFileName {
-        source: source.to_owned(),
-        destination: destination.to_owned(),
-    };
+    let rename = |source: &str, destination: &str| RenameTrajFileName::new(source, destination);
     arm.client.rename_traj_file_name(&rename("a", "c")).expect("there is such a file");
     refused(arm.client.rename_traj_file_name(&rename("a", "d")));
     refused(arm.client.rename_traj_file_name(&rename("c", "b")));

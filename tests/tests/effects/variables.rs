@@ -1,6 +1,6 @@
 //! User-defined system variables.
 
-use jaka_sync::variables::{ModifyUserDefinedVariable, UserVariable};
+use jaka_sync::variables::{ModifyUserDefinedVariable, UserVariable, literal};
 
 use super::arm::{Arm, refused};
 
@@ -10,16 +10,19 @@ effects! {
 }
 
 fn variables_are_read(arm: &mut Arm) {
-    let speed = UserVariable { alias: "speed".to_owned(), id: 5501, value: 2.5 };
+    let speed = UserVariable::from(literal::UserVariable { alias: "speed".to_owned(), id: 5501, value: 2.5 });
     arm.controller.set_state(|state| state.variables.push(speed.clone()));
     let variables = arm.client.query_user_defined_variable().expect("it answers").variables;
     assert_eq!((variables.len(), variables.last()), (2, Some(&speed)));
 }
 
 fn a_variable_is_given_back(arm: &mut Arm) {
-    let modify = |id| ModifyUserDefinedVariable { id, alias: "count".to_owned(), value: 14.0 };
+    let modify = |id| ModifyUserDefinedVariable::new(id, "count", 14.0);
     arm.client.modify_user_defined_variable(&modify(5500)).expect("there is such a variable");
     refused(arm.client.modify_user_defined_variable(&modify(5999)));
     let variables = arm.client.query_user_defined_variable().expect("it answers").variables;
-    assert_eq!(variables, [UserVariable { alias: "count".to_owned(), id: 5500, value: 14.0 }]);
+    assert_eq!(
+        variables,
+        [UserVariable::from(literal::UserVariable { alias: "count".to_owned(), id: 5500, value: 14.0 })]
+    );
 }

@@ -71,11 +71,11 @@ fn same(cell: &Cell<'_>, client: &mut Client, timeout: Duration) -> Result<(), E
         Kind::Setting => {
             let centroid = cell.controller.state().payload.centroid;
             let mass = cell.mark() + 0.5;
-            client.call_within(&SetPayload { mass, centroid }, timeout)?;
+            client.call_within(&SetPayload::new(mass, centroid), timeout)?;
             assert_eq!(cell.controller.state().payload.mass.to_bits(), mass.to_bits(), "the setting was not made");
             Ok(())
         }
-        Kind::Stop => client.call_within(&StopProgram, timeout),
+        Kind::Stop => client.call_within(&StopProgram::new(), timeout),
         _ => cell.joint_position(client, timeout),
     }
 }
@@ -105,7 +105,7 @@ pub(crate) fn run_stop_beside(cell: &Cell<'_>) -> Seen {
     let mark = cell.mark();
     let (called, stopped) = cell.while_held(|| {
         thread::scope(|scope| {
-            let calling = scope.spawn(|| client.call_within(&GetJointPos, timeout));
+            let calling = scope.spawn(|| client.call_within(&GetJointPos::new(), timeout));
             // Where something is wrong with the link, it may not come, and which of the two is first makes no difference.
             if !matches!(cell.trouble, Trouble::Link(_)) {
                 assert!(cell.controller.wait_for_requests(sent + 1, LIMIT), "the query is sent");

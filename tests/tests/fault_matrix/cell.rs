@@ -317,7 +317,7 @@ impl<'t> Cell<'t> {
     /// Where the arm is now, and nothing else.
     pub(crate) fn joint_position(&self, client: &mut Client, timeout: Duration) -> Result<(), Error> {
         let mark = self.mark();
-        let found = client.call_within(&GetJointPos, timeout)?.joint_position;
+        let found = client.call_within(&GetJointPos::new(), timeout)?.joint_position;
         assert_eq!(found, position(mark), "{self}: the reply is another's");
         Ok(())
     }
@@ -325,7 +325,7 @@ impl<'t> Cell<'t> {
     /// The payload as it is now, and nothing else.
     pub(crate) fn payload(&self, client: &mut Client, timeout: Duration) -> Result<(), Error> {
         let mark = self.mark();
-        let found = client.call_within(&GetPayload, timeout)?.mass;
+        let found = client.call_within(&GetPayload::new(), timeout)?.mass;
         assert_eq!(found.to_bits(), mark.to_bits(), "{self}: the reply is another's");
         Ok(())
     }

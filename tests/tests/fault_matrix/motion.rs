@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_sim::Port;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
-use jaka_sync::types::{JointPosition, MoveMode};
+use jaka_sync::types::JointPosition;
 use jaka_sync::{Command, Error, ErrorKind, MotionEnd, Outcome as Ended, Robot};
 
 use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
@@ -81,12 +81,7 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
 /// Each joint by some degrees from where it is.
 fn motion(cell: &Cell<'_>) -> JointMove {
     let joint_position = cell.controller.state().joint_position.0.map(|joint| joint + STEP);
-    JointMove {
-        mode: MoveMode::Absolute,
-        joint_position: joint_position.into(),
-        speed: 90.0,
-        acceleration: Some(700.0),
-    }
+    JointMove::absolute(joint_position, 90.0).acceleration(700.0)
 }
 
 /// Moves the arm, while time goes on.

@@ -1,6 +1,8 @@
 //! The nested parts of a status packet.
 
+use jaka_proto::messages::io::literal as io_literal;
 use jaka_proto::messages::io::{ExtioPinRange, ExtioRtu, ExtioTcp, FunctionInput};
+use jaka_proto::messages::status::literal as status_literal;
 use jaka_proto::messages::status::{
     ExtioMode, ExtioPinStates, ExtioReport, ExtioReportPinMap, ExtioReportPins, ExtioReportSetup, JointMonitor,
     MonitorData, TorqueSensorPayload, TorqueSensorReport, TorqueSensorSettings, TorqueSensorState, TorqueSensorTcp,
@@ -51,7 +53,7 @@ pub(super) fn int(scan: &mut Scan<'_>, into: &mut i64) -> Option<()> {
 pub(super) fn inputs(scan: &mut Scan<'_>, into: &mut Vec<FunctionInput>) -> Option<()> {
     scan.list(into, |scan| {
         let [kind, index] = scan.array::<i64, 2>(Scan::int)?;
-        Some(FunctionInput { kind: kind.into(), index })
+        Some(FunctionInput::from(io_literal::FunctionInput { kind: kind.into(), index }))
     })
 }
 
@@ -68,7 +70,7 @@ pub(super) fn monitor(scan: &mut Scan<'_>, into: &mut MonitorData) -> Option<()>
 
 fn joint(scan: &mut Scan<'_>) -> Option<JointMonitor> {
     scan.need(b"[")?;
-    let mut joint = JointMonitor {
+    let mut joint = JointMonitor::from(status_literal::JointMonitor {
         current: first(scan, Scan::float)?,
         voltage: first(scan, Scan::float)?,
         temperature: first(scan, Scan::float)?,
@@ -80,7 +82,7 @@ fn joint(scan: &mut Scan<'_>) -> Option<JointMonitor> {
         running_time_since_start: first(scan, Scan::float)?,
         torque: scan.float()?,
         eleventh: None,
-    };
+    });
     if scan.comma(b']')? {
         joint.eleventh = Some(scan.float()?);
         last(scan)?;
@@ -102,7 +104,7 @@ fn last(scan: &mut Scan<'_>) -> Option<()> {
 pub(super) fn torque_sensor(scan: &mut Scan<'_>, into: &mut TorqueSensorReport) -> Option<()> {
     scan.need(b"[")?;
     scan.need(b"[0,")?;
-    let TorqueSensorSettings::Tcp { connection, payload } = &mut into.settings else { return None };
+    let TorqueSensorSettings::Tcp { connection, payload, .. } = &mut into.settings else { return None };
     scan.need(b"[")?;
     scan.text_into(&mut connection.address)?;
     scan.comma(b']')?.then_some(())?;
@@ -111,7 +113,10 @@ pub(super) fn torque_sensor(scan: &mut Scan<'_>, into: &mut TorqueSensorReport) 
     scan.comma(b']')?.then_some(())?;
     scan.need(b"[")?;
     let mass = first(scan, Scan::float)?;
-    *payload = Typed::Known(TorqueSensorPayload { mass, centroid: scan.array::<f64, 3>(Scan::float)?.into() });
+    *payload = Typed::Known(TorqueSensorPayload::from(status_literal::TorqueSensorPayload {
+        mass,
+        centroid: scan.array::<f64, 3>(Scan::float)?.into(),
+    }));
     last(scan)?;
     last(scan)?;
     scan.comma(b']')?.then_some(())?;
@@ -162,7 +167,12 @@ fn pin_states(scan: &mut Scan<'_>, into: &mut ExtioPinStates) -> Option<()> {
 
 fn pin_map(scan: &mut Scan<'_>) -> Option<ExtioReportPinMap> {
     let [digital_inputs, digital_outputs, analog_inputs, analog_outputs] = scan.array::<i64, 4>(Scan::int)?;
-    Some(ExtioReportPinMap { digital_inputs, digital_outputs, analog_inputs, analog_outputs })
+    Some(ExtioReportPinMap::from(status_literal::ExtioReportPinMap {
+        digital_inputs,
+        digital_outputs,
+        analog_inputs,
+        analog_outputs,
+    }))
 }
 
 /// The modules, in place of those before.
@@ -194,17 +204,21 @@ fn setup(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
 
 fn rtu(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
     if !matches!(into, ExtioReportSetup::Rtu { connection: Typed::Known(_), .. }) {
-        let connection = ExtioRtu {
+        let connection = ExtioRtu::from(io_literal::ExtioRtu {
             baud_rate: 0,
             data_bit_length: 0,
             slave_id: 0,
             data_bits: 0,
             parity: Value::Null,
             stop_bit_length: 0,
-        };
-        *into = ExtioReportSetup::Rtu { name: String::new(), connection: Typed::Known(connection), pins: NO_PINS };
+        });
+        *into = ExtioReportSetup::from(status_literal::ExtioReportSetup::Rtu {
+            name: String::new(),
+            connection: Typed::Known(connection),
+            pins: no_pins(),
+        });
     }
-    let ExtioReportSetup::Rtu { name, connection: Typed::Known(connection), pins } = into else { return None };
+    let ExtioReportSetup::Rtu { name, connection: Typed::Known(connection), pins, .. } = into else { return None };
     scan.text_into(name)?;
     scan.comma(b']')?.then_some(())?;
     scan.need(b"[")?;
@@ -223,10 +237,14 @@ fn rtu(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
 
 fn tcp(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
     if !matches!(into, ExtioReportSetup::Tcp { .. }) {
-        let connection = ExtioTcp { address: String::new(), port: 0, slave_id: None };
-        *into = ExtioReportSetup::Tcp { name: String::new(), connection, pins: NO_PINS };
+        let connection = ExtioTcp::from(io_literal::ExtioTcp { address: String::new(), port: 0, slave_id: None });
+        *into = ExtioReportSetup::from(status_literal::ExtioReportSetup::Tcp {
+            name: String::new(),
+            connection,
+            pins: no_pins(),
+        });
     }
-    let ExtioReportSetup::Tcp { name, connection, pins } = into else { return None };
+    let ExtioReportSetup::Tcp { name, connection, pins, .. } = into else { return None };
     scan.text_into(name)?;
     scan.comma(b']')?.then_some(())?;
     scan.need(b"[")?;
@@ -243,22 +261,29 @@ fn tcp(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
     last(scan)
 }
 
-const NO_PIN: ExtioPinRange = ExtioPinRange { start: 0, count: 0 };
-const NO_PINS: ExtioReportPins =
-    ExtioReportPins { digital_inputs: NO_PIN, digital_outputs: NO_PIN, analog_inputs: NO_PIN, analog_outputs: NO_PIN };
+fn no_pins() -> ExtioReportPins {
+    let none = ExtioPinRange::from(io_literal::ExtioPinRange { start: 0, count: 0 });
+    let (digital_inputs, digital_outputs, analog_inputs, analog_outputs) = (none, none, none, none);
+    ExtioReportPins::from(status_literal::ExtioReportPins {
+        digital_inputs,
+        digital_outputs,
+        analog_inputs,
+        analog_outputs,
+    })
+}
 
 fn pin_ranges(scan: &mut Scan<'_>) -> Option<ExtioReportPins> {
     let range = |scan: &mut Scan<'_>| {
         let [start, count] = scan.array::<i64, 2>(Scan::int)?;
-        Some(ExtioPinRange { start, count })
+        Some(ExtioPinRange::from(io_literal::ExtioPinRange { start, count }))
     };
     scan.need(b"[")?;
-    let pins = ExtioReportPins {
+    let pins = ExtioReportPins::from(status_literal::ExtioReportPins {
         digital_inputs: first(scan, range)?,
         digital_outputs: first(scan, range)?,
         analog_inputs: first(scan, range)?,
         analog_outputs: range(scan)?,
-    };
+    });
     last(scan)?;
     Some(pins)
 }
@@ -277,40 +302,44 @@ impl Blank for i64 {
 
 impl Blank for MonitorData {
     fn blank() -> Self {
-        Self {
+        Self::from(status_literal::MonitorData {
             scb_major_version: 0,
             scb_minor_version: 0,
             cabinet_temperature: 0.0,
             bus_average_power: 0.0,
             bus_average_current: 0.0,
             joints: Vec::new(),
-        }
+        })
     }
 }
 
 impl Blank for TorqueSensorReport {
     fn blank() -> Self {
-        let connection = TorqueSensorTcp { address: String::new(), port: 0 };
-        Self {
-            settings: TorqueSensorSettings::Tcp { connection, payload: Typed::Raw(Value::Null) },
-            state: TorqueSensorState {
+        let connection = TorqueSensorTcp::from(status_literal::TorqueSensorTcp { address: String::new(), port: 0 });
+        Self::from(status_literal::TorqueSensorReport {
+            settings: TorqueSensorSettings::from(status_literal::TorqueSensorSettings::Tcp {
+                connection,
+                payload: Typed::Raw(Value::Null),
+            }),
+            state: TorqueSensorState::from(status_literal::TorqueSensorState {
                 working: false,
                 error_code: Typed::Known(0),
                 contact_force: [0.0; 6],
                 raw_reading: [0.0; 6],
-            },
-        }
+            }),
+        })
     }
 }
 
 impl Blank for ExtioReport {
     fn blank() -> Self {
-        let pin_states = ExtioPinStates {
+        let pin_states = ExtioPinStates::from(status_literal::ExtioPinStates {
             digital_inputs: Vec::new(),
             digital_outputs: Vec::new(),
             analog_inputs: Vec::new(),
             analog_outputs: Vec::new(),
-        };
-        Self { pin_states, setup: Vec::new(), count: 0, pin_maps: Vec::new(), mode: ExtioMode::On }
+        });
+        let (setup, pin_maps) = (Vec::new(), Vec::new());
+        Self::from(status_literal::ExtioReport { pin_states, setup, count: 0, pin_maps, mode: ExtioMode::On })
     }
 }

@@ -10,7 +10,7 @@ use jaka_proto::messages::program::StopProgram;
 use super::*;
 
 fn ask(link: &Link) -> Question {
-    link.ask(GetJointPos::INFO, &mut |out| GetJointPos.write_request(out)).expect("it goes out")
+    link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)).expect("it goes out")
 }
 
 /// Polls as a loop does that looks at other things between.
@@ -59,7 +59,7 @@ fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
     let (link, mut server) = connection(Mode::Blocking);
     let question = ask(&link);
     let stop = |link: &Link| {
-        let write = &mut |out: &mut Writer| StopProgram.write_request(out);
+        let write = &mut |out: &mut Writer| StopProgram::new().write_request(out);
         link.send(&Outgoing::of(StopProgram::INFO, LONG), write).expect("it goes out")
     };
     let sent = stop(&link);

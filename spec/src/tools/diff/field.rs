@@ -30,7 +30,7 @@ pub(super) enum Checks {
 impl Checks {
     /// A type is checked where requests have it.
     pub(super) fn of_type(d: &Differ<'_>, name: &str) -> Self {
-        let is_sent = [d.old, d.new].iter().all(|spec| spec.type_id(name).is_some_and(|id| spec.sent().contains(&id)));
+        let is_sent = [d.old, d.new].iter().all(|spec| spec.type_id(name).is_some_and(|id| spec.is_sent(id)));
         if is_sent { Self::Sent } else { Self::Received }
     }
 

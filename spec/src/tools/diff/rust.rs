@@ -1,10 +1,9 @@
 //! What the generated Rust looks like, as far as a change can break it. The generator is `jaka-proto-derive`.
 
-use std::collections::BTreeSet;
 use std::slice;
 
 use super::collect::Differ;
-use crate::{Command, Scalar, Spec, Type, TypeId};
+use crate::{Command, Scalar, Spec, Type};
 
 /// The interface generated from a spec.
 pub(super) struct Interface<'s>(pub(super) &'s Spec);
@@ -46,19 +45,4 @@ impl Differ<'_> {
 /// True if both commands have a request struct, or a reply struct, to compare.
 pub(super) fn both_answer(old: &Command, new: &Command) -> bool {
     !old.reply.is_empty() && !new.reply.is_empty()
-}
-
-impl Spec {
-    /// The types that the client checks before it sends them: those of requests, also inside other types.
-    pub(super) fn sent(&self) -> BTreeSet<TypeId> {
-        let mut sent = BTreeSet::new();
-        let fields = self.commands().flat_map(|command| command.request.fields());
-        let mut open: Vec<_> = fields.filter_map(|field| field.ty.named()).collect();
-        while let Some(id) = open.pop() {
-            if sent.insert(id) {
-                open.extend(self[id].kind.parts());
-            }
-        }
-        sent
-    }
 }

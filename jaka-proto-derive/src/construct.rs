@@ -1,0 +1,173 @@
+//! How programs make values: constructors of the required fields, and setters of the optional ones.
+//!
+//! So a field that is optional can come without a change of what is there.
+
+use jaka_spec::{Choice, EnumValue, Field, Scalar, Type, TypeKind, to_snake};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::codec::{Scope, ident};
+use crate::{docs, typedef};
+
+/// Most arguments of a function before clippy asks for fewer.
+const MANY: usize = 7;
+
+/// The constructors and setters of a struct.
+pub(crate) fn object(scope: Scope<'_>, name: &Ident, fields: &[Field]) -> TokenStream {
+    let new = new(scope, fields);
+    let kinds = fields.iter().filter(|field| field.constructors && !field.optional);
+    let kinds = kinds.map(|field| of_each_value(scope, field, fields));
+    let setters = fields.iter().filter(|field| field.optional).map(|field| setter(scope, field));
+    quote! {
+        impl #name {
+            #new
+            #(#kinds)*
+            #(#setters)*
+        }
+    }
+}
+
+/// A constructor for each variant of a choice.
+pub(crate) fn choice(scope: Scope<'_>, name: &Ident, choice: &Choice) -> TokenStream {
+    let constructors = choice.variants.iter().map(|variant| {
+        let docs = docs::constructor(&variant.doc, &variant.fields);
+        let (function, path) = (function(&variant.name, &[]), ident(&variant.name));
+        let Arguments { head, parameters, .. } = Arguments::new(scope, &variant.fields);
+        let values = values(scope, &variant.fields);
+        quote! {
+            #docs
+            #head fn #function(#parameters) -> Self {
+                Self::#path { #values }
+            }
+        }
+    });
+    quote!(impl #name { #(#constructors)* })
+}
+
+fn new(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
+    let first = if fields.iter().all(|field| field.optional) {
+        "Without any optional field."
+    } else {
+        "With the required fields alone."
+    };
+    let docs = docs::constructor(first, fields);
+    let Arguments { head, parameters, .. } = Arguments::new(scope, fields);
+    let values = values(scope, fields);
+    quote! {
+        #docs
+        #head fn new(#parameters) -> Self {
+            Self { #values }
+        }
+    }
+}
+
+/// Constructors for what `field`, an enum, selects.
+fn of_each_value(scope: Scope<'_>, field: &Field, fields: &[Field]) -> TokenStream {
+    let Type::Named(id) = &field.ty else { return TokenStream::new() };
+    let values: Vec<(&str, &str)> = match &scope.spec[*id].kind {
+        TypeKind::IntEnum(values) => names_and_docs(values),
+        TypeKind::TextEnum(values) => names_and_docs(values),
+        _ => Vec::new(),
+    };
+    let (ty, selected) = (scope.path(*id), ident(&field.name));
+    let others: Vec<_> = fields.iter().filter(|other| other.name != field.name).cloned().collect();
+    let Arguments { head, parameters, .. } = Arguments::new(scope, &others);
+    let arguments = fields.iter().filter(|field| !field.optional).map(|field| ident(&field.name));
+    let arguments: Vec<_> = arguments.collect();
+    let functions = values.into_iter().map(|(value, doc)| {
+        let docs = docs::constructor(doc, &others);
+        let (function, value) = (function(value, fields), ident(value));
+        let arguments = arguments
+            .iter()
+            .map(|argument| if *argument == selected { quote!(#ty::#value) } else { quote!(#argument) });
+        quote! {
+            #docs
+            #head fn #function(#parameters) -> Self {
+                Self::new(#(#arguments),*)
+            }
+        }
+    });
+    quote!(#(#functions)*)
+}
+
+fn names_and_docs<T>(values: &[EnumValue<T>]) -> Vec<(&str, &str)> {
+    values.iter().map(|value| (&*value.name, &*value.doc)).collect()
+}
+
+/// The name of the constructor for a variant. An underscore follows where Rust or another function has the name.
+fn function(variant: &str, fields: &[Field]) -> Ident {
+    let name = to_snake(variant);
+    let is_taken = name == NEW || fields.iter().any(|field| field.optional && field.name == name);
+    if is_taken || !jaka_spec::is_snake(&name) { ident(&format!("{name}_")) } else { ident(&name) }
+}
+
+/// The name of the constructor of the required fields.
+const NEW: &str = "new";
+
+fn setter(scope: Scope<'_>, field: &Field) -> TokenStream {
+    let docs = docs::field(field);
+    let name = ident(&field.name);
+    let function = if field.name == NEW { ident("new_") } else { name.clone() };
+    let (ty, value) = argument(scope, field);
+    quote! {
+        #docs
+        #[must_use]
+        pub fn #function(mut self, #name: #ty) -> Self {
+            self.#name = Some(#value);
+            self
+        }
+    }
+}
+
+/// What a function takes for the required fields.
+struct Arguments {
+    /// What stands before `fn`.
+    head: TokenStream,
+    parameters: TokenStream,
+}
+
+impl Arguments {
+    fn new(scope: Scope<'_>, fields: &[Field]) -> Self {
+        let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
+        let parameters = required.iter().map(|field| {
+            let (name, (ty, _)) = (ident(&field.name), argument(scope, field));
+            quote!(#name: #ty)
+        });
+        let many = (required.len() > MANY).then(|| quote!(#[allow(clippy::too_many_arguments)]));
+        let is_const = required.iter().all(|field| !is_converted(scope, field));
+        let constant = is_const.then(|| quote!(const));
+        Self { head: quote!(#[must_use] #many pub #constant), parameters: quote!(#(#parameters),*) }
+    }
+}
+
+/// `name: value` for each field, made of a parameter of its name, or of nothing where the field is optional.
+fn values(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
+    let values = fields.iter().map(|field| {
+        let (name, (_, value)) = (ident(&field.name), argument(scope, field));
+        if field.optional {
+            return quote!(#name: None);
+        }
+        if value.to_string() == field.name { quote!(#name) } else { quote!(#name: #value) }
+    });
+    quote!(#(#values),*)
+}
+
+/// The type of the parameter that stands for a field, and the field's value, made of the parameter.
+pub(crate) fn argument(scope: Scope<'_>, field: &Field) -> (TokenStream, TokenStream) {
+    let name = ident(&field.name);
+    let ty = scope.required_type(field);
+    if is_converted(scope, field) {
+        return (quote!(impl Into<#ty>), quote!(#name.into()));
+    }
+    (ty, quote!(#name))
+}
+
+/// True for what other types convert into: text, and what is made of an array of numbers.
+fn is_converted(scope: Scope<'_>, field: &Field) -> bool {
+    match &field.ty {
+        _ if field.or_raw => true,
+        Type::Scalar(Scalar::Text) => true,
+        Type::Named(id) => typedef::converts(&scope.spec[*id]),
+        _ => false,
+    }
+}
