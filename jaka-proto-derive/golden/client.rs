@@ -208,7 +208,8 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
-    pub fn servo_move(
+    #[doc(alias = "servo_move")]
+    pub fn set_servo_mode(
         &mut self,
         servo_mode: ::jaka_proto::messages::types::Switch,
     ) -> Result<(), Error> {}
@@ -290,7 +291,8 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
-    pub fn rapid_rate(&mut self, rate: f64) -> Result<(), Error> {}
+    #[doc(alias = "rapid_rate")]
+    pub fn set_rapid_rate(&mut self, rate: f64) -> Result<(), Error> {}
     /// Loads a program that is stored on the controller.
     ///
     /// The name ends in `.ngc` on controllers before version 1.5 and in `.jks` from 1.5 on. A trajectory's file has `track/`
@@ -839,7 +841,8 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
-    pub fn torque_control_enable(
+    #[doc(alias = "torque_control_enable")]
+    pub fn set_torque_control(
         &mut self,
         enable_flag: ::jaka_proto::messages::types::Switch,
     ) -> Result<(), Error> {}

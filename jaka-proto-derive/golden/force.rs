@@ -10,18 +10,19 @@ pub mod force {
     /// In drag mode the arm gives way to the hand and can be led. `drag_status` reads the mode back.
     ///
     /// Sends `torque_control_enable` (4.36). The robot must be powered and enabled.
+    #[doc(alias = "torque_control_enable")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct TorqueControlEnable {
+    pub struct SetTorqueControl {
         /// Whether drag mode is on.
         pub enable_flag: super::types::Switch,
     }
-    impl TorqueControlEnable {
+    impl SetTorqueControl {
         /// With the required fields alone.
         #[must_use]
         pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
-    impl proto::Command for TorqueControlEnable {
+    impl proto::Command for SetTorqueControl {
         type Reply = ();
     }
     /// Reads whether the robot is in drag mode.

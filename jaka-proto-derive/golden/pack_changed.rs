@@ -82,23 +82,24 @@ pub mod changed {
     /// is not stated.
     ///
     /// Sends `rapid_rate` (4.17).
+    #[doc(alias = "rapid_rate")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct RapidRate {
+    pub struct SetRapidRate {
         /// Rate. 0 to 1.5. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
         pub rate: f64,
     }
-    impl RapidRate {
+    impl SetRapidRate {
         /// With the required fields alone.
         ///
         /// - `rate`: 0 to 1.5
         #[must_use]
         pub const fn new(rate: f64) -> Self {}
     }
-    impl proto::Command for RapidRate {
+    impl proto::Command for SetRapidRate {
         type Reply = ();
     }
     /// Sets the voltage output of a version 3 tool I/O board.
@@ -187,7 +188,11 @@ pub mod changed {
         ///
         /// # Errors
         /// As `Call::call`.
-        fn rapid_rate_changed(&mut self, rate: f64) -> Result<(), ::jaka_sync::Error>;
+        #[doc(alias = "rapid_rate")]
+        fn set_rapid_rate_changed(
+            &mut self,
+            rate: f64,
+        ) -> Result<(), ::jaka_sync::Error>;
         /// Sets the voltage output of a version 3 tool I/O board.
         ///
         /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values

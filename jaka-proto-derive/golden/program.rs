@@ -10,23 +10,24 @@ pub mod program {
     /// is not stated.
     ///
     /// Sends `rapid_rate` (4.17).
+    #[doc(alias = "rapid_rate")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct RapidRate {
+    pub struct SetRapidRate {
         /// Rate. 0 to 1. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
         pub rate: f64,
     }
-    impl RapidRate {
+    impl SetRapidRate {
         /// With the required fields alone.
         ///
         /// - `rate`: 0 to 1
         #[must_use]
         pub const fn new(rate: f64) -> Self {}
     }
-    impl proto::Command for RapidRate {
+    impl proto::Command for SetRapidRate {
         type Reply = ();
     }
     /// Loads a program that is stored on the controller.

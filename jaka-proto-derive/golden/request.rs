@@ -31,7 +31,7 @@ pub enum Request {
     /// `is_in_servomove`
     IsInServomove(servo::IsInServomove),
     /// `servo_move`
-    ServoMove(servo::ServoMove),
+    SetServoMode(servo::SetServoMode),
     /// `servo_j`
     ServoJ(servo::ServoJ),
     /// `servo_p`
@@ -39,7 +39,7 @@ pub enum Request {
     /// `set_servo_move_filter`
     SetServoMoveFilter(servo::SetServoMoveFilter),
     /// `rapid_rate`
-    RapidRate(program::RapidRate),
+    SetRapidRate(program::SetRapidRate),
     /// `load_program`
     LoadProgram(program::LoadProgram),
     /// `get_loaded_program`
@@ -123,7 +123,7 @@ pub enum Request {
     /// `generate_traj_exe_file`
     GenerateTrajExeFile(trajectory::GenerateTrajExeFile),
     /// `torque_control_enable`
-    TorqueControlEnable(force::TorqueControlEnable),
+    SetTorqueControl(force::SetTorqueControl),
     /// `drag_status`
     DragStatus(force::DragStatus),
     /// `set_torsenosr_brand`
@@ -187,11 +187,11 @@ impl From<motion::MoveL> for Request {}
 impl From<motion::MoveC> for Request {}
 impl From<motion::WaitComplete> for Request {}
 impl From<servo::IsInServomove> for Request {}
-impl From<servo::ServoMove> for Request {}
+impl From<servo::SetServoMode> for Request {}
 impl From<servo::ServoJ> for Request {}
 impl From<servo::ServoP> for Request {}
 impl From<servo::SetServoMoveFilter> for Request {}
-impl From<program::RapidRate> for Request {}
+impl From<program::SetRapidRate> for Request {}
 impl From<program::LoadProgram> for Request {}
 impl From<program::GetLoadedProgram> for Request {}
 impl From<program::PlayProgram> for Request {}
@@ -233,7 +233,7 @@ impl From<trajectory::GetExistTrajFileName> for Request {}
 impl From<trajectory::RenameTrajFileName> for Request {}
 impl From<trajectory::RemoveTrajFile> for Request {}
 impl From<trajectory::GenerateTrajExeFile> for Request {}
-impl From<force::TorqueControlEnable> for Request {}
+impl From<force::SetTorqueControl> for Request {}
 impl From<force::DragStatus> for Request {}
 impl From<force::SetTorqueSensorBrand> for Request {}
 impl From<force::GetTorqueSensorBrand> for Request {}

@@ -44,21 +44,22 @@ pub mod servo {
     /// # Errata
     ///
     /// - The key `relFlag` means enter or leave here. In other commands it chooses between target and offset.
+    #[doc(alias = "servo_move")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct ServoMove {
+    pub struct SetServoMode {
         /// On to enter servo mode, off to leave it.
         ///
         /// `relFlag` on the wire.
         #[doc(alias = "relFlag")]
         pub servo_mode: super::types::Switch,
     }
-    impl ServoMove {
+    impl SetServoMode {
         /// With the required fields alone.
         #[must_use]
         pub const fn new(servo_mode: super::types::Switch) -> Self {}
     }
-    impl proto::Command for ServoMove {
+    impl proto::Command for SetServoMode {
         type Reply = ();
     }
     /// Moves all joints to a set-point, or by an offset, within one servo period.

@@ -564,16 +564,17 @@ pub mod program {
     /// is not stated.
     ///
     /// Sends `rapid_rate` (4.17).
+    #[doc(alias = "rapid_rate")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct RapidRate {
+    pub struct SetRapidRate {
         /// Rate. 0 to 1. The default is 1.
         ///
         /// `rate_value` on the wire.
         #[doc(alias = "rate_value")]
         pub rate: f64,
     }
-    impl wire::Fields for RapidRate {
+    impl wire::Fields for SetRapidRate {
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"rate_value\":");
             wire::Encode::encode(&self.rate, out);
@@ -595,8 +596,8 @@ pub mod program {
             })
         }
     }
-    proto::__object_impls!(RapidRate);
-    impl RapidRate {
+    proto::__object_impls!(SetRapidRate);
+    impl SetRapidRate {
         /// With the required fields alone.
         ///
         /// - `rate`: 0 to 1
@@ -605,7 +606,7 @@ pub mod program {
             Self { rate }
         }
     }
-    impl check::Validate for RapidRate {
+    impl check::Validate for SetRapidRate {
         #[allow(unused_variables)]
         fn validate(
             &self,
@@ -625,7 +626,7 @@ pub mod program {
             Ok(())
         }
     }
-    impl proto::Command for RapidRate {
+    impl proto::Command for SetRapidRate {
         type Reply = ();
         const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
             "rapid_rate",
@@ -2148,7 +2149,7 @@ pub enum Request {
     /// `set_servo_move_filter`
     SetServoMoveFilter(servo::SetServoMoveFilter),
     /// `rapid_rate`
-    RapidRate(program::RapidRate),
+    SetRapidRate(program::SetRapidRate),
     /// `get_program_state`
     GetProgramState(program::GetProgramState),
     /// `get_extio_status`
@@ -2163,7 +2164,7 @@ impl Request {
         <power::GetRobotState as ::jaka_proto::Command>::INFO,
         <motion::JointMove as ::jaka_proto::Command>::INFO,
         <servo::SetServoMoveFilter as ::jaka_proto::Command>::INFO,
-        <program::RapidRate as ::jaka_proto::Command>::INFO,
+        <program::SetRapidRate as ::jaka_proto::Command>::INFO,
         <program::GetProgramState as ::jaka_proto::Command>::INFO,
         <io::GetExtioStatus as ::jaka_proto::Command>::INFO,
         <force::SetVelCompliantCtrl as ::jaka_proto::Command>::INFO,
@@ -2175,7 +2176,7 @@ impl Request {
             Self::GetRobotState(request) => visitor.visit(request),
             Self::JointMove(request) => visitor.visit(request),
             Self::SetServoMoveFilter(request) => visitor.visit(request),
-            Self::RapidRate(request) => visitor.visit(request),
+            Self::SetRapidRate(request) => visitor.visit(request),
             Self::GetProgramState(request) => visitor.visit(request),
             Self::GetExtioStatus(request) => visitor.visit(request),
             Self::SetVelCompliantCtrl(request) => visitor.visit(request),
@@ -2203,7 +2204,8 @@ impl Request {
                         .map(Self::SetServoMoveFilter)
                 }
                 "rapid_rate" => {
-                    ::jaka_proto::wire::Fields::read_fields(reader).map(Self::RapidRate)
+                    ::jaka_proto::wire::Fields::read_fields(reader)
+                        .map(Self::SetRapidRate)
                 }
                 "get_program_state" => {
                     ::jaka_proto::wire::Fields::read_fields(reader)
@@ -2242,9 +2244,9 @@ impl From<servo::SetServoMoveFilter> for Request {
         Self::SetServoMoveFilter(request)
     }
 }
-impl From<program::RapidRate> for Request {
-    fn from(request: program::RapidRate) -> Self {
-        Self::RapidRate(request)
+impl From<program::SetRapidRate> for Request {
+    fn from(request: program::SetRapidRate) -> Self {
+        Self::SetRapidRate(request)
     }
 }
 impl From<program::GetProgramState> for Request {
@@ -2369,8 +2371,9 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
-    pub fn rapid_rate(&mut self, rate: f64) -> Result<(), Error> {
-        self.call(&::jaka_proto::messages::program::RapidRate::new(rate))
+    #[doc(alias = "rapid_rate")]
+    pub fn set_rapid_rate(&mut self, rate: f64) -> Result<(), Error> {
+        self.call(&::jaka_proto::messages::program::SetRapidRate::new(rate))
     }
     /// Reads the state of the program.
     ///

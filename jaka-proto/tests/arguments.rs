@@ -6,7 +6,7 @@ use jaka_proto::messages::collision::SetClsnSensitivity;
 use jaka_proto::messages::frames::{SetToolId, SetToolOffsets};
 use jaka_proto::messages::io::{DigitalOutputKind, SetDigitalOutput};
 use jaka_proto::messages::motion::{EndMove, Jog, JogFrame, JointMove};
-use jaka_proto::messages::program::{LoadProgram, RapidRate};
+use jaka_proto::messages::program::{LoadProgram, SetRapidRate};
 use jaka_proto::messages::types::{MoveMode, Pose, Switch};
 
 fn refused(command: &impl Command) -> InvalidArgument {
@@ -44,7 +44,7 @@ fn numbers_that_are_not_finite() {
 #[test]
 fn numbers_out_of_range() {
     assert_eq!(
-        refused(&RapidRate::new(1.5)).to_string(),
+        refused(&SetRapidRate::new(1.5)).to_string(),
         "`rapid_rate` was not sent: field `rate` is 1.5, allowed is 0 to 1"
     );
     assert_eq!(
@@ -90,5 +90,5 @@ fn what_only_newer_firmware_takes_is_let_through_on_request() {
     assert_eq!(output(DigitalOutputKind::Tool).check(AdvisoryRanges::Enforced), Ok(()));
     assert!(output(DigitalOutputKind::Other(99)).check(AdvisoryRanges::Ignored).is_err());
     // A range that is no advice holds in any case.
-    assert!(RapidRate::new(1.5).check(AdvisoryRanges::Ignored).is_err());
+    assert!(SetRapidRate::new(1.5).check(AdvisoryRanges::Ignored).is_err());
 }

@@ -24,7 +24,7 @@ fn run() -> Result<(), Box<dyn StdError>> {
     }
 
     println!("\nAn argument that the spec forbids is not sent:");
-    report(&robot.rapid_rate(1.5));
+    report(&robot.set_rapid_rate(1.5));
 
     println!("\nA motion that the controller refuses, since the arm is not enabled:");
     let mut request = JointMove::relative([0.0; 6], 1.0);

@@ -76,7 +76,7 @@ doc = "Speed."
             spec/test.toml:8:24: command `move`: `requires` is one of powered, enabled, servo_mode, not_servo_mode, not `awake`
             spec/test.toml:9:7: command `move`: `doc` is empty
             spec/test.toml:14:7: command `move`, field `speed`: `min` must be a finite number
-            spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advisory, ascii, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
+            spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advisory, ascii, constructors, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
         "]],
     );
 }

@@ -96,7 +96,7 @@ fn ranges_of_newer_firmware_can_be_switched_off() {
     let config = Config::new().advisory_ranges(AdvisoryRanges::Ignored);
     let mut open = config.connect_client(controller.command_addr()).expect("the controller listens");
     open.set_digital_output(&relay).expect("it is left to the controller");
-    assert!(open.rapid_rate(1.5).is_err_and(|error| error.is_invalid_argument()));
+    assert!(open.set_rapid_rate(1.5).is_err_and(|error| error.is_invalid_argument()));
 }
 
 #[test]

@@ -339,7 +339,7 @@ fn another_client_takes_the_port() {
 #[test]
 fn nothing_is_sent_of_a_request_that_the_spec_forbids() {
     let (controller, mut client) = patient(Fault::None);
-    let error = client.rapid_rate(1.5).expect_err("the range is 0 to 1");
+    let error = client.set_rapid_rate(1.5).expect_err("the range is 0 to 1");
     assert!(error.is_invalid_argument() && !error.may_have_run());
     assert_eq!(error.to_string(), "`rapid_rate` was not sent: field `rate` is 1.5, allowed is 0 to 1");
     assert!(client.load_program("程序.jks").is_err_and(|error| error.is_invalid_argument()));

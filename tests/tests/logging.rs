@@ -36,7 +36,7 @@ fn each_message_is_logged_and_each_late_reply() {
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     controller.inject(Fault::Hold);
     assert!(client.call_within(&ClearError::new(), Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
-    client.rapid_rate(0.5).expect("it answers");
+    client.set_rapid_rate(0.5).expect("it answers");
     let kept = KEPT.0.lock().expect("no test panics while it logs");
     assert_eq!(
         *kept,

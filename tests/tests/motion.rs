@@ -93,7 +93,7 @@ fn profiles_take_the_time_of_theory() {
     for (angle, speed, acceleration, rate) in
         [(30.0, 10.0, 20.0, 1.0), (1.0, 100.0, 50.0, 1.0), (-45.0, 90.0, 720.0, 1.0), (20.0, 10.0, 40.0, 0.25)]
     {
-        client.rapid_rate(rate).expect("it answers");
+        client.set_rapid_rate(rate).expect("it answers");
         let before = joints(&mut client);
         let offset = [angle, angle / 2.0, 0.0, 0.0, 0.0, 0.0];
         client.joint_move(&by_joint(MoveMode::Relative, offset, speed, acceleration)).expect("it is reachable");
@@ -359,7 +359,7 @@ fn servo_set_points_move_within_their_cycles() {
     assert_eq!(refusal.code, ErrorCode(-1));
     assert_eq!(refusal.message, "servoj command can only be excuted in servo move mode");
 
-    client.servo_move(Switch::On).expect("it answers");
+    client.set_servo_mode(Switch::On).expect("it answers");
     assert!(client.is_in_servomove().expect("it answers").in_servo_mode);
     for _ in 0..10 {
         client.servo_j(&step(0.5).step_count(1)).expect("servo mode is on");
@@ -383,7 +383,7 @@ fn servo_set_points_move_within_their_cycles() {
     controller.advance(CYCLE);
     assert_close(pose(&mut client), target, 0.01);
     assert!(client.joint_move(&by_joint(MoveMode::Absolute, start, 10.0, 10.0)).is_err_and(|e| e.is_refused()));
-    client.servo_move(Switch::Off).expect("it answers");
+    client.set_servo_mode(Switch::Off).expect("it answers");
     client.joint_move(&by_joint(MoveMode::Absolute, start, 10.0, 10.0)).expect("servo mode is off");
 }
 

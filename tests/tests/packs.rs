@@ -113,9 +113,9 @@ fn a_motion_of_a_pack_is_waited_for() {
 fn a_widened_range_holds_in_the_client_and_in_the_simulator() {
     let controller = controller();
     let mut robot = client(&controller);
-    assert!(robot.rapid_rate(1.4).is_err_and(|error| error.is_invalid_argument()));
-    robot.rapid_rate_changed(1.4).expect("the pack widens the range, for the simulator too");
-    assert!(robot.rapid_rate_changed(1.6).is_err_and(|error| error.is_invalid_argument()));
+    assert!(robot.set_rapid_rate(1.4).is_err_and(|error| error.is_invalid_argument()));
+    robot.set_rapid_rate_changed(1.4).expect("the pack widens the range, for the simulator too");
+    assert!(robot.set_rapid_rate_changed(1.6).is_err_and(|error| error.is_invalid_argument()));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Fault};
 use jaka_sync::io::SetDigitalOutput;
-use jaka_sync::program::RapidRate;
+use jaka_sync::program::SetRapidRate;
 use jaka_sync::servo::ServoJ;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Config, ErrorKind, Recorder};
@@ -126,7 +126,7 @@ fn a_lost_reply_is_told() {
     controller.inject(Fault::Drop);
     let mut pipeline = client.pipeline(8);
     pipeline.send(&output(1)).expect("it is not known yet");
-    pipeline.send(&RapidRate::new(0.5)).expect("it is not known yet");
+    pipeline.send(&SetRapidRate::new(0.5)).expect("it is not known yet");
     let error = pipeline.finish().expect_err("a later command was answered");
     assert!(
         matches!(error.kind(), ErrorKind::ReplyLost { command, .. } if command == "set_digital_output"),

@@ -24,7 +24,7 @@ fn a_recording_tells_the_whole_session() {
     let robot = jaka_tests::controller();
     let ((), recording) = recorded(|config| {
         let mut client = config.connect_client(robot.command_addr()).expect("the controller listens");
-        client.rapid_rate(0.5).expect("it answers");
+        client.set_rapid_rate(0.5).expect("it answers");
         robot.inject(Fault::Drop);
         assert!(client.call_within(&GetJointPos::new(), SHORT).is_err_and(|error| error.is_timeout()));
     });
@@ -165,7 +165,7 @@ fn errors_have_the_last_messages_only_where_they_are_recorded() {
         for _ in 0..6 {
             client.get_version().expect("it answers");
         }
-        client.servo_move(Switch::On).expect_err("the arm has no power")
+        client.set_servo_mode(Switch::On).expect_err("the arm has no power")
     };
     let bare = fails(&Config::new());
     assert!(bare.exchanges().is_empty());

@@ -152,10 +152,10 @@ fn short_session() -> Recording {
     let robot = jaka_tests::controller();
     let ((), recording) = recorded(|config| {
         let mut client = config.connect_client(robot.command_addr()).expect("the controller listens");
-        client.rapid_rate(0.5).expect("it answers");
+        client.set_rapid_rate(0.5).expect("it answers");
         robot.set_state(|state| state.joint_position = [1.0; 6].into());
         client.get_joint_pos().expect("it answers");
-        client.rapid_rate(0.25).expect("it answers");
+        client.set_rapid_rate(0.25).expect("it answers");
         robot.set_state(|state| state.joint_position = [2.0; 6].into());
         client.get_joint_pos().expect("it answers");
     });
@@ -167,7 +167,7 @@ fn another_request_than_the_recorded_one_is_a_deviation() {
     let controller = replay(&short_session(), Replay::Strict);
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     client.call_raw("rapid_rate", &json!({"rate_value": 0.5})).expect("the same JSON");
-    let error = client.rapid_rate(0.25).expect_err("another one was recorded");
+    let error = client.set_rapid_rate(0.25).expect_err("another one was recorded");
     assert!(error.is_disconnected());
     let [Deviation::OtherRequest { expected, received }] = &controller.deviations()[..] else { panic!("there is one") };
     assert_eq!(expected, r#"{"cmdName":"get_joint_pos"}"#);
@@ -185,7 +185,7 @@ fn requests_too_few_and_too_many_are_deviations() {
     let recording = short_session();
     let controller = replay(&recording, Replay::Strict);
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
-    client.rapid_rate(0.5).expect("it was recorded");
+    client.set_rapid_rate(0.5).expect("it was recorded");
     assert!(!controller.wait_for_deviations(1, Duration::ZERO));
     drop(client);
     assert!(controller.wait_for_deviations(1, LIMIT));
@@ -194,9 +194,9 @@ fn requests_too_few_and_too_many_are_deviations() {
 
     let controller = replay(&recording, Replay::Strict);
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
-    client.rapid_rate(0.5).expect("it was recorded");
+    client.set_rapid_rate(0.5).expect("it was recorded");
     client.get_joint_pos().expect("it was recorded");
-    client.rapid_rate(0.25).expect("it was recorded");
+    client.set_rapid_rate(0.25).expect("it was recorded");
     client.get_joint_pos().expect("it was recorded");
     assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
     let received = r#"{"cmdName":"get_version"}"#.to_owned();
@@ -209,16 +209,16 @@ fn matching_answers_equal_requests_in_any_order_and_no_others() {
     let controller = replay(&short_session(), Replay::Matching);
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     assert_eq!(client.get_joint_pos().expect("it was recorded").joint_position, [1.0; 6].into());
-    client.rapid_rate(0.25).expect("it was recorded");
+    client.set_rapid_rate(0.25).expect("it was recorded");
     // From another connection, too.
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     assert_eq!(client.get_joint_pos().expect("it was recorded").joint_position, [2.0; 6].into());
     assert_eq!(controller.deviations(), []);
-    for refused in [client.rapid_rate(0.3), client.rapid_rate(0.25), client.get_joint_pos().map(drop)] {
+    for refused in [client.set_rapid_rate(0.3), client.set_rapid_rate(0.25), client.get_joint_pos().map(drop)] {
         let error = refused.expect_err("the recording has none, or none any more");
         assert!(error.to_string().contains("the recording has no unused reply to this request"), "{error}");
     }
-    client.rapid_rate(0.5).expect("it was recorded");
+    client.set_rapid_rate(0.5).expect("it was recorded");
     let deviations: Vec<_> = controller.deviations().iter().map(ToString::to_string).collect();
     assert_eq!(deviations[0], r#"the recording has no unused reply to `{"cmdName":"rapid_rate","rate_value":0.3}`"#);
     assert_eq!(deviations.len(), 3);
@@ -230,7 +230,7 @@ fn matching_keeps_silent_and_closes_where_the_controller_did() {
     let program = |config: &Config, address| {
         let mut client = config.connect_client(address).expect("the controller listens");
         let silent = client.call_within(&GetJointPos::new(), SHORT).expect_err("no reply comes");
-        client.rapid_rate(0.5).expect("it answers");
+        client.set_rapid_rate(0.5).expect("it answers");
         (silent.to_string(), client.get_version().expect_err("the controller closes").to_string())
     };
     robot.inject(Fault::Drop);

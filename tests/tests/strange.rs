@@ -73,7 +73,7 @@ fn commands() -> Vec<Generated> {
         generated::<strange::Choose>(),
         generated::<strange::Jog>(),
         generated::<strange::PowerOn>(),
-        generated::<strange::RapidRate>(),
+        generated::<strange::SetRapidRate>(),
         generated::<strange::JointMove>(),
         generated::<strange::ServoJ>(),
         generated::<strange::GetProgramState>(),

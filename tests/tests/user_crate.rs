@@ -74,7 +74,7 @@ pub fn calls(client: &mut jaka_sync::Client, robot: &mut jaka_sync::Robot) -> Re
     client.power_on()?;
     client.power_on_strange()?;
     robot.load_program_strange(1)?;
-    robot.rapid_rate_strange(strange::Level::Ok)
+    robot.set_rapid_rate_strange(strange::Level::Ok)
 }
 
 /// A function that names nothing but what the prelude has.

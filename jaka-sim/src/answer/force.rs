@@ -11,7 +11,7 @@ use crate::world::World;
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     let state = &mut world.state;
     match request {
-        Request::TorqueControlEnable(command) => {
+        Request::SetTorqueControl(command) => {
             state.drag_mode = is_on(command.enable_flag);
             accept(command, out)
         }

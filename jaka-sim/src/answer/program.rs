@@ -10,7 +10,7 @@ use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
-        Request::RapidRate(command) => {
+        Request::SetRapidRate(command) => {
             world.state.rapid_rate = command.rate;
             accept(command, out)
         }

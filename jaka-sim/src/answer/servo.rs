@@ -14,12 +14,12 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         Request::IsInServomove(command) => {
             reply(command, literal::IsInServomoveReply { in_servo_mode: world.state.servo_mode }, out)
         }
-        Request::ServoMove(command)
+        Request::SetServoMode(command)
             if world.habits.servo_at_rest && world.engine.is_busy() && is_on(command.servo_mode) =>
         {
             accept(command, out)
         }
-        Request::ServoMove(command) => {
+        Request::SetServoMode(command) => {
             world.cancel_changes(|change| matches!(change, Change::ServoMode(_)));
             world.later(world.delays.servo_mode, Change::ServoMode(is_on(command.servo_mode)));
             accept(command, out)

@@ -25,7 +25,7 @@ pub enum Explanation {
     NotPowered,
     /// The arm is not enabled: call `enable_robot`.
     NotEnabled,
-    /// Servo mode is off: call `servo_move`, and wait until `is_in_servomove` says that it is on.
+    /// Servo mode is off: call `set_servo_mode`, and wait until `is_in_servomove` says that it is on.
     NotInServoMode,
     /// The controller does not accept commands from this client: grant remote control on its panel.
     NoRemoteControl,
@@ -66,7 +66,7 @@ impl fmt::Display for Explanation {
             Self::ProtectiveStop => "the robot is in a protective stop: call `clear_error`",
             Self::NotPowered => "the arm has no power: call `power_on`",
             Self::NotEnabled => "the arm is not enabled: call `enable_robot`",
-            Self::NotInServoMode => "servo mode is off: call `servo_move`, and wait until it is on",
+            Self::NotInServoMode => "servo mode is off: call `set_servo_mode`, and wait until it is on",
             Self::Moving => "the arm is moving, or a motion has not been waited for: wait for its end, or stop it",
             Self::ServoModeNotEntered => {
                 "the controller acknowledged servo mode but did not enter it, which happens while the arm moves"

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove};
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::{JointPosition, Switch};
 
 use super::pace::{CYCLE, Pace};
@@ -42,7 +42,7 @@ impl<'r> ServoSession<'r> {
     fn switch_on(&mut self) -> Result<JointPosition, Error> {
         let gate = self.robot.gate();
         let (client, timeout) = (self.robot.client(), self.config.enter_timeout);
-        let on = client.call_through(Some(&gate), &ServoMove::new(Switch::On), client.timeout_of(ServoMove::INFO));
+        let on = client.call_through(Some(&gate), &SetServoMode::new(Switch::On), client.timeout_of(SetServoMode::INFO));
         if let Err(error) = on {
             // What was not sent or was refused need not be left.
             self.is_open = error.may_have_run();
@@ -80,7 +80,7 @@ impl Robot {
     /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
     /// enter it.
     fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {
-        self.client().link().check_open(ServoMove::INFO.name)?;
+        self.client().link().check_open(SetServoMode::INFO.name)?;
         self.check_latch()?;
         if self.has_motions() {
             return Err(self.not_ready(Explanation::Moving));

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::Command;
 use jaka_proto::exchange::TextOnly;
-use jaka_proto::messages::servo::{IsInServomove, ServoJ, ServoMove};
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 
 use super::pace::{CYCLE, Pace};
@@ -73,8 +73,8 @@ impl ServoSession<'_> {
         self.count(answers);
         self.report.unanswered += unanswered;
         let link = self.robot.client().link();
-        let off = ServoMove::new(Switch::Off);
-        let off = link.ask(ServoMove::INFO, &mut |out| off.write_request(out))?;
+        let off = SetServoMode::new(Switch::Off);
+        let off = link.ask(SetServoMode::INFO, &mut |out| off.write_request(out))?;
         let left = self.wait_until_left(&off, unanswered);
         self.robot.client().link().forget(&off);
         left
@@ -95,7 +95,7 @@ impl ServoSession<'_> {
                 Err(error) if unanswered > 0 && matches!(error.kind(), ErrorKind::Timeout { .. }) => {
                     let link = client.link();
                     let cause = link.reset(Disconnect::Reset { unanswered });
-                    let command = Some(ServoMove::INFO.name.to_owned());
+                    let command = Some(SetServoMode::INFO.name.to_owned());
                     return Err(link.attach(ErrorKind::Disconnected { command, sent: true, cause }.into()));
                 }
                 Err(error) => return Err(error),

@@ -63,13 +63,16 @@ impl fmt::Display for Change {
 ///
 /// | change | impact | because |
 /// |---|---|---|
-/// | command, type, error code, value of an enum: added | minor | new items; `Request` and the enums over values are `#[non_exhaustive]` |
+/// | command, type, error code, value of an enum, variant: added | minor | new items; `Request`, the enums over values and those over variants are `#[non_exhaustive]` |
 /// | any of these, or a field or variant: removed, or its Rust name changed | major | the item is gone |
 /// | command or type: moved to another topic | major | topics are modules, so the path changes |
-/// | variant added to a request's choice | major | that enum can be matched exhaustively |
-/// | variant added to an array's choice | minor | that enum is `#[non_exhaustive]` |
-/// | optional key added to an object, all of whose keys are optional | minor | such a struct is `#[non_exhaustive]` |
-/// | field added to anything else, also to what had none | major | the struct or variant is built and matched by its fields; a bare request is a unit struct, and a reply without fields is `()` |
+/// | optional field added to a request, or to a type or variant that requests have | minor | these are `#[non_exhaustive]` and made by constructors of the required fields; it gets a setter, and no method another argument |
+/// | required field added to one of these | major | the constructors get another argument |
+/// | field added to a reply, or to a type or variant that is only received | minor | these are `#[non_exhaustive]` |
+/// | required field added to a reply or type, all of whose fields were optional | major | `Default` is gone |
+/// | field added to a reply without fields | major | the method returned `()` |
+/// | field added to an array of nothing but numbers | major | it converts from an array of so many numbers |
+/// | `constructors` set | minor | there are functions more; major where they go |
 /// | field: another Rust type, `optional`, `or_raw` | major | the field's type changes |
 /// | the same Rust type, written in another form | minor | only the bytes change: `written`, `python(…)`, the key of a tag |
 /// | unit: another | major | the same number means something else |

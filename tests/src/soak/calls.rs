@@ -8,8 +8,8 @@ use jaka_sync::kinematics::{GetDhParam, GetJointPos, GetJointPosReply, KineForwa
 use jaka_sync::motion::JointMove;
 use jaka_sync::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
 use jaka_sync::power::{GetRobotState, GetVersion};
-use jaka_sync::program::{LoadProgram, RapidRate};
-use jaka_sync::servo::ServoMove;
+use jaka_sync::program::{LoadProgram, SetRapidRate};
+use jaka_sync::servo::SetServoMode;
 use jaka_sync::types::JointPosition;
 use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
 use jaka_sync::{Command, Error, MotionEnd, Outcome};
@@ -259,7 +259,7 @@ pub(super) fn is_ready(arm: &mut Arm, session: &mut Session) -> bool {
     session.robot.acknowledge();
     if arm.in_servo_mode {
         let off: Value = serde_json::from_str(&text(&LEAVE)).expect("requests are JSON");
-        arm.in_servo_mode = raw(arm, session, ServoMove::INFO.name, off).is_none();
+        arm.in_servo_mode = raw(arm, session, SetServoMode::INFO.name, off).is_none();
     }
     !arm.in_servo_mode
 }
@@ -276,7 +276,7 @@ fn change_status_fault(arm: &mut Arm, _: &mut Session) {
 fn status_follows(arm: &mut Arm, session: &mut Session) {
     arm.place.host.status_fault(arm.place.arm, 0);
     let rate = arm.place.rate.next();
-    if call(arm, session, &RapidRate::new(rate)).is_err() {
+    if call(arm, session, &SetRapidRate::new(rate)).is_err() {
         return;
     }
     match session.robot.monitor().wait_until(|status| status.rapid_rate == Some(rate), SHOWN) {

@@ -10,8 +10,8 @@ use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
 use jaka_sync::motion::JointMove;
 use jaka_sync::payload::{GetPayload, SetPayload};
 use jaka_sync::power::{GetRobotState, GetVersion};
-use jaka_sync::program::{LoadProgram, RapidRate, StopProgram};
-use jaka_sync::servo::{IsInServomove, ServoJ, ServoMove};
+use jaka_sync::program::{LoadProgram, SetRapidRate, StopProgram};
+use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
 use serde_json::json;
 
@@ -32,10 +32,10 @@ const USUAL: [&str; 12] = [
     GetPayload::INFO.name,
     SetPayload::INFO.name,
     LoadProgram::INFO.name,
-    RapidRate::INFO.name,
+    SetRapidRate::INFO.name,
     StopProgram::INFO.name,
     IsInServomove::INFO.name,
-    ServoMove::INFO.name,
+    SetServoMode::INFO.name,
     ModifyUserDefinedVariable::INFO.name,
     QueryUserDefinedVariable::INFO.name,
 ];

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_proto::read_payload;
 use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, ServoMove};
+use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Error, ErrorKind, Explanation, ServoConfig, ServoReport, ServoSession};
 use serde_json::json;
@@ -27,7 +27,7 @@ const LONG: Duration = Duration::from_secs(60);
 const QUESTIONS: usize = 30;
 
 /// The command that leaves servo mode.
-pub(super) const LEAVE: ServoMove = ServoMove::new(Switch::Off);
+pub(super) const LEAVE: SetServoMode = SetServoMode::new(Switch::Off);
 
 /// A command, what became of it, and how often it may have been sent in a row.
 type Sent = (String, Fate, usize);
@@ -98,7 +98,7 @@ fn asking() -> Sent {
 fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     vec![
         asking(),
-        (text(&ServoMove::new(Switch::On)), switched, 1),
+        (text(&SetServoMode::new(Switch::On)), switched, 1),
         (text(&IsInServomove::new()), entered, usize::MAX),
         (text(&GetJointPos::new()), entered, 1),
     ]

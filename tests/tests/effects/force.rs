@@ -36,13 +36,13 @@ fn axes(arm: &mut Arm) -> Vec<AdmittanceAxis> {
 }
 
 fn drag_mode_shows_on_port_10000(arm: &mut Arm) {
-    arm.client.torque_control_enable(Switch::On).expect("the arm is enabled");
+    arm.client.set_torque_control(Switch::On).expect("the arm is enabled");
     let status = arm.status();
     assert_eq!((status.drag_status, status.task_mode), (Some(true), Some(TaskMode::Drag)));
-    arm.client.torque_control_enable(Switch::Off).expect("the arm is enabled");
+    arm.client.set_torque_control(Switch::Off).expect("the arm is enabled");
     let status = arm.status();
     assert_eq!((status.drag_status, status.task_mode), (Some(false), Some(TaskMode::Manual)));
-    arm.refuses(disabled, |client| client.torque_control_enable(Switch::On));
+    arm.refuses(disabled, |client| client.set_torque_control(Switch::On));
 }
 
 fn drag_mode_is_told(arm: &mut Arm) {

@@ -26,7 +26,7 @@ fn playing(arm: &mut Arm) {
 
 fn the_rate_scales_speed(arm: &mut Arm) {
     let start = arm.joints();
-    arm.client.rapid_rate(0.5).expect("it answers");
+    arm.client.set_rapid_rate(0.5).expect("it answers");
     assert_eq!(arm.status().rapid_rate, Some(0.5));
     // At the full rate this takes 1.75 s.
     arm.client.joint_move(&turn(30.0)).expect("the arm is enabled");

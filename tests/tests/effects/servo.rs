@@ -28,13 +28,13 @@ fn servo_mode_is_told(arm: &mut Arm) {
 }
 
 fn servo_mode_decides_what_moves(arm: &mut Arm) {
-    arm.client.servo_move(Switch::On).expect("the arm is enabled");
+    arm.client.set_servo_mode(Switch::On).expect("the arm is enabled");
     refused(arm.client.joint_move(&turn(1.0)));
     arm.client.servo_j(&a_turn()).expect("servo mode is on");
-    arm.client.servo_move(Switch::Off).expect("it answers");
+    arm.client.set_servo_mode(Switch::Off).expect("it answers");
     refused(arm.client.servo_j(&a_turn()));
     arm.client.joint_move(&turn(1.0)).expect("servo mode is off");
-    arm.refuses(disabled, |client| client.servo_move(Switch::On));
+    arm.refuses(disabled, |client| client.set_servo_mode(Switch::On));
 }
 
 fn joints_follow_set_points(arm: &mut Arm) {

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::wire::Writer;
 use jaka_sync::motion::JointMove;
-use jaka_sync::servo::{ServoJ, ServoMove};
+use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Monitor, Robot};
 
@@ -126,7 +126,7 @@ impl Witness {
 /// How many commands the controller has received that move the arm, or lead to it.
 fn commands(cell: &Cell<'_>) -> usize {
     let mut on = Writer::new();
-    ServoMove::new(Switch::On).write_request(&mut on);
+    SetServoMode::new(Switch::On).write_request(&mut on);
     let names = [JointMove::INFO.name, ServoJ::INFO.name].map(|name| format!("\"{name}\""));
     let moves = |request: &String| request == on.as_str() || names.iter().any(|name| request.contains(name));
     cell.controller.requests().iter().filter(|request| moves(request)).count()

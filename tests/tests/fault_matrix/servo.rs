@@ -1,6 +1,6 @@
 //! Servo sessions.
 
-use jaka_sync::servo::{ServoJ, ServoMove};
+use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::{Command, Error, Robot, ServoConfig};
 
 use crate::cell::{Cell, LIMIT, Next, Seen};
@@ -25,7 +25,7 @@ pub(crate) fn run_entering(cell: &Cell<'_>) -> Seen {
     let mut robot = robot(cell);
     let expected = cell.expected.first;
     let witness = Witness::new(cell);
-    cell.strike(ServoMove::INFO.name);
+    cell.strike(SetServoMode::INFO.name);
     notice(cell, &robot, expected);
     let timeout = cell.patience(expected);
     let first = cell

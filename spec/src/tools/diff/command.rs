@@ -59,15 +59,13 @@ pub(super) fn versions(d: &mut Differ<'_>, place: &str, old: &crate::Versions, n
 
 fn request(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     match (&old.request, &new.request) {
-        (Request::Fields(was), Request::Fields(is)) => fields(d, place, &Holder::request(was), was, is),
+        (Request::Fields(was), Request::Fields(is)) => fields(d, place, &Holder::REQUEST, was, is),
         (Request::Choice(was), Request::Choice(is)) => {
             d.value(place, "key of the tag", &was.tag, &is.tag, Impact::Minor);
-            types::variants(d, place, (&Holder::REQUEST_VARIANT, Impact::Major), &was.variants, &is.variants);
+            types::variants(d, place, &Holder::REQUEST_VARIANT, &was.variants, &is.variants);
         }
         (Request::Fields(_), Request::Choice(_)) => d.note(place, "the request becomes a choice", Impact::Major),
         (Request::Choice(_), Request::Fields(_)) => d.note(place, "the request is no longer a choice", Impact::Major),
     }
-    if !old.is_bare() && !new.is_bare() {
-        d.copies(&format!("{place}, request"), |rust| rust.request_is_copy(&new.wire));
-    }
+    d.copies(&format!("{place}, request"), |rust| rust.request_is_copy(&new.wire));
 }

@@ -11,7 +11,9 @@ pub(super) struct Holder {
     /// How the fields are called, such as `request field`.
     pub(super) noun: &'static str,
     /// What an optional field that is added means.
-    pub(super) grows: Impact,
+    pub(super) optional_added: Impact,
+    /// What a field that is added and always there means.
+    pub(super) required_added: Impact,
     /// What another order of the fields means.
     pub(super) order: Impact,
     /// Whether the client checks the fields.
@@ -44,36 +46,62 @@ impl Checks {
 }
 
 impl Holder {
-    const FIXED: Self = Self { noun: "field", grows: Impact::Major, order: Impact::Patch, checks: Checks::Received };
+    /// What programs make by a constructor of the required fields.
+    const MADE: Self = Self {
+        noun: "field",
+        optional_added: Impact::Minor,
+        required_added: Impact::Major,
+        order: Impact::Patch,
+        checks: Checks::Sent,
+    };
+
+    /// What programs receive, and cannot make.
+    const RECEIVED: Self = Self { required_added: Impact::Minor, checks: Checks::Received, ..Self::MADE };
 
     /// A variant of a request that is a choice.
-    pub(super) const REQUEST_VARIANT: Self = Self { checks: Checks::Sent, ..Self::FIXED };
+    pub(super) const REQUEST_VARIANT: Self = Self::MADE;
 
-    /// A variant of a choice inside an array.
-    pub(super) const ARRAY_VARIANT: Self = Self { order: Impact::Minor, ..Self::FIXED };
-
-    /// A request that had these fields. Without fields it was a unit struct.
-    pub(super) fn request(old: &[Field]) -> Self {
-        Self { noun: "request field", checks: Checks::Sent, ..Self::reply(old) }
-    }
+    /// A request.
+    pub(super) const REQUEST: Self = Self { noun: "request field", ..Self::MADE };
 
     /// A reply that had these fields. Without fields it was `()`.
     pub(super) fn reply(old: &[Field]) -> Self {
-        let fixed = Self { noun: "reply field", ..Self::FIXED };
-        if old.is_empty() { fixed } else { Self { grows: Self::object(old).grows, ..fixed } }
+        let added = if old.is_empty() { Impact::Major } else { Impact::Minor };
+        let reply = Self { noun: "reply field", optional_added: added, required_added: added, ..Self::RECEIVED };
+        reply.with_default(old)
     }
 
-    /// An object that had these fields.
-    pub(super) fn object(old: &[Field]) -> Self {
-        let all_optional = old.iter().all(|field| field.optional);
-        Self { grows: if all_optional { Impact::Minor } else { Impact::Major }, ..Self::FIXED }
+    /// A type that is written as an object and had these fields.
+    pub(super) fn object(d: &Differ<'_>, name: &str, old: &[Field]) -> Self {
+        Self::of_type(d, name).with_default(old)
     }
 
-    /// An array that had these fields.
-    pub(super) fn array(old: &[Field]) -> Self {
-        // The conversion from an array of numbers goes by place.
-        let order = if is_floats(old) { Impact::Major } else { Impact::Minor };
-        Self { order, ..Self::FIXED }
+    /// A type that is written as an array and had these fields.
+    pub(super) fn array(d: &Differ<'_>, name: &str, old: &[Field]) -> Self {
+        let array = Self { order: Impact::Minor, ..Self::of_type(d, name) };
+        if is_floats(old) {
+            // The conversion from an array of numbers goes by place, and by their count.
+            let (optional_added, required_added, order) = (Impact::Major, Impact::Major, Impact::Major);
+            return Self { optional_added, required_added, order, ..array };
+        }
+        array.with_default(old)
+    }
+
+    /// A variant of a type that is a choice inside an array.
+    pub(super) fn array_variant(d: &Differ<'_>, name: &str) -> Self {
+        Self { order: Impact::Minor, ..Self::of_type(d, name) }
+    }
+
+    fn of_type(d: &Differ<'_>, name: &str) -> Self {
+        let holder = if d.old.is_sent(name) { Self::MADE } else { Self::RECEIVED };
+        Self { checks: Checks::of_type(d, name), ..holder }
+    }
+
+    /// Where all fields are optional, a field that is always there takes `Default` away.
+    fn with_default(self, old: &[Field]) -> Self {
+        let has_default = old.iter().all(|field| field.optional);
+        let required_added = if has_default { Impact::Major } else { self.required_added };
+        Self { required_added, ..self }
     }
 }
 
@@ -82,7 +110,7 @@ pub(super) fn fields(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[Fi
     for pair in pairs(old, new, key) {
         let field = pair.any();
         let inner = format!("{place}, {} `{}`", holder.noun, key(field));
-        let added = if field.optional { holder.grows } else { Impact::Major };
+        let added = if field.optional { holder.optional_added } else { holder.required_added };
         if let Some((old, new)) = d.both(&inner, &pair, added) {
             compare(d, &inner, holder, old, new);
         }
@@ -110,6 +138,9 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     let optional = ("becomes optional", Impact::Major);
     d.flag(place, (old.optional, new.optional), optional, ("is no longer optional", Impact::Major));
     let or_raw = ("may have another shape, kept as raw JSON", Impact::Major);
+    let constructors = ("gets a constructor for each value", Impact::Minor);
+    let none = ("has no constructors any more", Impact::Major);
+    d.flag(place, (old.constructors, new.constructors), constructors, none);
     d.flag(place, (old.or_raw, new.or_raw), or_raw, ("has no other shape any more", Impact::Major));
     d.reworded(place, "doc", &old.doc, &new.doc);
     d.reworded(place, "disputed readings", &old.disputed, &new.disputed);

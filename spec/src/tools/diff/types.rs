@@ -13,17 +13,17 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &TypeDef, new: &Type
     let checks = Checks::of_type(d, &new.name);
     match (&old.kind, &new.kind) {
         (TypeKind::Object(was), TypeKind::Object(is)) => {
-            fields(d, place, &Holder { checks, ..Holder::object(was) }, was, is);
+            fields(d, place, &Holder::object(d, &new.name, was), was, is);
         }
         (TypeKind::Array { fields: was, exact: was_exact }, TypeKind::Array { fields: is, exact: is_exact }) => {
             let exact = ("an array with further elements becomes an error", Impact::Major);
             d.flag(place, (*was_exact, *is_exact), exact, ("an array may have further elements", Impact::Minor));
-            fields(d, place, &Holder { checks, ..Holder::array(was) }, was, is);
+            fields(d, place, &Holder::array(d, &new.name, was), was, is);
         }
         (TypeKind::IntEnum(was), TypeKind::IntEnum(is)) => values(d, place, checks, was, is),
         (TypeKind::TextEnum(was), TypeKind::TextEnum(is)) => values(d, place, checks, was, is),
         (TypeKind::Choice(was), TypeKind::Choice(is)) => {
-            variants(d, place, (&Holder::ARRAY_VARIANT, Impact::Minor), &was.variants, &is.variants);
+            variants(d, place, &Holder::array_variant(d, &new.name), &was.variants, &is.variants);
         }
         (TypeKind::Wrapper(was, was_unit), TypeKind::Wrapper(is, is_unit)) => {
             field_type(d, place, was, is);
@@ -65,17 +65,11 @@ fn values<T: PartialEq + Clone + Display>(
     }
 }
 
-/// Compares the variants of a choice; what holds their fields, and what one more variant means, differs between requests and arrays.
-pub(super) fn variants(
-    d: &mut Differ<'_>,
-    place: &str,
-    (holder, added): (&Holder, Impact),
-    old: &[Variant],
-    new: &[Variant],
-) {
+/// Compares the variants of a choice, all of which hold their fields in the same way.
+pub(super) fn variants(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[Variant], new: &[Variant]) {
     for pair in pairs(old, new, |variant| variant.wire) {
         let place = format!("{place}, variant `{}`", pair.any().wire);
-        if let Some((old, new)) = d.both(&place, &pair, added) {
+        if let Some((old, new)) = d.both(&place, &pair, Impact::Minor) {
             d.value(&place, "name", &old.name, &new.name, Impact::Major);
             d.reworded(&place, "doc", &old.doc, &new.doc);
             fields(d, &place, holder, &old.fields, &new.fields);
