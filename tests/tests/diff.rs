@@ -188,16 +188,16 @@ fn fields_of_requests() {
             ("collision/clear_error", "[[command.example]]", &with_extra),
         ],
         &expect![[r"
-            major: command `clear_error`, request field `blend`: added
             major: command `end_move`, request field `cartPosition`: added
             major: command `end_move`, request field `endPosition`: removed
             major: command `joint_move`, request field `accel`: name changed from `acceleration` to `joint_acceleration`
             major: command `joint_move`, request field `accel`: is no longer optional
-            major: command `joint_move`, request field `blend`: added
             major: command `joint_move`, request field `speed`: type changed from `float` to `int`
             major: command `joint_move`, request field `speed`: unit changed from `deg/s` to `rad/s`
             major: command `joint_move`, request field `speed`: range changed from `at least 0` to `1 to 180`
             major: command `movc`, request field `tol`: range changed from `at least 0` to `0 to 10, advisory`
+            minor: command `clear_error`, request field `blend`: added
+            minor: command `joint_move`, request field `blend`: added
             minor: command `load_program`, request field `programName`: takes any text
             minor: command `moveL`, request field `speed`: range removed, was `at least 0`
             minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 2, advisory`
@@ -250,10 +250,10 @@ fn fields_of_replies() {
             major: command `disable_robot`, reply field `note`: added
             major: command `get_joint_pos`, reply field `joint_pos`: type changed from `JointPosition` to `float[6]`
             major: command `get_robot_state`, reply field `errcode`: has no other shape any more
-            major: command `get_version`, reply field `note`: added
             major: command `power_on`, reply: is no longer `Copy`
             minor: command `enable_robot`, reply field `note`: added
             minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written ["robot_disabled", "robot_enabled"]` to `bool written [0, 1]`
+            minor: command `get_version`, reply field `note`: added
             minor: command `power_on`, reply field `note`: added
             patch: command `get_joint_pos`, reply field `joint_pos`: range added: `-360 to 360`
         "#]],
@@ -365,20 +365,20 @@ fn values_variants_and_error_codes() {
         &expect![[r"
             major: command `jog`, variant `2`: name changed from `Increment` to `Offset`
             major: command `jog`, variant `3`: removed
-            major: command `jog`, variant `4`: added
             major: error code `2`: name changed from `CallFailed` to `Failed`
             major: error code `3`: removed
             major: type `DigitalOutputKind`, value `2`: only newer firmware takes it
             major: type `DigitalOutputKind`, value `5`: name changed from `Profinet` to `ProfinetDevice`
             major: type `DigitalOutputKind`, value `6`: removed
             major: type `ExtioSetup`, variant `0`: removed
-            major: type `ExtioSetup`, variant `1`, field `note`: added
             major: type `ProgramState`, value `idle`: removed
             minor: command `jog`: key of the tag changed from `jog_mode` to `mode`
             minor: command `jog`, variant `1`, field `jnum`: range changed from `0 to 5` to `0 to 6`
+            minor: command `jog`, variant `4`: added
             minor: error code `4`: added
             minor: type `DigitalOutputKind`, value `5`: every firmware takes it
             minor: type `DigitalOutputKind`, value `7`: added
+            minor: type `ExtioSetup`, variant `1`, field `note`: added
             minor: type `ExtioSetup`, variant `2`: added
             minor: type `ProgramState`, value `waiting`: added
             patch: command `jog`, variant `0`: doc changed
@@ -389,7 +389,6 @@ fn values_variants_and_error_codes() {
         &expect![[r"
             major: command `jog`, variant `1`, field `jnum`: range changed from `0 to 6` to `0 to 5`
             major: command `jog`, variant `2`: name changed from `Offset` to `Increment`
-            major: command `jog`, variant `3`: added
             major: command `jog`, variant `4`: removed
             major: error code `2`: name changed from `Failed` to `CallFailed`
             major: error code `4`: removed
@@ -400,6 +399,7 @@ fn values_variants_and_error_codes() {
             major: type `ExtioSetup`, variant `2`: removed
             major: type `ProgramState`, value `waiting`: removed
             minor: command `jog`: key of the tag changed from `mode` to `jog_mode`
+            minor: command `jog`, variant `3`: added
             minor: error code `3`: added
             minor: type `DigitalOutputKind`, value `2`: every firmware takes it
             minor: type `DigitalOutputKind`, value `6`: added
@@ -477,8 +477,8 @@ fn requests_and_types_of_another_shape() {
         &expect![[r"
             major: command `rapid_rate`: the request becomes a choice
             major: type `FunctionInput`: is no longer `Copy`
-            major: type `FunctionInput`, field `label`: added
             minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `python(ExtioStatus)` to `ExtioStatus`
+            minor: type `FunctionInput`, field `label`: added
             patch: command `wait_complete`: note of the deprecation changed
         "]],
         &expect![[r"

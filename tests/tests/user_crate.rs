@@ -1,10 +1,17 @@
 //! A user's crate with a pack, as cargo builds it: what the compiler says, and that an edit of the TOML file is noticed.
 
+#[path = "user_crate/grown.rs"]
+mod grown;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use expect_test::{Expect, expect};
+
+fn workspace() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace")
+}
 
 /// A crate in a folder of its own that depends on jaka-sync alone.
 struct UserCrate {
@@ -13,7 +20,11 @@ struct UserCrate {
 
 impl UserCrate {
     fn new(name: &str, edition: &str, code: &str) -> Self {
-        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace");
+        Self::beside(workspace(), name, edition, code)
+    }
+
+    /// With the jaka-sync of this workspace.
+    fn beside(workspace: &Path, name: &str, edition: &str, code: &str) -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user").join(name);
         if folder.exists() {
             fs::remove_dir_all(&folder).expect("the crate of an earlier run can be removed");

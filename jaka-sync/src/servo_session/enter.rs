@@ -42,7 +42,8 @@ impl<'r> ServoSession<'r> {
     fn switch_on(&mut self) -> Result<JointPosition, Error> {
         let gate = self.robot.gate();
         let (client, timeout) = (self.robot.client(), self.config.enter_timeout);
-        let on = client.call_through(Some(&gate), &SetServoMode::new(Switch::On), client.timeout_of(SetServoMode::INFO));
+        let on =
+            client.call_through(Some(&gate), &SetServoMode::new(Switch::On), client.timeout_of(SetServoMode::INFO));
         if let Err(error) = on {
             // What was not sent or was refused need not be left.
             self.is_open = error.may_have_run();
