@@ -157,7 +157,7 @@ pub mod changed {
     /// State of the robot, as one packet of port 10000 gives it.
     ///
     /// Any key may be absent. A refused command on port 10001 does not show here.
-    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[derive(Debug, Clone, PartialEq, Default)]
     #[non_exhaustive]
     pub struct RobotStatus {
         /// State of the brakes.

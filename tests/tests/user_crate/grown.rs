@@ -6,7 +6,7 @@ use std::path::Path;
 
 use expect_test::expect;
 use jaka_spec::tools::{Impact, diff, impact};
-use jaka_spec::{Command, Field, Request, Source, Spec, Type, TypeKind, to_snake};
+use jaka_spec::{Command, Field, Request, Scalar, Source, Spec, Type, TypeId, TypeKind, to_snake};
 
 use super::{UserCrate, workspace};
 
@@ -30,7 +30,8 @@ fn field(command: &Command) -> String {
         Request::Fields(_) => "command.request",
         Request::Choice(_) => "command.choice.variant.field",
     };
-    let ty = if command.request_fields().any(|field| field.ty == Type::Text) { "text" } else { "float" };
+    let ty =
+        if command.request.fields().any(|field| field.ty == Type::Scalar(Scalar::Text)) { "text" } else { "float" };
     format!("\n[[{table}]]\nwire = \"extra\"\ntype = \"{ty}\"\noptional = true\ndoc = \"More.\"\n")
 }
 
@@ -80,19 +81,19 @@ fn made(spec: &Spec, command: &Command, path: &str) -> Vec<String> {
     };
     let mut made = vec![format!("{path}::new({})", arguments(spec, fields, ""))];
     for field in fields.iter().filter(|field| field.constructors) {
-        let values = field.ty.named().map(|name| values(spec, name)).unwrap_or_default();
+        let values = field.ty.named().map(|id| values(spec, id)).unwrap_or_default();
         let others = arguments(spec, fields, &field.name);
         made.extend(values.iter().map(|value| format!("{path}::{}({others})", to_snake(value))));
     }
     let setters = fields.iter().filter(|field| field.optional);
-    let setters: String = setters.map(|field| format!(".{}({})", field.name, value(spec, &field.ty))).collect();
-    made.push(format!("{}{setters}", made[0]));
+    let setters: Vec<_> = setters.map(|field| format!(".{}({})", field.name, value(spec, &field.ty))).collect();
+    made.push(format!("{}{}", made[0], setters.concat()));
     made
 }
 
 /// What a method takes.
 fn argument(spec: &Spec, command: &Command) -> String {
-    let required: Vec<_> = command.request_fields().filter(|field| !field.optional).collect();
+    let required: Vec<_> = command.request.fields().filter(|field| !field.optional).collect();
     match (&command.request, required.as_slice()) {
         (Request::Fields(_), []) => String::new(),
         (Request::Fields(_), [field]) if !matches!(field.ty, Type::Array(..)) => value(spec, &field.ty),
@@ -110,32 +111,32 @@ fn arguments(spec: &Spec, fields: &[Field], without: &str) -> String {
 /// A value of the type.
 fn value(spec: &Spec, ty: &Type) -> String {
     match ty {
-        Type::Int => "1".to_owned(),
-        Type::Float => "1.0".to_owned(),
-        Type::Text => "\"text\"".to_owned(),
+        Type::Scalar(Scalar::Int) => "1".to_owned(),
+        Type::Scalar(Scalar::Float) => "1.0".to_owned(),
+        Type::Scalar(Scalar::Text) => "\"text\"".to_owned(),
         Type::Array(element, len) => format!("[{}; {len}]", value(spec, element)),
-        Type::Named(name) => named(spec, name),
+        Type::Named(id) => named(spec, *id),
         other => panic!("no request has a {other:?}"),
     }
 }
 
-fn named(spec: &Spec, name: &str) -> String {
-    let topic = &spec.topic_of_type(name).expect("the spec has it").name;
-    match &spec.type_def(name).expect("the spec has it").kind {
+fn named(spec: &Spec, id: TypeId) -> String {
+    let (topic, name) = (&spec.topic_of(id).expect("the spec has it").name, &spec[id].name);
+    match &spec[id].kind {
         TypeKind::Wrapper(ty, _) => value(spec, ty),
         TypeKind::Array { fields, .. } if jaka_spec::is_floats(fields) => format!("[1.0; {}]", fields.len()),
         TypeKind::Array { fields, .. } | TypeKind::Object(fields) => {
             format!("jaka_sync::{topic}::{name}::new({})", arguments(spec, fields, ""))
         }
-        _ => format!("jaka_sync::{topic}::{name}::{}", values(spec, name)[0]),
+        _ => format!("jaka_sync::{topic}::{name}::{}", values(spec, id)[0]),
     }
 }
 
-fn values<'s>(spec: &'s Spec, name: &str) -> Vec<&'s str> {
-    match spec.type_def(name).map(|def| &def.kind) {
-        Some(TypeKind::IntEnum(values)) => values.iter().map(|value| &*value.name).collect(),
-        Some(TypeKind::TextEnum(values)) => values.iter().map(|value| &*value.name).collect(),
-        _ => panic!("{name} is no enum that requests have"),
+fn values(spec: &Spec, id: TypeId) -> Vec<&str> {
+    match &spec[id].kind {
+        TypeKind::IntEnum(values) => values.iter().map(|value| &*value.name).collect(),
+        TypeKind::TextEnum(values) => values.iter().map(|value| &*value.name).collect(),
+        _ => panic!("{} is no enum that requests have", spec[id].name),
     }
 }
 

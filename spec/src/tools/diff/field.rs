@@ -93,7 +93,8 @@ impl Holder {
     }
 
     fn of_type(d: &Differ<'_>, name: &str) -> Self {
-        let holder = if d.old.is_sent(name) { Self::MADE } else { Self::RECEIVED };
+        let is_made = d.old.type_id(name).is_some_and(|id| d.old.is_sent(id));
+        let holder = if is_made { Self::MADE } else { Self::RECEIVED };
         Self { checks: Checks::of_type(d, name), ..holder }
     }
 
