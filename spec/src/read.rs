@@ -20,7 +20,7 @@ use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
 pub(crate) use event::event;
 use field::fields;
-pub(crate) use field::{NO_ENUM, OPTIONAL_LAST, changed_field, element, field};
+pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field};
 use types::variants;
 pub(crate) use types::{enum_value, type_def};
 

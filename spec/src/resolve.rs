@@ -11,6 +11,9 @@ use crate::type_text::notation;
 use crate::unique::Unique;
 use crate::words::event_code;
 
+/// Why a field cannot have `constructors`.
+pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
+
 /// What the files define and use, gathered while they are read.
 #[derive(Debug, Default)]
 pub(crate) struct Index<'s> {

@@ -4,7 +4,7 @@ use super::common::{element_name, required_doc, snake_name, versions};
 use crate::item::{Item, Placed};
 use crate::model::{Field, Range, Type};
 use crate::names::RESERVED_FIELDS;
-use crate::resolve::Index;
+use crate::resolve::{Index, NO_ENUM};
 use crate::scalar::Scalar;
 use crate::type_text;
 use crate::unique::Unique;
@@ -102,8 +102,6 @@ fn constructors<'s>(item: &Item<'_, 's>, ty: &Type, index: &mut Index<'s>) -> bo
     }
     true
 }
-
-pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
 
 /// The field as an `[[override]]` changes it: what the table does not say stays as it is.
 pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut Index<'s>) -> Field {
