@@ -79,5 +79,8 @@ fn of_fields(scope: Scope<'_>, fields: &[Field], request: &TokenStream) -> (Toke
 }
 
 fn is_argument(field: &Field) -> bool {
-    !field.or_raw && matches!(field.ty, Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_))
+    match &field.ty {
+        Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !field.or_raw,
+        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => false,
+    }
 }

@@ -164,10 +164,13 @@ pub(crate) fn argument(scope: Scope<'_>, field: &Field) -> (TokenStream, TokenSt
 
 /// True for what other types convert into: text, and what is made of an array of numbers.
 fn is_converted(scope: Scope<'_>, field: &Field) -> bool {
-    match &field.ty {
-        _ if field.or_raw => true,
+    let is_converted = match &field.ty {
         Type::Scalar(Scalar::Text) => true,
         Type::Named(id) => typedef::converts(&scope.spec[*id]),
-        _ => false,
-    }
+        Type::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float | Scalar::Json)
+        | Type::List(_)
+        | Type::Array(..)
+        | Type::Python(_) => false,
+    };
+    field.or_raw || is_converted
 }
