@@ -82,14 +82,14 @@ fn programs_read_changes_as_json() {
 
 #[test]
 fn packs_that_are_correct_say_what_they_do() {
-    expect![[r"
+    expect![[r#"
         newer.toml: 3 additions, minor
           minor: command `emergency_stop_status`: added
           minor: command `get_motion_state`: added
           minor: command `set_port10000_delay_ms`: added
         changed.toml: 4 additions, 5 changes, major
-          major: command `joint_move`, request field `zone`: added
           major: command `set_tio_vout_param`, request field `tio_vout_vol`: type changed from `int` to `ToolVoltage`
+          minor: command `joint_move`, request field `zone`: added
           minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 1.5`
           minor: command `set_tio_vout_param`, request field `tio_vout_vol`: range removed, was `0 to 1`
           minor: error code `5`: added
@@ -98,7 +98,7 @@ fn packs_that_are_correct_say_what_they_do() {
           patch: command `set_tio_vout_param`, request field `tio_vout_vol`: doc changed
           patch: command `set_tio_vout_param`, request field `tio_vout_vol`: disputed readings changed
         exit code 0
-    "]]
+    "#]]
     .assert_eq(&text(&["check", &pack("newer.toml"), &pack("changed.toml")]));
 }
 

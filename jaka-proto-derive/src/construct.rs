@@ -2,12 +2,12 @@
 //!
 //! So a field that is optional can come without a change of what is there.
 
-use jaka_spec::{Choice, EnumValue, Field, Scalar, Type, TypeKind, to_snake};
+use jaka_spec::{Choice, EnumValue, Field, Scalar, Type, TypeDef, TypeKind, is_floats, to_snake};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::codec::{Scope, ident};
-use crate::{docs, typedef};
+use crate::docs;
 
 /// Most arguments of a function before clippy asks for fewer.
 const MANY: usize = 7;
@@ -166,11 +166,20 @@ pub(crate) fn argument(scope: Scope<'_>, field: &Field) -> (TokenStream, TokenSt
 fn is_converted(scope: Scope<'_>, field: &Field) -> bool {
     let is_converted = match &field.ty {
         Type::Scalar(Scalar::Text) => true,
-        Type::Named(id) => typedef::converts(&scope.spec[*id]),
+        Type::Named(id) => converts(&scope.spec[*id]),
         Type::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float | Scalar::Json)
         | Type::List(_)
         | Type::Array(..)
         | Type::Python(_) => false,
     };
     field.or_raw || is_converted
+}
+
+/// True for a named type that a method takes as `impl Into<…>`, since it converts from an array.
+pub(crate) fn converts(def: &TypeDef) -> bool {
+    match &def.kind {
+        TypeKind::Wrapper(..) => true,
+        TypeKind::Array { fields, .. } => is_floats(fields),
+        _ => false,
+    }
 }

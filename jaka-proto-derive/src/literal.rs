@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::codec::{ModulePaths, Scope, ident, names};
-use crate::typedef;
+use crate::construct;
 
 /// The module with the twins of a topic; nothing where there are none. `elsewhere` has the modules of the other topics.
 pub(crate) fn module(spec: &Spec, topic: &Topic, elsewhere: TokenStream) -> Option<TokenStream> {
@@ -34,7 +34,7 @@ fn type_def(scope: Scope<'_>, def: &TypeDef) -> Option<TokenStream> {
     let name = ident(&def.name);
     match &def.kind {
         TypeKind::Object(fields) => Some(object(scope, &name, fields)),
-        TypeKind::Array { fields, .. } if !typedef::converts(def) => Some(object(scope, &name, fields)),
+        TypeKind::Array { fields, .. } if !construct::converts(def) => Some(object(scope, &name, fields)),
         TypeKind::Choice(choice) => Some(self::choice(scope, &name, choice)),
         TypeKind::Array { .. } | TypeKind::IntEnum(_) | TypeKind::TextEnum(_) | TypeKind::Wrapper(..) => None,
     }

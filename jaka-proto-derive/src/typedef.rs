@@ -188,15 +188,6 @@ fn float_conversions(name: &Ident, fields: &[Field]) -> TokenStream {
     }
 }
 
-/// True for a named type that a method takes as `impl Into<…>`, since it converts from an array.
-pub(crate) fn converts(def: &TypeDef) -> bool {
-    match &def.kind {
-        TypeKind::Wrapper(..) => true,
-        TypeKind::Array { fields, .. } => is_floats(fields),
-        _ => false,
-    }
-}
-
 fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Option<&str>) -> TokenStream {
     let (first, rest) = first_sentence(&def.doc);
     let unit = unit.map(|unit| format!(" In {unit}.")).unwrap_or_default();

@@ -23,7 +23,7 @@ impl UserCrate {
         Self::beside(workspace(), name, edition, code)
     }
 
-    /// With the jaka-sync of this workspace.
+    /// With the jaka-sync of this workspace. Each crate has a name of its own, by which cargo tells them apart in their target folder.
     fn beside(workspace: &Path, name: &str, edition: &str, code: &str) -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user").join(name);
         if folder.exists() {
@@ -36,7 +36,7 @@ impl UserCrate {
         this.write(
             "Cargo.toml",
             &format!(
-                "[package]\nname = \"user\"\nedition = {edition:?}\n\n[workspace]\n\n[dependencies]\njaka-sync = {{ path = {sync:?} }}\n"
+                "[package]\nname = {name:?}\nedition = {edition:?}\n\n[workspace]\n\n[dependencies]\njaka-sync = {{ path = {sync:?} }}\n"
             ),
         );
         this.write("src/lib.rs", code);
@@ -80,7 +80,7 @@ use strange::StrangeCommands as _;
 
 /// Methods of the pack beside those of the client and of the robot.
 pub fn calls(client: &mut jaka_sync::Client, robot: &mut jaka_sync::Robot) -> Result<(), jaka_sync::Error> {
-    client.item(&strange::Item { request: None })?;
+    client.item()?;
     client.choose(&strange::Choose::Other)?;
     client.power_on()?;
     client.power_on_strange()?;
@@ -120,7 +120,7 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
         1 | jaka_sync::pack!("newer.toml");
           |                  ^^^^^^^^^^^^
 
-        error: could not compile `user` (lib) due to 1 previous error
+        error: could not compile `pack` (lib) due to 1 previous error
     "#]]);
 
     user.write("newer.toml", PACK);
@@ -146,7 +146,7 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
         1 | jaka_sync::pack!("newer.toml");
           |                  ^^^^^^^^^^^^
 
-        error: could not compile `user` (lib) due to 3 previous errors
+        error: could not compile `pack` (lib) due to 3 previous errors
     "#]]);
 
     user.write(
@@ -171,15 +171,15 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
     "#]]);
 
     user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
-    user.expect(&expect![[r"
+    user.expect(&expect![[r#"
         error: expected string literal
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!(newer);
           |                  ^^^^^
 
-        error: could not compile `user` (lib) due to 1 previous error
-    "]]);
+        error: could not compile `pack` (lib) due to 1 previous error
+    "#]]);
 }
 
 #[test]
@@ -214,33 +214,33 @@ pub fn joints(status: &mut jaka_sync::StatusStream) -> Result<Option<jaka_sync::
 fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
     let code = |field| format!("jaka_sync::status_subset! {{ pub struct Joints {{ in_position, {field} }} }}\n");
     let user = UserCrate::new("no_subset", "2024", &code("joint_actual_positions"));
-    user.expect(&expect![[r"
+    user.expect(&expect![[r#"
         error: the status packet has no field `joint_actual_positions`; is it `joint_actual_position`?
          --> src/lib.rs:1:62
           |
         1 | jaka_sync::status_subset! { pub struct Joints { in_position, joint_actual_positions } }
           |                                                              ^^^^^^^^^^^^^^^^^^^^^^
 
-        error: could not compile `user` (lib) due to 1 previous error
-    "]]);
+        error: could not compile `no_subset` (lib) due to 1 previous error
+    "#]]);
     user.write("src/lib.rs", &code("inpos"));
-    user.expect(&expect![[r"
+    user.expect(&expect![[r#"
         error: `inpos` on the wire is `in_position` here
          --> src/lib.rs:1:62
           |
         1 | jaka_sync::status_subset! { pub struct Joints { in_position, inpos } }
           |                                                              ^^^^^
 
-        error: could not compile `user` (lib) due to 1 previous error
-    "]]);
+        error: could not compile `no_subset` (lib) due to 1 previous error
+    "#]]);
     user.write("src/lib.rs", &code("in_position"));
-    user.expect(&expect![[r"
+    user.expect(&expect![[r#"
         error: `in_position` stands here twice
          --> src/lib.rs:1:62
           |
         1 | jaka_sync::status_subset! { pub struct Joints { in_position, in_position } }
           |                                                              ^^^^^^^^^^^
 
-        error: could not compile `user` (lib) due to 1 previous error
-    "]]);
+        error: could not compile `no_subset` (lib) due to 1 previous error
+    "#]]);
 }
