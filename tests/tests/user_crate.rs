@@ -171,7 +171,7 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
     "#]]);
 
     user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
-    user.expect(&expect![[r#"
+    user.expect(&expect![[r"
         error: expected string literal
          --> src/lib.rs:1:18
           |
@@ -179,7 +179,7 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
           |                  ^^^^^
 
         error: could not compile `pack` (lib) due to 1 previous error
-    "#]]);
+    "]]);
 }
 
 #[test]
@@ -214,7 +214,7 @@ pub fn joints(status: &mut jaka_sync::StatusStream) -> Result<Option<jaka_sync::
 fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
     let code = |field| format!("jaka_sync::status_subset! {{ pub struct Joints {{ in_position, {field} }} }}\n");
     let user = UserCrate::new("no_subset", "2024", &code("joint_actual_positions"));
-    user.expect(&expect![[r#"
+    user.expect(&expect![[r"
         error: the status packet has no field `joint_actual_positions`; is it `joint_actual_position`?
          --> src/lib.rs:1:62
           |
@@ -222,9 +222,9 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
           |                                                              ^^^^^^^^^^^^^^^^^^^^^^
 
         error: could not compile `no_subset` (lib) due to 1 previous error
-    "#]]);
+    "]]);
     user.write("src/lib.rs", &code("inpos"));
-    user.expect(&expect![[r#"
+    user.expect(&expect![[r"
         error: `inpos` on the wire is `in_position` here
          --> src/lib.rs:1:62
           |
@@ -232,9 +232,9 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
           |                                                              ^^^^^
 
         error: could not compile `no_subset` (lib) due to 1 previous error
-    "#]]);
+    "]]);
     user.write("src/lib.rs", &code("in_position"));
-    user.expect(&expect![[r#"
+    user.expect(&expect![[r"
         error: `in_position` stands here twice
          --> src/lib.rs:1:62
           |
@@ -242,5 +242,5 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
           |                                                              ^^^^^^^^^^^
 
         error: could not compile `no_subset` (lib) due to 1 previous error
-    "#]]);
+    "]]);
 }
