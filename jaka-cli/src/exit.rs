@@ -65,13 +65,12 @@ fn exit_code(error: &Error) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use std::net::TcpListener;
     use std::time::Duration;
 
     use jaka_sim::{Controller, Fault};
     use jaka_sync::motion::JointMove;
-
     use jaka_sync::{Client, Config};
+    use jaka_tests::ReservedPort;
 
     use super::*;
 
@@ -102,8 +101,8 @@ mod tests {
 
     #[test]
     fn codes_tell_what_the_network_does() {
-        let nobody = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
-        assert_eq!(code(Client::connect(nobody)), NO_CONNECTION);
+        let nobody = ReservedPort::any();
+        assert_eq!(code(Client::connect(nobody.address())), NO_CONNECTION);
         let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
         let mut status = Config::new().reply_timeout(SHORT).connect_status(controller.status_addr()).unwrap();
         status.next_packet().unwrap();

@@ -15,6 +15,7 @@ use expect_test::expect;
 use jaka_sim::{Controller, Delays, Replay};
 use jaka_sync::recording::{Ending, Event, Message, Port, Recording};
 use jaka_sync::{Config, Error, Recorder, StatusStream};
+use jaka_tests::ReservedPort;
 use socket2::SockRef;
 
 use crate::common::{end, interrupt, started};
@@ -306,7 +307,9 @@ fn a_robot_that_cannot_be_reached_is_told_and_recorded() {
     let robot = TcpListener::bind("127.0.0.1:0").unwrap();
     let mut proxy = Proxy::before("nobody.jsonl", &robot);
     let (client, controller) = connect(&proxy, &robot);
+    let address = robot.local_addr().unwrap();
     drop((controller, robot));
+    let _nobody = ReservedPort::at(address);
     assert_eq!(rest(&client), b"");
     let client = TcpStream::connect(proxy.commands).unwrap();
     assert!(is_reset(&client));

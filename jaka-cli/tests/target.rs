@@ -8,6 +8,7 @@ use std::{env, fs};
 
 use expect_test::expect;
 use jaka_sim::Controller;
+use jaka_tests::ReservedPort;
 
 use crate::common::{failure, jaka, output};
 
@@ -71,7 +72,8 @@ fn a_config_file_that_is_wrong_is_named_with_the_line() {
 
 #[test]
 fn nobody_at_the_address() {
-    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port().to_string();
+    let nobody = ReservedPort::any();
+    let port = nobody.address().port().to_string();
     let (_, stderr, code) = output(&mut jaka(&["status", "-r", "127.0.0.1", "--status-port", &port]));
     assert_eq!(code, Some(3));
     assert!(stderr.starts_with(&format!("jaka: cannot connect to 127.0.0.1:{port}: ")), "{stderr}");

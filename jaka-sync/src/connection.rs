@@ -109,16 +109,21 @@ mod tests {
         (socket, waiting, address)
     }
 
-    fn refusing() -> SocketAddr {
-        TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr()).expect("loopback has free ports")
+    /// A port that nobody listens on, nor gets as long as the socket lives.
+    fn refusing() -> (Socket, SocketAddr) {
+        let socket = Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
+        socket.bind(&SocketAddr::from(([127, 0, 0, 1], 0)).into()).expect("loopback has free ports");
+        let address = socket.local_addr().ok().and_then(|address| address.as_socket()).expect("it is bound");
+        (socket, address)
     }
 
     #[test]
     fn a_silent_address_leaves_time_for_the_others() {
         let (_silent, _waiting, silent) = silent();
+        let (_refusing, refusing) = refusing();
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let answering = listener.local_addr().expect("it is bound");
-        for candidates in [vec![silent, answering], vec![refusing(), silent, silent, answering]] {
+        for candidates in [vec![silent, answering], vec![refusing, silent, silent, answering]] {
             let since = Instant::now();
             let stream = first_that_answers(&candidates, Duration::from_secs(4)).expect("the last one answers");
             assert_eq!(stream.peer_addr().expect("it is connected"), answering);
@@ -129,7 +134,7 @@ mod tests {
     #[test]
     fn the_error_names_each_address_and_why_it_failed() {
         let (_silent, _waiting, silent) = silent();
-        let refusing = refusing();
+        let (_refusing, refusing) = refusing();
         let error = first_that_answers(&[refusing, silent], Duration::from_millis(400)).expect_err("none answers");
         let text = error.to_string();
         assert_eq!(error.kind(), io::ErrorKind::TimedOut);

@@ -5,11 +5,13 @@ use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
+mod reserved_port;
 mod seeds;
 mod skipped;
 pub mod soak;
 mod tape;
 
+pub use reserved_port::ReservedPort;
 pub use seeds::seeds;
 pub use skipped::skipped;
 pub use tape::{Tape, events, recorded, requests};

@@ -7,6 +7,7 @@ use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_sim::{Controller, Fault};
 use jaka_sync::{Client, Config, Disconnect, Error, ErrorCode, ErrorKind};
+use jaka_tests::ReservedPort;
 use serde_json::json;
 
 /// Short, but long enough for a busy machine: no test fails for taking longer, only for never ending.
@@ -63,9 +64,8 @@ fn cause_of(error: Error) -> String {
 
 #[test]
 fn refused_connect() {
-    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
-    let address = listener.local_addr().expect("it is bound");
-    drop(listener);
+    let nobody = ReservedPort::any();
+    let address = nobody.address();
     let error = Client::connect(address).expect_err("nobody listens");
     assert!(error.is_connect() && !error.may_have_run());
     assert_eq!(error.to_string(), format!("cannot connect to {address}"));

@@ -10,7 +10,7 @@ use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Recorder, StatusSampling};
-use jaka_tests::{Tape, events, recorded};
+use jaka_tests::{ReservedPort, Tape, events, recorded};
 use serde_json::json;
 
 /// Short, but long enough for a busy machine: no test fails for taking longer, only for never ending.
@@ -47,9 +47,8 @@ fn a_recording_tells_the_whole_session() {
 
 #[test]
 fn connections_that_cannot_be_made_are_recorded() {
-    let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
-    let address = listener.local_addr().expect("it is bound");
-    drop(listener);
+    let nobody = ReservedPort::any();
+    let address = nobody.address();
     let ((), recording) = recorded(|config| {
         let error = config.connect_client(address).expect_err("nobody listens");
         assert!(error.exchanges().is_empty());

@@ -1,0 +1,41 @@
+//! A port that refuses connections.
+
+use std::net::{Ipv4Addr, SocketAddr};
+
+use socket2::{Domain, Socket, Type};
+
+/// A port of loopback on which nothing listens. Nobody else gets it while this lives, as they could if a listener had been dropped.
+#[derive(Debug)]
+pub struct ReservedPort {
+    address: SocketAddr,
+    _socket: Socket,
+}
+
+impl ReservedPort {
+    /// One that is free.
+    ///
+    /// # Panics
+    /// The system has none.
+    #[must_use = "the port is given back when this is dropped"]
+    pub fn any() -> Self {
+        Self::at((Ipv4Addr::LOCALHOST, 0).into())
+    }
+
+    /// The one of a listener that has just been dropped.
+    ///
+    /// # Panics
+    /// Somebody else has it.
+    #[must_use = "the port is given back when this is dropped"]
+    pub fn at(address: SocketAddr) -> Self {
+        let socket = Socket::new(Domain::IPV4, Type::STREAM, None).expect("the system has sockets");
+        socket.set_reuse_address(true).expect("it can be set");
+        socket.bind(&address.into()).expect("the port is free");
+        let address = socket.local_addr().ok().and_then(|address| address.as_socket()).expect("it is bound");
+        Self { address, _socket: socket }
+    }
+
+    /// Its address.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+}
