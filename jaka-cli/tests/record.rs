@@ -308,6 +308,8 @@ fn a_robot_that_cannot_be_reached_is_told_and_recorded() {
     let mut proxy = Proxy::before("nobody.jsonl", &robot);
     let (client, controller) = connect(&proxy, &robot);
     let address = robot.local_addr().unwrap();
+    // A program that another test is about to start has a copy of the socket, so that dropping it is not enough.
+    SockRef::from(&robot).shutdown(Shutdown::Both).unwrap();
     drop((controller, robot));
     let _nobody = ReservedPort::at(address);
     assert_eq!(rest(&client), b"");

@@ -4,7 +4,8 @@ use std::net::{Ipv4Addr, SocketAddr};
 
 use socket2::{Domain, Socket, Type};
 
-/// A port of loopback on which nothing listens. Nobody else gets it while this lives, as they could if a listener had been dropped.
+/// A port of loopback on which nothing listens. Nobody else gets it while this lives, as they could if a listener had been dropped; and a
+/// dropped listener goes on for as long as a program that is just being started has a copy of it.
 #[derive(Debug)]
 pub struct ReservedPort {
     address: SocketAddr,
@@ -21,7 +22,7 @@ impl ReservedPort {
         Self::at((Ipv4Addr::LOCALHOST, 0).into())
     }
 
-    /// The one of a listener that has just been dropped.
+    /// The one of a listener that has just been shut down.
     ///
     /// # Panics
     /// Somebody else has it.
