@@ -164,9 +164,8 @@ fn no_motion_is_sent_while_the_newest_packet_shows_a_stop() {
     assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out while the newest packet shows a stop");
 }
 
-#[test]
-fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
-    let controller = arm_with([], PERIOD);
+/// A robot whose monitor has had an observer before it that takes its time over a packet with a protective stop, and says so before.
+fn robot_after_a_slow_observer(controller: &Controller) -> (Robot, mpsc::Receiver<()>) {
     let config = lenient();
     let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
@@ -178,7 +177,25 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
         }
         std::ops::ControlFlow::Continue(())
     });
-    let mut robot = Robot::new(config.connect_client(controller.command_addr()).expect("listens"), monitor);
+    (Robot::new(config.connect_client(controller.command_addr()).expect("listens"), monitor), saw)
+}
+
+/// Packets that come together, of which one in their midst shows a protective stop.
+fn release_packets_with_a_stop_in_their_midst(controller: &Controller) {
+    let publish = |count: usize| (0..count).for_each(|_| controller.publish());
+    controller.link(Port::Status).to_client().hold();
+    publish(5);
+    controller.set_state(|state| state.protective_stop = true);
+    publish(1);
+    controller.set_state(|state| state.protective_stop = false);
+    publish(5);
+    controller.link(Port::Status).to_client().release();
+}
+
+#[test]
+fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
+    let controller = arm_with([], PERIOD);
+    let (mut robot, saw) = robot_after_a_slow_observer(&controller);
     controller.collide();
     saw.recv_timeout(LONG).expect("packets come");
     let newest = robot.monitor().last_known_packet().expect("packets came");
@@ -190,26 +207,8 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
 #[test]
 fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_over_shows() {
     let controller = arm_with([], PERIOD);
-    let config = lenient();
-    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
-    monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-    let (seen, saw) = mpsc::channel();
-    // It was there before the robot.
-    monitor.observe(move |snapshot| {
-        if snapshot.status.protective_stop == Some(true) {
-            let _ = seen.send(());
-            thread::sleep(ms(1500));
-        }
-        std::ops::ControlFlow::Continue(())
-    });
-    let mut robot = Robot::new(config.connect_client(controller.command_addr()).expect("listens"), monitor);
-    controller.link(Port::Status).to_client().hold();
-    thread::sleep(ms(200));
-    controller.set_state(|state| state.protective_stop = true);
-    thread::sleep(ms(40));
-    controller.set_state(|state| state.protective_stop = false);
-    thread::sleep(ms(100));
-    controller.link(Port::Status).to_client().release();
+    let (mut robot, saw) = robot_after_a_slow_observer(&controller);
+    release_packets_with_a_stop_in_their_midst(&controller);
     saw.recv_timeout(LONG).expect("packets come");
     let error = robot.start(&to(5.0, 40.0)).expect_err("a packet showed a protective stop");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
@@ -220,15 +219,12 @@ fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_ov
 fn a_stop_that_only_a_packet_passed_over_shows_latches() {
     let controller = arm_with([], PERIOD);
     let robot = robot_of(&controller, &lenient());
-    controller.link(Port::Status).to_client().hold();
-    thread::sleep(ms(200));
-    controller.set_state(|state| state.protective_stop = true);
-    thread::sleep(ms(40));
-    controller.set_state(|state| state.protective_stop = false);
-    thread::sleep(ms(100));
-    controller.link(Port::Status).to_client().release();
-    thread::sleep(ms(300));
-    assert!(robot.unacknowledged().is_some(), "a packet showed a protective stop");
+    release_packets_with_a_stop_in_their_midst(&controller);
+    let since = Instant::now();
+    while robot.unacknowledged().is_none() {
+        assert!(since.elapsed() < LONG, "a packet showed a protective stop");
+        thread::sleep(ms(1));
+    }
 }
 
 #[test]
