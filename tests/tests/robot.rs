@@ -91,8 +91,11 @@ fn run(controller: &Controller, robot: &mut Robot, motion: &JointMove, each: imp
 
 /// Runs a long motion, and does something in its middle.
 fn disturbed(controller: &Controller, robot: &mut Robot, disturb: impl Fn()) -> MotionEnd {
-    run(controller, robot, &to(100.0), |cycle| {
-        if cycle == 20 {
+    let mut moving = 0;
+    run(controller, robot, &to(100.0), |_| {
+        let is_moving = !controller.state().at_rest;
+        moving += u32::from(is_moving);
+        if is_moving && moving == 20 {
             disturb();
         }
     })
