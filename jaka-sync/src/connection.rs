@@ -95,12 +95,18 @@ mod tests {
 
     use super::*;
 
-    /// A port where connections wait without an answer: its backlog is full. It is silent as long as these live.
-    fn silent() -> (Socket, Vec<TcpStream>, SocketAddr) {
+    /// A port that nobody else gets as long as the socket lives. It refuses connections until the socket listens.
+    fn bound() -> (Socket, SocketAddr) {
         let socket = Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
         socket.bind(&SocketAddr::from(([127, 0, 0, 1], 0)).into()).expect("loopback has free ports");
-        socket.listen(1).expect("it is bound");
         let address = socket.local_addr().ok().and_then(|address| address.as_socket()).expect("it is bound");
+        (socket, address)
+    }
+
+    /// A port where connections wait without an answer: its backlog is full. It is silent as long as these live.
+    fn silent() -> (Socket, Vec<TcpStream>, SocketAddr) {
+        let (socket, address) = bound();
+        socket.listen(1).expect("it is bound");
         let mut waiting = Vec::new();
         while let Ok(stream) = TcpStream::connect_timeout(&address, Duration::from_millis(100)) {
             waiting.push(stream);
@@ -109,18 +115,10 @@ mod tests {
         (socket, waiting, address)
     }
 
-    /// A port that nobody listens on, nor gets as long as the socket lives.
-    fn refusing() -> (Socket, SocketAddr) {
-        let socket = Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
-        socket.bind(&SocketAddr::from(([127, 0, 0, 1], 0)).into()).expect("loopback has free ports");
-        let address = socket.local_addr().ok().and_then(|address| address.as_socket()).expect("it is bound");
-        (socket, address)
-    }
-
     #[test]
     fn a_silent_address_leaves_time_for_the_others() {
         let (_silent, _waiting, silent) = silent();
-        let (_refusing, refusing) = refusing();
+        let (_refusing, refusing) = bound();
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let answering = listener.local_addr().expect("it is bound");
         for candidates in [vec![silent, answering], vec![refusing, silent, silent, answering]] {
@@ -134,7 +132,7 @@ mod tests {
     #[test]
     fn the_error_names_each_address_and_why_it_failed() {
         let (_silent, _waiting, silent) = silent();
-        let (_refusing, refusing) = refusing();
+        let (_refusing, refusing) = bound();
         let error = first_that_answers(&[refusing, silent], Duration::from_millis(400)).expect_err("none answers");
         let text = error.to_string();
         assert_eq!(error.kind(), io::ErrorKind::TimedOut);

@@ -48,13 +48,13 @@ impl Posted {
         self.outstanding.front().copied()
     }
 
-    /// Counts the outcome of the oldest request, which is this one.
+    /// Counts the outcome of a request, which is the oldest as a rule.
     pub(super) fn finish(&mut self, request: RequestId, outcome: Result<(), Failure>) {
-        let Some(oldest) = self.outstanding.pop_front() else { return };
-        debug_assert_eq!(oldest.id, request, "posted requests are completed in their order");
+        let place = self.outstanding.iter().position(|posted| posted.id == request);
+        let Some(finished) = place.and_then(|place| self.outstanding.remove(place)) else { return };
         match outcome {
             Ok(()) => self.outcomes.accepted += 1,
-            Err(failure) => self.outcomes.failed.push((oldest.command, failure)),
+            Err(failure) => self.outcomes.failed.push((finished.command, failure)),
         }
     }
 

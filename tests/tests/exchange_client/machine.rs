@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use jaka_sync::proto::exchange::{Delivery, Exchange, Failure, RequestId, TextOnly, Waiter};
 
 use crate::model::{Actor, Got, Message, Model, STOP};
+use crate::server::Server;
 use crate::step::{CLIENT, Handles, NAMES, STOPS, Step};
 
 /// A client without a socket: what a connection does with its exchange.
@@ -126,16 +127,12 @@ fn end(outcome: Result<(), Failure>, text: &str) -> Got {
     }
 }
 
-/// The server's side, the model and the machine.
+/// The server, the model and the machine.
 struct Run {
     model: Model,
     machine: Machine,
     handles: Handles,
-    /// Commands that the server has received and not answered.
-    to_answer: VecDeque<(&'static str, u32)>,
-    number: u32,
-    last: Option<(&'static str, u32)>,
-    has_ended: bool,
+    server: Server,
 }
 
 impl Run {
@@ -149,24 +146,15 @@ impl Run {
                 self.begin(CLIENT, NAMES[name]);
                 self.begin(STOPS[handle], STOP);
             }
-            Step::Answer => self.answer(1),
-            Step::AnswerTwo => self.answer(2),
-            Step::AnswerNameless => self.answer_as(|_, number| vec![Message::Nameless { number }]),
-            Step::AnswerTwice => {
-                self.answer_as(|name, number| vec![Message::Reply { name, number }, Message::Surplus { name, number }]);
-            }
             Step::Lose => {
-                if let Some((name, _)) = self.to_answer.pop_front() {
+                if let Some(name) = self.server.lose() {
                     self.model.lose(name);
                 }
             }
-            Step::Copy => {
-                let copy = self.last.map(|(name, number)| Message::Surplus { name, number });
-                self.write(copy.as_slice());
+            step => {
+                let messages = self.server.write(step);
+                self.write(&messages);
             }
-            Step::Unasked(name) => self.write(&[Message::Surplus { name: NAMES[name], number: u32::MAX >> 1 }]),
-            Step::Garbage => self.write(&[Message::Garbage]),
-            Step::End => self.write(&[Message::End]),
         }
     }
 
@@ -174,9 +162,8 @@ impl Run {
         if self.model.waits(actor) {
             return;
         }
-        if self.model.send(actor, name, self.number + 1) {
-            self.number += 1;
-            self.to_answer.push_back((name, self.number));
+        if self.model.send(actor, name, self.server.next_number()) {
+            self.server.receive(name);
         }
         self.machine.send(actor, name);
     }
@@ -189,28 +176,10 @@ impl Run {
         }
     }
 
-    /// Answers the oldest commands at once.
-    fn answer(&mut self, count: usize) {
-        let count = count.min(self.to_answer.len());
-        let replies: Vec<_> =
-            self.to_answer.drain(..count).map(|(name, number)| Message::Reply { name, number }).collect();
-        if let Some(Message::Reply { name, number }) = replies.last() {
-            self.last = Some((name, *number));
-        }
-        self.write(&replies);
-    }
-
-    fn answer_as(&mut self, messages: impl FnOnce(&'static str, u32) -> Vec<Message>) {
-        if let Some((name, number)) = self.to_answer.pop_front() {
-            self.write(&messages(name, number));
-        }
-    }
-
     fn write(&mut self, messages: &[Message]) {
-        if self.has_ended || self.model.is_broken || messages.is_empty() {
+        if self.model.is_broken || messages.is_empty() {
             return;
         }
-        self.has_ended = messages.contains(&Message::End);
         self.model.write(messages);
         self.machine.write(messages);
     }
@@ -233,21 +202,14 @@ impl Run {
 }
 
 pub(crate) fn run(handles: Handles, steps: &[Step]) -> Result<(), String> {
-    let mut run = Run {
-        model: Model::default(),
-        machine: Machine::default(),
-        handles,
-        to_answer: VecDeque::new(),
-        number: 0,
-        last: None,
-        has_ended: false,
-    };
+    let mut run = Run { model: Model::default(), machine: Machine::default(), handles, server: Server::default() };
     for step in steps {
         run.take(*step);
         run.compare()?;
     }
-    run.answer(usize::MAX);
-    run.write(&[Message::End]);
+    let replies = run.server.answer_all();
+    run.write(&replies);
+    run.take(Step::End);
     run.begin(CLIENT, NAMES[0]);
     run.compare()
 }

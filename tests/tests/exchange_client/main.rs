@@ -9,6 +9,7 @@ mod drops;
 mod machine;
 mod model;
 mod run;
+mod server;
 mod step;
 mod workers;
 

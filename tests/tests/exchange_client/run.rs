@@ -9,6 +9,7 @@ use jaka_sync::Config;
 
 use crate::drops::Drops;
 use crate::model::{Actor, Got, Message, Model, STOP};
+use crate::server::Server;
 use crate::step::{CLIENT, Handles, NAMES, STOPS, Step};
 use crate::workers::{Order, Worker, got};
 
@@ -25,11 +26,7 @@ struct Run {
     handles: Handles,
     stream: TcpStream,
     framer: Framer,
-    /// Commands that the server has received and not answered.
-    to_answer: Vec<(&'static str, u32)>,
-    number: u32,
-    last: Option<(&'static str, u32)>,
-    has_ended: bool,
+    server: Server,
     drops: Drops,
 }
 
@@ -43,20 +40,8 @@ impl Run {
         stream.set_read_timeout(Some(PATIENCE)).expect("the time is not zero");
         let stops = STOPS.map(|_| Worker::of_stop_handle(client.stop_handle()));
         let workers = [Worker::of_client(client)].into_iter().chain(stops).collect();
-        let model = Model::default();
-        let (framer, to_answer) = (Framer::default(), Vec::new());
-        Self {
-            model,
-            workers,
-            handles,
-            stream,
-            framer,
-            to_answer,
-            number: 0,
-            last: None,
-            has_ended: false,
-            drops: Drops::from_now(),
-        }
+        let (model, server, framer) = (Model::default(), Server::default(), Framer::default());
+        Self { model, workers, handles, stream, framer, server, drops: Drops::from_now() }
     }
 
     fn take(&mut self, step: Step) -> Result<(), String> {
@@ -66,20 +51,15 @@ impl Run {
             Step::Stop(handle) if self.handles == Handles::Hasty => self.call_in_vain(STOPS[handle], STOP)?,
             Step::Stop(handle) => self.begin(STOPS[handle], STOP)?,
             Step::CallAndStop(name, handle) => self.call_and_stop(NAMES[name], STOPS[handle]),
-            Step::Answer => self.answer(1),
-            Step::AnswerTwo => self.answer(2),
-            Step::AnswerNameless => self.answer_as(|_, number| vec![Message::Nameless { number }]),
-            Step::AnswerTwice => {
-                self.answer_as(|name, number| vec![Message::Reply { name, number }, Message::Surplus { name, number }]);
+            Step::Lose => {
+                if let Some(name) = self.server.lose() {
+                    self.model.lose(name);
+                }
             }
-            Step::Lose => self.lose(),
-            Step::Copy => {
-                let copy = self.last.map(|(name, number)| Message::Surplus { name, number });
-                self.write(copy.as_slice());
+            step => {
+                let messages = self.server.write(step);
+                self.write(&messages);
             }
-            Step::Unasked(name) => self.write(&[Message::Surplus { name: NAMES[name], number: u32::MAX >> 1 }]),
-            Step::Garbage => self.write(&[Message::Garbage]),
-            Step::End => self.write(&[Message::End]),
         }
         self.check_ends()
     }
@@ -90,7 +70,7 @@ impl Run {
             return Ok(());
         }
         self.order(actor, name, PATIENCE);
-        if self.model.send(actor, name, self.number + 1) {
+        if self.model.send(actor, name, self.server.next_number()) {
             self.receive(name);
         }
         self.check_ends()
@@ -109,10 +89,10 @@ impl Run {
             self.model.send_nothing(actor);
             return self.check_ends();
         }
-        if self.model.send(actor, name, self.number + 1) {
-            self.receive(name);
+        if self.model.send(actor, name, self.server.next_number()) {
+            let number = self.receive(name);
             self.model.give_up(actor);
-            in_haste.send_only(actor, name, self.number);
+            in_haste.send_only(actor, name, number);
             in_haste.give_up(actor);
         }
         if !self.model.ended.contains(&(actor, end)) {
@@ -134,9 +114,8 @@ impl Run {
         for _ in 0..2 {
             let received = self.next_request();
             let (actor, name) = if received.contains(STOP) { (stop, STOP) } else { (CLIENT, name) };
-            self.number += 1;
-            self.to_answer.push((name, self.number));
-            self.model.send(actor, name, self.number);
+            let number = self.server.receive(name);
+            self.model.send(actor, name, number);
         }
     }
 
@@ -145,11 +124,10 @@ impl Run {
         self.workers[actor].orders.send(order).expect("the thread waits for orders");
     }
 
-    fn receive(&mut self, name: &'static str) {
+    fn receive(&mut self, name: &'static str) -> u32 {
         let request = self.next_request();
         assert!(request.contains(name), "{request} in place of {name}");
-        self.number += 1;
-        self.to_answer.push((name, self.number));
+        self.server.receive(name)
     }
 
     fn next_request(&mut self) -> String {
@@ -163,40 +141,14 @@ impl Run {
         }
     }
 
-    /// Answers the oldest commands in one write.
-    fn answer(&mut self, count: usize) {
-        let count = count.min(self.to_answer.len());
-        let replies: Vec<_> =
-            self.to_answer.drain(..count).map(|(name, number)| Message::Reply { name, number }).collect();
-        if let Some(Message::Reply { name, number }) = replies.last() {
-            self.last = Some((name, *number));
-        }
-        self.write(&replies);
-    }
-
-    fn answer_as(&mut self, messages: impl FnOnce(&'static str, u32) -> Vec<Message>) {
-        if let Some((name, number)) = self.to_answer.first().copied() {
-            self.to_answer.remove(0);
-            self.write(&messages(name, number));
-        }
-    }
-
-    fn lose(&mut self) {
-        if !self.to_answer.is_empty() {
-            let (name, _) = self.to_answer.remove(0);
-            self.model.lose(name);
-        }
-    }
-
-    /// Writes at once, unless the connection has ended.
+    /// Writes at once, unless the connection is broken.
     fn write(&mut self, messages: &[Message]) {
-        if self.has_ended || self.model.is_broken || messages.is_empty() {
+        if self.model.is_broken || messages.is_empty() {
             return;
         }
         let text: String = messages.iter().map(ToString::to_string).collect();
         self.stream.write_all(text.as_bytes()).expect("the client's system takes bytes");
         if messages.contains(&Message::End) {
-            self.has_ended = true;
             self.stream.shutdown(Shutdown::Write).expect("the connection is open");
         }
         self.model.write(messages);
@@ -228,10 +180,10 @@ impl Run {
 
     /// All answers come, and then the connection ends: now every call has ended, and nothing more is sent.
     fn finish(mut self) -> Result<(), String> {
-        self.answer(usize::MAX);
+        let replies = self.server.answer_all();
+        self.write(&replies);
         self.check_ends()?;
-        self.write(&[Message::End]);
-        self.check_ends()?;
+        self.take(Step::End)?;
         self.begin(CLIENT, NAMES[0])?;
         self.check_ends()?;
         assert!(!self.model.is_waited_for(), "nobody waits on a connection that has ended");
@@ -245,7 +197,7 @@ impl Run {
         let mut rest = Vec::new();
         self.stream.read_to_end(&mut rest).map_err(|error| error.to_string())?;
         let sent = [self.framer.partial(), &rest].concat();
-        if sent.is_empty() { Ok(()) } else { Err(format!("sent behind the end: {}", String::from_utf8_lossy(&sent))) }
+        if sent.is_empty() { Ok(()) } else { Err(format!("sent after the end: {}", String::from_utf8_lossy(&sent))) }
     }
 }
 
