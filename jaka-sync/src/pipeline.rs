@@ -80,13 +80,13 @@ impl<'c> Pipeline<'c> {
     ///
     /// # Errors
     /// As [`send`](Self::send); [`sent`](Self::sent) says how many have gone out. If one of the commands is an
-    /// [`InvalidArgument`](ErrorKind::InvalidArgument), none of those was sent that the window had room for together with it.
+    /// [`InvalidArgument`](ErrorKind::InvalidArgument), none of them was sent.
     pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
+        self.client.check(commands)?;
         let mut rest = commands;
         while !rest.is_empty() {
             let room = self.wait_for_room(C::INFO.name)?;
             let (now, later) = rest.split_at(rest.len().min(room));
-            self.client.check(now)?;
             self.send_checked(now)?;
             rest = later;
         }

@@ -79,9 +79,6 @@ fn commands_that_are_sent_together_go_out_in_order_and_are_recorded_one_by_one()
     let outputs: Vec<_> = (0..100).map(|number| output(number % 8)).collect();
     pipeline.send_all(&outputs).expect("the controller has such outputs");
     assert_eq!(pipeline.sent(), 100);
-    let wrong = [output(1), output(-1)];
-    assert!(pipeline.send_all(&wrong).expect_err("no output has such a number").is_invalid_argument());
-    assert_eq!(pipeline.sent(), 100);
     assert_eq!(pipeline.finish().expect("nothing was refused"), 100);
     let requests = controller.requests();
     let in_order = |(number, request): (usize, &String)| request.contains(&format!("\"index\":{}", number % 8));
@@ -92,6 +89,18 @@ fn commands_that_are_sent_together_go_out_in_order_and_are_recorded_one_by_one()
     let text = std::fs::read_to_string(&file).expect("it was written");
     assert_eq!(text.lines().filter(|line| line.matches("set_digital_output").count() == 1).count(), 200);
     std::fs::remove_file(&file).expect("it is ours");
+}
+
+#[test]
+fn one_wrong_command_keeps_all_those_of_its_call_from_being_sent() {
+    let (controller, mut client) = connected(LONG);
+    // The window has room for one command at a time.
+    let mut pipeline = client.pipeline(1);
+    let wrong = [output(1), output(2), output(-1)];
+    assert!(pipeline.send_all(&wrong).expect_err("no output has such a number").is_invalid_argument());
+    assert_eq!(pipeline.sent(), 0);
+    assert_eq!(pipeline.finish().expect("nothing was sent"), 0);
+    assert_eq!(controller.requests(), Vec::<String>::new());
 }
 
 #[test]
