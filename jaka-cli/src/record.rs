@@ -26,12 +26,11 @@ pub(crate) fn begin(path: &Path) -> Result<Recorder, Failure> {
     Ok(recorder.clone())
 }
 
-/// Ends the recording, if there is one, with all of it in the file. One in which nothing is is removed.
+/// Ends the recording, if there is one, with all of it in the file. One without a connection is removed.
 pub(crate) fn finish() -> Result<RecorderReport, Failure> {
     let Some((path, recorder)) = RECORDING.get() else { return Ok(RecorderReport::default()) };
     let report = recorder.finish().map_err(|error| failed(path, error))?;
-    // A single entry is that of a connection that could not be made.
-    if report.entries <= 1 {
+    if report.connections == 0 {
         // It may be gone already.
         fs::remove_file(path).ok();
     }

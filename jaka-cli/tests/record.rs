@@ -384,6 +384,16 @@ fn commands_record_their_session() {
 }
 
 #[test]
+fn a_recording_has_what_open_connections_have_sent_so_far() {
+    let robot = TcpListener::bind("127.0.0.1:0").unwrap();
+    let cut = Proxy::before("cut.jsonl", &robot);
+    let (mut client, mut controller) = connect(&cut, &robot);
+    client.write_all(b"{\"cmdName\"").unwrap();
+    controller.read_exact(&mut [0; 10]).unwrap();
+    assert_eq!(messages(&cut.finish(), 1), ["sent {\"cmdName\""]);
+}
+
+#[test]
 fn a_recording_of_nothing_is_not_kept() {
     let taken = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = taken.local_addr().unwrap().port().to_string();

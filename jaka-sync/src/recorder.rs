@@ -91,6 +91,8 @@ struct Shared {
 pub struct RecorderReport {
     /// Entries that were written.
     pub entries: u64,
+    /// Connections among them that were made. Without one, all that is recorded is why none could be made.
+    pub connections: u64,
     /// Entries that were dropped, since the file could not be written as fast.
     pub dropped: u64,
 }

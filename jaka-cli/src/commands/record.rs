@@ -127,12 +127,12 @@ impl Record {
     }
 
     /// Says what was recorded, and how many pieces had already been missed when they passed.
-    fn tell(&self, RecorderReport { entries, dropped, .. }: RecorderReport, missing: u64) -> Result<(), Failure> {
-        let file = self.file.display();
-        output::line(&match (entries, dropped + missing) {
-            (0 | 1, _) => "nothing was recorded".to_owned(),
-            (_, 0) => format!("{file}: {entries} entries"),
-            (_, missing) => {
+    fn tell(&self, report: RecorderReport, missing: u64) -> Result<(), Failure> {
+        let (file, entries) = (self.file.display(), report.entries);
+        output::line(&match report.dropped + missing {
+            _ if report.connections == 0 => "nothing was recorded".to_owned(),
+            0 => format!("{file}: {entries} entries"),
+            missing => {
                 format!(
                     "{file}: {entries} entries; {missing} are missing, because they arrived faster than they could be recorded"
                 )

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::io;
 use std::mem;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 
 use jaka_sync::Track;
@@ -24,7 +24,7 @@ pub(crate) struct RecordingQueue(Arc<Shared>);
 #[derive(Debug)]
 struct Shared {
     state: Mutex<State>,
-    /// Signalled when there is something to do, and when nothing is left.
+    /// Signalled when there is something to do, and when the thread has ended.
     changed: Condvar,
     limit: usize,
 }
@@ -33,10 +33,10 @@ struct Shared {
 struct State {
     waiting: VecDeque<(Arc<Connection>, Passed)>,
     bytes: usize,
-    /// The thread is at work on what it has taken.
-    busy: bool,
     /// Nothing is taken any more, and the thread ends when nothing waits.
     closed: bool,
+    /// The thread has ended.
+    ended: bool,
     /// How many pieces were not recorded.
     missing: u64,
 }
@@ -145,12 +145,13 @@ impl RecordingQueue {
         self.0.changed.notify_all();
     }
 
-    /// Waits until all that was taken is with the recorder, and takes no more. Says how many pieces are missing.
+    /// Waits until all that was taken is with the recorder, also what was sent in part, and takes no more. Says how many pieces are
+    /// missing.
     pub(crate) fn finish(&self) -> u64 {
         let mut state = self.lock();
         state.closed = true;
         self.0.changed.notify_all();
-        while state.busy || !state.waiting.is_empty() {
+        while !state.ended {
             state = self.0.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
         state.missing
@@ -158,17 +159,24 @@ impl RecordingQueue {
 
     fn work(&self) {
         let _end = StopOnDrop(self);
+        let mut open: Vec<Weak<Connection>> = Vec::new();
         while let Some((connection, passed)) = self.next() {
+            if !open.iter().any(|known| known.as_ptr() == Arc::as_ptr(&connection)) {
+                open.retain(|known| known.strong_count() > 0);
+                open.push(Arc::downgrade(&connection));
+            }
             connection.record(passed);
+        }
+        for connection in open.iter().filter_map(Weak::upgrade) {
+            connection.flush(Direction::ToRobot);
+            connection.flush(Direction::ToClient);
         }
     }
 
     /// What is to be recorded next; none at the end.
     fn next(&self) -> Option<(Arc<Connection>, Passed)> {
         let mut state = self.lock();
-        state.busy = false;
         while state.waiting.is_empty() {
-            self.0.changed.notify_all();
             if state.closed {
                 return None;
             }
@@ -176,7 +184,6 @@ impl RecordingQueue {
         }
         let next = state.waiting.pop_front()?;
         state.bytes -= next.1.size();
-        state.busy = true;
         Some(next)
     }
 
@@ -207,7 +214,7 @@ struct StopOnDrop<'s>(&'s RecordingQueue);
 impl Drop for StopOnDrop<'_> {
     fn drop(&mut self) {
         let mut state = self.0.lock();
-        (state.closed, state.busy) = (true, false);
+        (state.closed, state.ended) = (true, true);
         state.waiting.clear();
         drop(state);
         self.0.0.changed.notify_all();
@@ -223,6 +230,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn what_an_open_connection_has_sent_in_part_is_recorded_at_the_end() {
+        let tape = Tape::default();
+        let recorder = Recorder::new(tape.clone()).expect("a thread can be had");
+        let queue = RecordingQueue::start().expect("a thread can be had");
+        let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+        queue.take(&connection, Passed::Bytes(Direction::ToRobot, b"{\"a\":1}{\"cut".to_vec()));
+        assert_eq!(queue.finish(), 0);
+        recorder.finish().expect("memory can be written");
+        let recording: Recording = tape.read().expect("it has just been written");
+        let sent = recording.entries.iter().filter_map(|entry| entry.event.message()).map(ToString::to_string);
+        assert_eq!(sent.collect::<Vec<_>>(), ["{\"a\":1}", "{\"cut"]);
+    }
+
+    #[test]
     fn what_does_not_fit_is_missing_and_counted_and_nobody_waits() {
         let tape = Tape::default();
         let recorder = Recorder::new(tape.clone()).expect("a thread can be had");
@@ -232,7 +253,7 @@ mod tests {
         // While it is at work on this one, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
         queue.take(&connection, bytes(Direction::ToRobot, "{\"a\":1}{\"cut"));
-        while !queue.lock().busy {
+        while !queue.lock().waiting.is_empty() {
             thread::yield_now();
         }
         for text in ["\":2}{}", &"x".repeat(500), &"y".repeat(500)] {

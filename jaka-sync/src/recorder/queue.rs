@@ -80,8 +80,10 @@ impl Queue {
         state = gathered.unwrap_or_else(PoisonError::into_inner).0;
         state.bytes = 0;
         let batch = mem::take(&mut state.waiting);
-        let written = batch.iter().filter(|entry| !matches!(entry.event, Event::Dropped { .. })).count();
-        state.report.entries += u64::try_from(written).unwrap_or(u64::MAX);
+        for entry in &batch {
+            state.report.entries += u64::from(!matches!(entry.event, Event::Dropped { .. }));
+            state.report.connections += u64::from(matches!(entry.event, Event::Connected { .. }));
+        }
         Some(batch)
     }
 
