@@ -21,12 +21,12 @@ pub fn departures(spec: &Spec, command: &Command, reply: &Value) -> Vec<Departur
     match (reply, bare_reply(command, reply)) {
         (Value::Object(found), _) => {
             if envelope(&mut decoder, command, found) {
-                decoder.object("", &command.reply, found, ENVELOPE);
+                decoder.object("", spec.reply_fields(command), found, ENVELOPE);
             }
         }
         (_, Some(found)) => {
             decoder.add("", DepartureKind::Form, reply, "an object".to_owned(), Reading::Lenient);
-            decoder.object("", &command.reply, &found, ENVELOPE);
+            decoder.object("", spec.reply_fields(command), &found, ENVELOPE);
         }
         (other, None) => decoder.add("", DepartureKind::Form, other, "an object".to_owned(), Reading::Unreadable),
     }
@@ -36,7 +36,7 @@ pub fn departures(spec: &Spec, command: &Command, reply: &Value) -> Vec<Departur
 /// The reply that a bare Python tuple stands for.
 fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     let name = command.bare_reply.as_ref()?;
-    let field = command.reply.iter().find(|field| field.name == *name)?;
+    let field = command.reply.own_fields().iter().find(|field| field.name == *name)?;
     let is_tuple = reply.as_str()?.trim_start().starts_with('(');
     is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
 }

@@ -27,12 +27,12 @@ pub fn sample_reply(spec: &Spec, command: &Command) -> Map<String, Value> {
 /// Those are false, 0 (or what is nearest to it in range), empty text, the first value of an enum, an empty array, an
 /// array of the fixed length, or an object of such.
 pub fn complete_reply(spec: &Spec, command: &Command, reply: &mut Map<String, Value>) {
-    for field in &command.reply {
+    for field in spec.reply_fields(command) {
         if reply.get(&field.wire).is_some_and(|value| !is_readable(spec, field, value)) {
             reply.remove(&field.wire);
         }
     }
-    complete(spec, &command.reply, reply);
+    complete(spec, spec.reply_fields(command), reply);
 }
 
 fn is_readable(spec: &Spec, field: &Field, value: &Value) -> bool {

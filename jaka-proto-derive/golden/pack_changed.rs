@@ -1,8 +1,22 @@
 /// What newer firmware changes.
 ///
-/// A field more for `joint_move`, a wider range, a settled dispute, a status key and an error code.
+/// A field more for `joint_move`, a wider range, a settled dispute, a status key, the status as a reply, and an error code.
 #[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
 pub mod changed {
+    /// Reads what a status packet says.
+    ///
+    /// Sends `read_whole_state`. Changes nothing on the robot.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct ReadWholeState {}
+    impl ReadWholeState {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    impl proto::Command for ReadWholeState {
+        type Reply = RobotStatus;
+    }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
     /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
@@ -165,6 +179,13 @@ pub mod changed {
     }
     /// The commands of [`changed`](self) as methods: of a client, of a robot, and of all else that takes commands.
     pub trait ChangedCommands: ::jaka_sync::Call {
+        /// Reads what a status packet says.
+        ///
+        /// Sends `read_whole_state`. Changes nothing on the robot.
+        ///
+        /// # Errors
+        /// As `Call::call`.
+        fn read_whole_state(&mut self) -> Result<RobotStatus, ::jaka_sync::Error>;
         /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
         ///
         /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.

@@ -50,8 +50,7 @@ impl Method {
     pub(crate) fn new(scope: Scope<'_>, module: &TokenStream, command: &Command) -> Self {
         let request = ident(&command.request_type());
         let request = quote!(#module #request);
-        let reply = command.reply_type().map(|reply| ident(&reply));
-        let reply = reply.map_or_else(|| quote!(()), |reply| quote!(#module #reply));
+        let reply = scope.reply_type(module, command);
         let (parameter, argument) = match &command.request {
             Request::Fields(fields) => of_fields(scope, fields, &request),
             Request::Choice(_) => (quote!(, request: &#request), quote!(request)),

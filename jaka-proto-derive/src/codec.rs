@@ -1,6 +1,6 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Choice, Field, Scalar, Spec, Topic, Type, TypeId, Variant};
+use jaka_spec::{Choice, Command, Field, Reply, Scalar, Spec, Topic, Type, TypeId, Variant};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -57,6 +57,18 @@ impl<'s> Scope<'s> {
         let module = topic.map_or_else(|| self.own.clone(), |topic| self.module(topic));
         let name = ident(&self.spec[id].name);
         quote!(#module #name)
+    }
+
+    /// The type of a command's reply, where `module`, a path that ends in `::` or is empty, has the command's messages.
+    pub(crate) fn reply_type(self, module: &TokenStream, command: &Command) -> TokenStream {
+        match (&command.reply, command.reply_type()) {
+            (Reply::Object(id), _) => self.path(*id),
+            (Reply::Fields(_), Some(name)) => {
+                let name = ident(&name);
+                quote!(#module #name)
+            }
+            (Reply::Fields(_), None) => quote!(()),
+        }
     }
 
     /// The path of another topic's module.

@@ -26,13 +26,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     };
     let checks = validate::request(command, &name);
     let reply = reply(scope, command);
-    let reply_type = command.reply_type().map_or_else(
-        || quote!(()),
-        |name| {
-            let name = ident(&name);
-            quote!(#name)
-        },
-    );
+    let reply_type = scope.reply_type(&TokenStream::new(), command);
     let info = info(command);
     quote! {
         #request
@@ -71,7 +65,7 @@ fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
     let name = ident(&command.reply_type()?);
     let request = command.request_type();
     let docs = docs::own(&format!("What the controller answers to [`{request}`]."));
-    Some(typedef::object(scope, &name, &docs, &command.reply))
+    Some(typedef::object(scope, &name, &docs, command.reply.own_fields()))
 }
 
 fn info(command: &Command) -> TokenStream {
@@ -114,5 +108,5 @@ fn requirement_name(requirement: Requirement) -> &'static str {
 
 fn bare_reply_key(command: &Command) -> Option<&str> {
     let name = command.bare_reply.as_ref()?;
-    command.reply.iter().find(|field| field.name == *name).map(|field| field.wire.as_str())
+    command.reply.own_fields().iter().find(|field| field.name == *name).map(|field| field.wire.as_str())
 }

@@ -57,7 +57,7 @@ fn the_full_expansion_for_each_shape() {
 /// The part of the spec that has one command of each shape, with the types that it needs.
 fn shapes(mut spec: Spec) -> Spec {
     let commands = spec.commands().filter(|command| COMMANDS.contains(&&*command.wire));
-    let mut open: Vec<_> = commands.flat_map(Command::fields).filter_map(|field| field.ty.named()).collect();
+    let mut open: Vec<_> = commands.flat_map(Command::parts).collect();
     let mut used = BTreeSet::new();
     while let Some(id) = open.pop() {
         if used.insert(id) {

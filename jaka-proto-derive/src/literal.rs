@@ -13,7 +13,7 @@ pub(crate) fn module(spec: &Spec, topic: &Topic, elsewhere: TokenStream) -> Opti
     let scope = Scope::of_module(spec, topic, &paths);
     let replies = topic.commands.iter().filter_map(|command| {
         let name = ident(&command.reply_type()?);
-        Some(object(scope, &name, &command.reply))
+        Some(object(scope, &name, command.reply.own_fields()))
     });
     let types = spec.types_of(topic).filter_map(|(_, def)| type_def(scope, def));
     let twins: Vec<_> = replies.chain(types).collect();

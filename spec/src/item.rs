@@ -66,7 +66,7 @@ impl<'a, 's> Item<'a, 's> {
         self.get(key).is_some()
     }
 
-    /// True where the value under `key` is a string.
+    /// True where the value under `key` is a string; the key is not asked for yet.
     pub(crate) fn is_text(&self, key: &'static str) -> bool {
         self.table.get(key).is_some_and(|value| value.get_ref().is_str())
     }

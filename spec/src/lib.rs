@@ -24,7 +24,7 @@ pub mod words;
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Request, Requirement,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Reply, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};

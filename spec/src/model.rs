@@ -90,6 +90,19 @@ impl Spec {
         self.types.iter().position(|def| def.name == name).map(TypeId)
     }
 
+    /// The fields of the command's reply, its own or those of the object that it is.
+    pub fn reply_fields<'s>(&'s self, command: &'s Command) -> &'s [Field] {
+        match &command.reply {
+            Reply::Fields(fields) => fields,
+            Reply::Object(id) => self.object_fields(*id),
+        }
+    }
+
+    /// The fields of an object; none of any other type.
+    fn object_fields(&self, id: TypeId) -> &[Field] {
+        if let TypeKind::Object(fields) = &self[id].kind { fields } else { &[] }
+    }
+
     /// The type of the packets of port 10000, if the spec has it.
     pub fn status_type(&self) -> Option<TypeId> {
         self.type_id(STATUS_TYPE)
@@ -97,10 +110,7 @@ impl Spec {
 
     /// The fields of the packets of port 10000; none if the spec does not have their type.
     pub fn status_fields(&self) -> &[Field] {
-        match self.status_type().map(|id| &self[id].kind) {
-            Some(TypeKind::Object(fields)) => fields,
-            _ => &[],
-        }
+        self.status_type().map_or(&[], |id| self.object_fields(id))
     }
 }
 
@@ -164,8 +174,8 @@ pub struct Command {
     pub errata: Vec<String>,
     /// What is sent in addition to `cmdName`.
     pub request: Request,
-    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`.
-    pub reply: Vec<Field>,
+    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are [`Spec::reply_fields`].
+    pub reply: Reply,
     /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<String>,
     /// What the controller answers when a requirement is not met, where it is not the usual refusal.
@@ -180,14 +190,19 @@ impl Command {
         to_camel(&self.name)
     }
 
-    /// Name of the reply's type in Rust, such as `GetJointPosReply`, where the reply carries data.
+    /// Name of the type in Rust that the reply has for itself, such as `GetJointPosReply`, if its fields are its own.
     pub fn reply_type(&self) -> Option<String> {
-        (!self.reply.is_empty()).then(|| self.request_type() + "Reply")
+        (!self.reply.own_fields().is_empty()).then(|| self.request_type() + "Reply")
     }
 
-    /// The fields of its request, of all variants where there are some, and of its reply.
+    /// The fields of its request, of all variants where there are some, and those that its reply has for itself.
     pub fn fields(&self) -> impl Iterator<Item = &Field> {
-        self.request.fields().chain(&self.reply)
+        self.request.fields().chain(self.reply.own_fields())
+    }
+
+    /// The named types of its fields, and the one that its reply is.
+    pub fn parts(&self) -> impl Iterator<Item = TypeId> {
+        self.fields().filter_map(|field| field.ty.named()).chain(self.reply.object())
     }
 
     /// The beginning of each request as JSON text: the brace, and `cmdName` with its value.
@@ -248,6 +263,27 @@ impl Request {
             Self::Choice(choice) => (&[][..], choice.variants.as_slice()),
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
+    }
+}
+
+/// The body of a reply.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reply {
+    /// Fields of its own; possibly none.
+    Fields(Vec<Field>),
+    /// The keys of a named type, which is an object.
+    Object(TypeId),
+}
+
+impl Reply {
+    /// The fields that no named type has; none where the reply is an object of a named type.
+    pub fn own_fields(&self) -> &[Field] {
+        if let Self::Fields(fields) = self { fields } else { &[] }
+    }
+
+    /// The named type whose keys the reply has, if it is an object of one.
+    pub fn object(&self) -> Option<TypeId> {
+        if let Self::Object(id) = self { Some(*id) } else { None }
     }
 }
 

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use self::change::Target;
 pub use self::module::Module;
 use crate::item::Item;
-use crate::model::{Command, ErrorCode, Field, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
+use crate::model::{Command, ErrorCode, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
 use crate::names::RESERVED_METHODS;
 use crate::report::{At, Error, Errors, Report};
 use crate::resolve::Index;
@@ -178,7 +178,9 @@ fn bare_command(command: &Command) -> Command {
             bare_fields(&mut variant.fields);
         }),
     }
-    bare_fields(&mut bare.reply);
+    if let Reply::Fields(fields) = &mut bare.reply {
+        bare_fields(fields);
+    }
     bare
 }
 

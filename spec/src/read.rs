@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use crate::Source;
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
-use crate::item::{Item, parse};
-use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Request, Requirement, Topic};
+use crate::item::{Item, Placed, parse};
+use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic};
 use crate::names::{RESERVED_MODULES, is_snake};
 use crate::report::{At, Report};
 use crate::resolve::Index;
@@ -75,13 +75,15 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
     let name = snake_name(item, &wire);
     index.method(item, &name);
     let request = request(item, index);
-    let reply = fields(item, ("reply", "reply field"), ENVELOPE, index);
+    let reply = reply(item, index);
     let bare_reply = item.text("bare_reply");
-    if let Some(bare) = bare_reply.as_ref().filter(|bare| reply.iter().all(|field| field.name != bare.value)) {
+    if let Some(bare) =
+        bare_reply.as_ref().filter(|bare| reply.own_fields().iter().all(|field| field.name != bare.value))
+    {
         item.error(bare.at, &format!("`bare_reply` names `{}`, which is not a field of the reply", bare.value));
     }
     let reply_certain = item.flag("reply_certain").is_none_or(|flag| flag.value);
-    if !reply_certain && reply.iter().any(|field| !field.optional) {
+    if !reply_certain && (reply.object().is_some() || reply.own_fields().iter().any(|field| !field.optional)) {
         item.error(item.at, OPTIONAL_ONLY);
     }
     let command = Command {
@@ -156,6 +158,17 @@ fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
             Request::Choice(Choice { tag: tag.value, variants })
         }
     }
+}
+
+/// Fields of its own, or the name of the type whose keys it has.
+fn reply<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Reply {
+    if !item.is_text("reply") {
+        return Reply::Fields(fields(item, ("reply", "reply field"), ENVELOPE, index));
+    }
+    let name = item.required_text("reply");
+    let id = index.type_id(&name.value);
+    index.reply_use(item, Placed { at: name.at, value: id });
+    Reply::Object(id)
 }
 
 pub(crate) fn error_code<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> ErrorCode {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
+use crate::envelope::ENVELOPE;
 use crate::item::{Item, Placed};
 use crate::model::{Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming, trait_name};
@@ -31,6 +32,8 @@ pub(crate) struct Index<'s> {
     uses: Vec<TypeUse<'s>>,
     /// Where an enum is wanted, and the type that is there.
     enum_uses: Vec<(String, Placed<'s, TypeId>)>,
+    /// Where the keys of an object are those of a reply, and the type that is there.
+    reply_uses: Vec<(String, Placed<'s, TypeId>)>,
     /// The trait with a pack's methods.
     own_trait: Option<String>,
 }
@@ -134,6 +137,12 @@ impl<'s> Index<'s> {
         self.enum_uses.push((item.what.clone(), ty));
     }
 
+    /// The type `ty` is to be an object that can stand next to the keys of every reply.
+    pub(crate) fn reply_use(&mut self, item: &Item<'_, 's>, ty: Placed<'s, TypeId>) {
+        self.type_use(item, ty.at, &Type::Named(ty.value));
+        self.reply_uses.push((item.what.clone(), ty));
+    }
+
     pub(crate) fn type_use(&mut self, item: &Item<'_, 's>, at: At<'s>, ty: &Type) {
         self.uses.push(TypeUse { what: item.what.clone(), at, ty: ty.clone() });
     }
@@ -176,6 +185,11 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             report.error(ty.at, format!("{what}: {NO_ENUM}"));
         }
     }
+    for (what, ty) in &index.reply_uses {
+        if index.defined.contains(&ty.value) && !can_be_reply(&index.types[ty.value.0].kind) {
+            report.error(ty.at, format!("{what}: {NO_REPLY}"));
+        }
+    }
     for TypeUse { what, at, ty } in &index.uses {
         let problem = ty.named().and_then(|id| {
             let name = &index.types[id.0].name;
@@ -194,6 +208,12 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             report.error(*at, format!("{what}: {problem}"));
         }
     }
+}
+
+const NO_REPLY: &str = "a reply is fields, or an object without the keys that every reply has";
+
+fn can_be_reply(kind: &TypeKind) -> bool {
+    matches!(kind, TypeKind::Object(fields) if fields.iter().all(|field| !ENVELOPE.contains(&&*field.wire)))
 }
 
 fn reaches_itself(index: &Index<'_>, id: TypeId) -> bool {

@@ -92,6 +92,46 @@ doc = "State of the brakes."
     assert_eq!(module(text), "RobotStatus");
 }
 
+/// A command whose reply has the keys of a named type.
+const WHOLE_STATE: &str = r#"
+[[command]]
+wire = "read_whole_state"
+effect = "query"
+reply = "RobotStatus"
+doc = "Reads what a status packet says."
+"#;
+
+#[test]
+fn a_reply_can_be_the_status_object() {
+    let pack = pack(WHOLE_STATE);
+    let command = pack.spec.command("read_whole_state").expect("the pack has it");
+    assert_eq!(pack.spec.reply_fields(command), pack.spec.status_fields());
+    assert_eq!((command.reply.object(), command.reply_type()), (pack.spec.status_type(), None));
+    assert_eq!(module(WHOLE_STATE), "read_whole_state");
+}
+
+#[test]
+fn a_reply_changes_with_the_type_that_it_is() {
+    let spec = pack(WHOLE_STATE).spec;
+    let text = r#"
+title = "Later"
+[[extend]]
+target = "RobotStatus"
+[[extend.field]]
+wire = "brake_state"
+type = "int"
+optional = true
+doc = "State of the brakes."
+"#;
+    let module = load_pack(&spec, Source { path: "later.toml", text }).expect("the pack is correct").module();
+    let methods: Vec<_> = module.topic.commands.iter().map(|command| module.method(command)).collect();
+    assert_eq!(methods, ["read_whole_state_later"]);
+    let text = text.replace("\"RobotStatus\"", "\"read_whole_state\"").replace("extend.field", "extend.reply");
+    let errors = load_pack(&spec, Source { path: "later.toml", text: &text }).expect_err("it has no fields of its own");
+    expect!["later.toml:3:1: extension of `read_whole_state`: the reply is a `RobotStatus`; change that type"]
+        .assert_eq(&errors.to_string());
+}
+
 #[test]
 fn what_is_made_of_a_changed_type_changes_with_it() {
     let text = r#"

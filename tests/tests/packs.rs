@@ -168,3 +168,17 @@ fn a_field_that_this_firmware_does_not_have_is_refused_by_its_pack_s_word() {
          later has"
     );
 }
+
+#[test]
+fn a_reply_can_have_the_keys_of_the_status_packet() {
+    let controller = controller();
+    let mut robot = client(&controller);
+    let answer = |key: &str, value: Value| controller.set_reply("read_whole_state", [(key.to_owned(), value)]);
+    answer("brake_state", 2.into());
+    let state: changed::RobotStatus = robot.read_whole_state().expect("it is answered");
+    assert_eq!((state.brake_state, state.enabled), (Some(2), None));
+    answer("brake_state", "on".into());
+    let error = robot.read_whole_state().expect_err("nothing is left out of a reply");
+    let source = std::error::Error::source(&error).expect("the reply does not fit").to_string();
+    assert!(source.starts_with("field `brake_state`: expected a whole number"), "{source}");
+}

@@ -92,10 +92,10 @@ proptest! {
 
 /// A command of the spec, and a random successful reply to it.
 fn any_reply() -> impl Strategy<Value = (String, Map<String, Value>)> {
-    let with_payload: Vec<_> = SPEC.commands().filter(|command| !command.reply.is_empty()).collect();
+    let with_payload: Vec<_> = SPEC.commands().filter(|command| !SPEC.reply_fields(command).is_empty()).collect();
     proptest::sample::select(with_payload).prop_flat_map(|command| {
         let name = command.wire.clone();
-        any_object(&SPEC, &command.reply).prop_map(move |mut reply| {
+        any_object(&SPEC, SPEC.reply_fields(command)).prop_map(move |mut reply| {
             reply.insert("errorCode".to_owned(), "0".into());
             reply.insert("errorMsg".to_owned(), "".into());
             reply.insert("cmdName".to_owned(), name.clone().into());
@@ -140,7 +140,11 @@ fn drift(command: &str, reply: &Map<String, Value>, forms: &[u8], seed: u64) -> 
             "errorMsg" => continue,
             "cmdName" => format!("\" {} \"", command.wire),
             key => {
-                let field = command.reply.iter().find(|field| field.wire == key).expect("the reply is from the spec");
+                let field = SPEC
+                    .reply_fields(command)
+                    .iter()
+                    .find(|field| field.wire == key)
+                    .expect("the reply is from the spec");
                 drifted(&field.ty, &reply[key], *form).to_string()
             }
         };

@@ -174,8 +174,9 @@ fn is_sent(message: &Value) -> bool {
 
 fn any_reply() -> impl Strategy<Value = (String, Map<String, Value>)> {
     let commands: Vec<_> = SPEC.commands().collect();
-    proptest::sample::select(commands)
-        .prop_flat_map(|command| any_object(&SPEC, &command.reply).prop_map(move |reply| (command.wire.clone(), reply)))
+    proptest::sample::select(commands).prop_flat_map(|command| {
+        any_object(&SPEC, SPEC.reply_fields(command)).prop_map(move |reply| (command.wire.clone(), reply))
+    })
 }
 
 proptest! {

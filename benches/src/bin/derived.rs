@@ -36,7 +36,7 @@ fn main() -> Result<(), jaka_spec::Errors> {
         }
         let reply = command.reply_type();
         if let Some(reply) = &reply {
-            object(&spec, reply, &command.reply);
+            object(&spec, reply, spec.reply_fields(command));
         }
         let reply = reply.unwrap_or_else(|| "Value".to_owned());
         variants.push(format!("#[serde(rename = {:?})] {request}({request})", command.wire));

@@ -42,7 +42,7 @@ fn add_robot_error(state: &State, reply: &mut Writer) {
 fn rewritten(style: ReplyStyle, spec: &Spec, reply: &str) -> Option<String> {
     let envelope = Envelope::read(reply).ok()?;
     let command = envelope.command.as_deref().and_then(|name| spec.command(name));
-    let fields = command.map_or(&[][..], |command| &command.reply);
+    let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
     let values = Values { spec, style };
     let mut rewritten = Vec::new();
     for (key, value) in members(reply)? {

@@ -3,7 +3,7 @@
 use super::{Draft, bare_field};
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
-use crate::model::{Choice, Command, EnumValue, Field, Request, Spec, TypeDef, TypeId, TypeKind};
+use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
 use crate::read;
 use crate::report::Report;
 use crate::similar::nearest;
@@ -165,7 +165,7 @@ impl<'s> Draft<'s, '_> {
     }
 
     fn change_command(&mut self, item: &Item<'_, 's>, wire: &str) {
-        let Some(command) = self.spec.command_mut(wire) else { return };
+        let Some(command) = command_mut(&mut self.spec.topics, wire) else { return };
         let before = command.clone();
         if item.has("requires") {
             command.requires = read::requires(item);
@@ -211,7 +211,7 @@ impl Draft<'_, '_> {
         let is_right = match target {
             Target::Command(wire) => {
                 let command = self.spec.command(wire)?;
-                let is_wrong = !command.reply_certain && command.reply.iter().any(|field| !field.optional);
+                let is_wrong = !command.reply_certain && command.reply.own_fields().iter().any(|field| !field.optional);
                 return is_wrong.then_some(read::OPTIONAL_ONLY);
             }
             Target::Type(id) => match &self.spec[*id].kind {
@@ -255,8 +255,8 @@ impl<'f> List<'f> {
         Self { keyed: false, ..Self::object(fields, &[]) }
     }
 
-    fn reply(command: &'f mut Command) -> Self {
-        Self { bare_reply: command.bare_reply.as_mut(), ..Self::object(&mut command.reply, ENVELOPE) }
+    fn reply(fields: &'f mut Vec<Field>, bare_reply: Option<&'f mut String>) -> Self {
+        Self { bare_reply, ..Self::object(fields, ENVELOPE) }
     }
 
     /// Puts a field in another's place.
@@ -272,17 +272,28 @@ impl<'f> List<'f> {
 fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part): Place<'_, 's>) -> Option<List<'f>> {
     let (choice, keyed) = match target {
         Target::Command(wire) => {
-            let command = spec.command_mut(wire)?;
+            let Command { request, reply, bare_reply, .. } = command_mut(&mut spec.topics, wire)?;
             if part == Part::Reply {
-                return Some(List::reply(command));
+                return match reply {
+                    Reply::Fields(fields) => Some(List::reply(fields, bare_reply.as_mut())),
+                    Reply::Object(id) => {
+                        let name = &spec.types[id.0].name;
+                        item.error(item.at, &format!("the reply is a `{name}`; change that type"));
+                        None
+                    }
+                };
             }
-            match &mut command.request {
+            match request {
                 Request::Fields(fields) => return Some(List::object(fields, &[COMMAND_NAME])),
                 Request::Choice(choice) => (choice, true),
             }
         }
         Target::Type(id) => match &mut spec.types[id.0] {
-            TypeDef { kind: TypeKind::Object(fields), .. } => return Some(List::object(fields, &[])),
+            TypeDef { kind: TypeKind::Object(fields), .. } => {
+                let is_reply =
+                    spec.topics.iter().flat_map(|topic| &topic.commands).any(|c| c.reply == Reply::Object(*id));
+                return Some(List::object(fields, if is_reply { ENVELOPE } else { &[] }));
+            }
             TypeDef { kind: TypeKind::Array { fields, .. }, .. } => return Some(List::array(fields)),
             TypeDef { kind: TypeKind::Choice(choice), .. } => (choice, false),
             TypeDef { name, .. } => {
@@ -325,8 +336,6 @@ fn add_value<T: PartialEq>(item: &Item<'_, '_>, values: &mut Vec<EnumValue<T>>, 
     false
 }
 
-impl Spec {
-    fn command_mut(&mut self, wire: &str) -> Option<&mut Command> {
-        self.topics.iter_mut().flat_map(|topic| &mut topic.commands).find(|command| command.wire == wire)
-    }
+fn command_mut<'t>(topics: &'t mut [Topic], wire: &str) -> Option<&'t mut Command> {
+    topics.iter_mut().flat_map(|topic| &mut topic.commands).find(|command| command.wire == wire)
 }

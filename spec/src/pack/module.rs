@@ -47,8 +47,7 @@ impl Pack {
     pub fn module(&self) -> Module {
         let types = self.affected_types();
         let is_affected = |command: &Command| {
-            self.changed.commands.contains(&command.wire)
-                || command.fields().any(|field| field.ty.named().is_some_and(|id| types.contains(&id)))
+            self.changed.commands.contains(&command.wire) || command.parts().any(|id| types.contains(&id))
         };
         let mut own = self.topic.clone();
         let mut topics = self.spec.topics.clone();

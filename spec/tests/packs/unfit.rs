@@ -386,3 +386,35 @@ codes = ["0xx"]
         "]],
     );
 }
+
+#[test]
+fn a_reply_that_is_no_object_or_has_no_fields_of_its_own() {
+    let command = |reply: &str| {
+        format!("\n[[command]]\nwire = \"read_all\"\neffect = \"query\"\nreply = \"{reply}\"\ndoc = \"Reads.\"\n")
+    };
+    wrong(
+        &command("Pose"),
+        &expect![[r#"
+        newer.toml:5:9: command `read_all`: a reply is fields, or an object without the keys that every reply has
+    "#]],
+    );
+    wrong(
+        &command("Nothing"),
+        &expect![[r#"
+        newer.toml:5:9: command `read_all`: there is no `[[type]]` named `Nothing`
+    "#]],
+    );
+    let key = "[[type]]\nname = \"All\"\nkind = \"object\"\ndoc = \"All.\"\n[[type.field]]\nwire = \"errorCode\"\nname = \"code\"\ntype = \"int\"\ndoc = \"Code.\"\n";
+    wrong(
+        &(command("All") + key),
+        &expect![[r#"
+        newer.toml:5:9: command `read_all`: a reply is fields, or an object without the keys that every reply has
+    "#]],
+    );
+    wrong(
+        &(command("RobotStatus") + "reply_certain = false\n"),
+        &expect![[r#"
+        newer.toml:2:1: command `read_all`: a reply that may never come can have optional fields only
+    "#]],
+    );
+}

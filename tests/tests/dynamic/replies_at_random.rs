@@ -12,9 +12,10 @@ use super::{SPEC, damaged, success};
 
 /// A command of the spec, and a random reply to it.
 fn any_reply() -> impl Strategy<Value = (&'static Command, Value)> {
-    let commands: Vec<_> = SPEC.commands().filter(|command| !command.reply.is_empty()).collect();
+    let commands: Vec<_> = SPEC.commands().filter(|command| !SPEC.reply_fields(command).is_empty()).collect();
     proptest::sample::select(commands).prop_flat_map(|command| {
-        any_object(&SPEC, &command.reply).prop_map(move |reply| (command, success(&command.wire, reply.into())))
+        any_object(&SPEC, SPEC.reply_fields(command))
+            .prop_map(move |reply| (command, success(&command.wire, reply.into())))
     })
 }
 

@@ -52,7 +52,7 @@ pub(super) fn effect(effect: Effect) -> &'static str {
 /// What the fields of the reply mean.
 pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     // What the fields of a request are told by tells those of a reply too.
-    let as_request = Command { request: Request::Fields(command.reply.clone()), ..command.clone() };
+    let as_request = Command { request: Request::Fields(spec.reply_fields(command).to_vec()), ..command.clone() };
     let fields = arguments(spec, &as_request);
     if fields.is_empty() {
         return "Reply:\n  accepted, or refused with code and message".to_owned();

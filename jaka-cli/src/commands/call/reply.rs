@@ -19,7 +19,7 @@ pub(crate) fn json(text: &str) -> Value {
 
 /// A row for each field that the reply has; `accepted` where it has none.
 pub(super) fn table(spec: &Spec, command: Option<&Command>, text: &str) -> String {
-    let fields = command.map_or(&[][..], |command| &command.reply);
+    let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
     let mut table = ReplyTable { spec, rows: Vec::new() };
     match json(text) {
         Value::Object(reply) => {

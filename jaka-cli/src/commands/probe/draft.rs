@@ -18,7 +18,7 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
     let mut draft =
         Draft { spec, version, text: head(version, &findings.packs), added: Vec::new(), suggestions: String::new() };
     for finding in &findings.commands {
-        let fields = spec.command(&finding.name).map_or(&[][..], |command| &command.reply);
+        let fields = spec.command(&finding.name).map_or(&[][..], |command| spec.reply_fields(command));
         draft.take(finding, |path| location::find(spec, &finding.name, "reply", fields, path));
     }
     if let Some(id) = spec.status_type() {

@@ -13,7 +13,7 @@ pub struct Keys {
     /// A bit for each key that came with a value, where values are read in place.
     seen: u128,
     /// Whether values of keys that the type does not know are captured.
-    captures: bool,
+    pub(super) captures: bool,
     /// Whether a value that does not fit is left out: so it is in a status packet.
     pub(super) lenient: bool,
 }

@@ -4,8 +4,8 @@ use super::fields::repeated;
 use super::{Decode, DecodeError, Keys, Mark, Reader};
 
 impl Reader<'_> {
-    /// Enters an object whose fields are left out where they do not fit, if it is the whole message: inside another
-    /// message nothing is left out.
+    /// Enters an object whose fields are left out where they do not fit, if it is a whole message other than a reply: inside
+    /// another message nothing is left out.
     ///
     /// # Errors
     /// The next value is no object.
@@ -13,7 +13,7 @@ impl Reader<'_> {
         self.peek();
         let is_message = self.text[..self.at].trim_ascii().is_empty();
         let mut keys = self.begin_fields(names)?;
-        keys.lenient = is_message;
+        keys.lenient = is_message && !keys.captures;
         Ok(keys)
     }
 

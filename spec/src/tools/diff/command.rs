@@ -2,9 +2,9 @@
 
 use super::collect::Differ;
 use super::field::{Holder, fields};
-use super::{Impact, rust, types};
+use super::{Impact, types};
 use crate::words;
-use crate::{Command, Request};
+use crate::{Command, Reply, Request, Spec};
 
 /// Compares one command of both specs.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
@@ -12,10 +12,7 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Comm
     info(d, place, old, new);
     texts(d, place, old, new);
     request(d, place, old, new);
-    fields(d, place, &Holder::reply(&old.reply), &old.reply, &new.reply);
-    if rust::both_answer(old, new) {
-        d.copies(&format!("{place}, reply"), |rust| rust.reply_is_copy(&new.wire));
-    }
+    reply(d, place, old, new);
 }
 
 /// What programs read from `CommandInfo`, and what the client does by it.
@@ -55,6 +52,18 @@ fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
 pub(super) fn versions(d: &mut Differ<'_>, place: &str, old: &crate::Versions, new: &crate::Versions) {
     d.option(place, "`since`", (old.since.as_ref(), new.since.as_ref()), Impact::Patch);
     d.option(place, "`until`", (old.until.as_ref(), new.until.as_ref()), Impact::Patch);
+}
+
+fn reply(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
+    let (Reply::Fields(was), Reply::Fields(is)) = (&old.reply, &new.reply) else {
+        let object = |spec: &Spec, command: &Command| command.reply.object().map(|id| spec[id].name.clone());
+        let (was, is) = (object(d.old, old), object(d.new, new));
+        return d.option(place, "type of the reply", (was.as_ref(), is.as_ref()), Impact::Major);
+    };
+    fields(d, place, &Holder::reply(was), was, is);
+    if !was.is_empty() && !is.is_empty() {
+        d.copies(&format!("{place}, reply"), |rust| rust.reply_is_copy(&new.wire));
+    }
 }
 
 fn request(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {

@@ -17,7 +17,7 @@ impl Interface<'_> {
 
     /// True if the command has a reply struct, and that is `Copy`.
     pub(super) fn reply_is_copy(&self, command: &str) -> bool {
-        self.0.command(command).is_some_and(|command| self.0.all_copy(&command.reply))
+        self.0.command(command).is_some_and(|command| self.0.all_copy(self.0.reply_fields(command)))
     }
 
     /// True if the named type is `Copy`.
@@ -40,9 +40,4 @@ impl Differ<'_> {
             (Type::Scalar(_) | Type::List(_) | Type::Array(..) | Type::Named(_), _) => false,
         }
     }
-}
-
-/// True if both commands have a request struct, or a reply struct, to compare.
-pub(super) fn both_answer(old: &Command, new: &Command) -> bool {
-    !old.reply.is_empty() && !new.reply.is_empty()
 }

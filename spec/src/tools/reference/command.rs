@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::markdown::{code, escape};
 use super::{command_heading, fields};
 use crate::words;
-use crate::{Command, Request, Spec};
+use crate::{Command, Reply, Request, Spec};
 
 /// All there is to know about a command.
 pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
@@ -76,13 +76,22 @@ fn request(out: &mut String, spec: &Spec, command: &Command) {
 }
 
 fn reply(out: &mut String, spec: &Spec, command: &Command) {
-    if command.reply.is_empty() {
-        *out += "**Reply**: `errorCode`, `errorMsg` and `cmdName` alone.\n\n";
-        return;
-    }
+    let fields = match &command.reply {
+        Reply::Fields(fields) if fields.is_empty() => {
+            *out += "**Reply**: `errorCode`, `errorMsg` and `cmdName` alone.\n\n";
+            return;
+        }
+        Reply::Fields(fields) => fields,
+        Reply::Object(id) => {
+            let name = super::types::name_link(&spec[*id].name);
+            let _ =
+                writeln!(out, "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`: the keys of {name}.\n");
+            return;
+        }
+    };
     *out += "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`:\n\n";
-    fields::render(out, spec, &command.reply, 0);
-    let bare = command.bare_reply.as_ref().and_then(|name| command.reply.iter().find(|field| field.name == *name));
+    fields::render(out, spec, fields, 0);
+    let bare = command.bare_reply.as_ref().and_then(|name| fields.iter().find(|field| field.name == *name));
     if let Some(field) = bare {
         let _ = writeln!(out, "A bare Python tuple in place of a JSON reply stands for `{}`.\n", field.wire);
     }

@@ -18,7 +18,7 @@ pub(super) enum Form {
 
 /// The definitions made so far.
 pub(super) struct Defs<'s> {
-    spec: &'s Spec,
+    pub(super) spec: &'s Spec,
     defs: Map<String, Value>,
 }
 

@@ -41,11 +41,12 @@ fn named_object(defs: &mut Defs<'_>, command: &Command, fields: &[Field], tag: O
 
 /// A reply or a refusal, in any form in which the client reads it.
 pub(super) fn reply(defs: &mut Defs<'_>, command: &Command) -> Value {
-    let mut accepted = defs.object(&command.reply, Form::Received);
+    let fields = defs.spec.reply_fields(command);
+    let mut accepted = defs.object(fields, Form::Received);
     let mut required = vec![json!(NAME)];
     required.extend(accepted["required"].as_array().cloned().unwrap_or_default());
     accepted["required"] = json!(required);
-    let bare = command.bare_reply.as_ref().and_then(|name| command.reply.iter().find(|field| field.name == *name));
+    let bare = command.bare_reply.as_ref().and_then(|name| fields.iter().find(|field| field.name == *name));
     let bare = bare.map(|field| format!("A bare Python tuple in place of JSON stands for `{}`.", field.wire));
     let text = "Further keys may come, in any order. A refusal has none, and may lack the name.";
     json!({
