@@ -200,7 +200,7 @@ mod tests {
         assert_eq!(value("digital_inputs[2]"), None);
         assert_eq!(value("actual_position.x"), None);
         let state = Field::find("task_state").unwrap();
-        assert_eq!(state.value(&packet).and_then(|value| state.value_name(value)), Some("Enabled4"));
+        assert_eq!(state.value(&packet).and_then(|value| state.value_name(value)), Some("Enabled"));
     }
 
     #[test]

@@ -57,9 +57,9 @@ mod tests {
 
     #[test]
     fn names_of_any_style_become_kebab_case() {
-        let names = ["jog_mode", "jogMode", "JointLowPass", "EthernetIp", "X", "Enabled3", "enabled status"];
+        let names = ["jog_mode", "jogMode", "JointLowPass", "EthernetIp", "X", "Brand10", "enabled status"];
         let kebabs = names.map(kebab);
-        let expected = ["jog-mode", "jog-mode", "joint-low-pass", "ethernet-ip", "x", "enabled3", "enabled-status"];
+        let expected = ["jog-mode", "jog-mode", "joint-low-pass", "ethernet-ip", "x", "brand10", "enabled-status"];
         assert_eq!(kebabs, expected);
     }
 

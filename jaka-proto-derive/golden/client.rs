@@ -1,7 +1,8 @@
 impl Client {
     /// Switches the arm's power on.
     ///
-    /// This takes about 8 s. An errorCode of 0 is no proof that the arm has power: poll the state.
+    /// This takes about 8 s. Firmware 1.5.14 replies when the arm has power (three transcripts), newer firmware at once (vendor's SDK). So an
+    /// errorCode of 0 is no proof that the arm has power: poll the state.
     ///
     /// Sends `power_on` (4.1).
     ///
@@ -16,6 +17,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::power::PowerOnReply, Error> {}
     /// Switches the arm's power off.
     ///
+    /// It wants a disabled arm (event `0x0F0026`).
+    ///
     /// Sends `power_off` (4.2).
     ///
     /// # Errors
@@ -23,7 +26,8 @@ impl Client {
     pub fn power_off(&mut self) -> Result<(), Error> {}
     /// Enables the arm, so that it can move.
     ///
-    /// This takes 3 to 4 s as a rule; 20 s is seen. An errorCode of 0 is no proof that the arm is enabled: poll the state.
+    /// This takes 3 to 4 s as a rule; 20 s is seen. Firmware 1.5.14 replies when the arm is enabled (transcripts), newer firmware at once
+    /// (vendor's SDK). So an errorCode of 0 is no proof that the arm is enabled: poll the state.
     ///
     /// Sends `enable_robot` (4.3). The robot must be powered.
     ///
@@ -38,6 +42,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::power::EnableRobotReply, Error> {}
     /// Disables the arm.
     ///
+    /// It is refused while the arm moves or a program runs (events `0x0F003A` and `0x0F0027`).
+    ///
     /// Sends `disable_robot` (4.4).
     ///
     /// # Errors
@@ -45,7 +51,8 @@ impl Client {
     pub fn disable_robot(&mut self) -> Result<(), Error> {}
     /// Shuts down the arm and the controller.
     ///
-    /// The document shows a reply, users see none. The connection is of no use afterwards.
+    /// It wants an arm without power (vendor's table of events). The document shows a reply, users see none. The connection is of no use
+    /// afterwards.
     ///
     /// Sends `shutdown` (4.5).
     ///
@@ -144,8 +151,8 @@ impl Client {
     ) -> Result<(), Error> {}
     /// Moves the tool centre point along an arc, through one pose to another (MoveC).
     ///
-    /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
-    /// path. Begin with small values, and with nobody near the arm.
+    /// The three points, the present one among them, must differ: otherwise the controller refuses the motion with the event
+    /// `0x0F0029`.
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -153,9 +160,9 @@ impl Client {
     ///
     /// # Errata
     ///
-    /// - The text gives speed and acceleration in deg/s and deg/s², of joints, and advises 720 deg/s² at most, in the words of 4.8. The motion follows a path, for which 4.9 has mm/s and mm/s².
+    /// - The text gives speed and acceleration in deg/s and deg/s², of joints, and advises 720 deg/s² at most, in the words of 4.8. They are mm/s and mm/s² (four other texts of the vendor).
     /// - The text does not explain `relFlag`, nor what the two poses are relative to when it is 1.
-    /// - The text names no unit for `tol`. Millimetres follow from the field notes, which find them throughout.
+    /// - The text calls `tol` the greatest error allowed, and names no unit. It is in millimetres, and lets the motion blend into the next one (vendor's manual).
     /// - The `cmdName` is `movc`, while the section is titled MoveC.
     ///
     /// # Errors
@@ -197,8 +204,9 @@ impl Client {
     ) -> Result<::jaka_proto::messages::servo::IsInServomoveReply, Error> {}
     /// Enters or leaves servo mode.
     ///
-    /// The reply comes at once, before the mode has changed. `servo_j` is refused until `is_in_servomove` says that servo mode
-    /// is on.
+    /// An arm at rest enters at once: within 9 ms on firmware 1.5.14. While the arm moves, the command is acknowledged and servo mode is not
+    /// entered: `is_in_servomove` stays false, and `servo_j` is refused with code -1 (two transcripts of firmware 1.5.14). So send it to an arm
+    /// at rest, and ask `is_in_servomove` before the first set-point.
     ///
     /// Sends `servo_move` (4.14). The robot must be powered and enabled.
     ///
@@ -261,7 +269,8 @@ impl Client {
     ) -> Result<(), Error> {}
     /// Sets the filter that smooths the set-points of servo mode.
     ///
-    /// It can be set only outside servo mode.
+    /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on `servo_j` and `servo_p`, filter 4 on `servo_p` alone (vendor's
+    /// manual).
     ///
     /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
@@ -269,10 +278,10 @@ impl Client {
     ///
     /// - The text calls `filter_type` the motion mode, as copied from 4.6.
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
-    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
-    /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
+    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. Those of filter 2 are degrees (vendor's manual), and the field notes find degrees throughout.
+    /// - The limits of filter 2 are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space. They are limits of the joints (vendor's manual).
     /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
-    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
+    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5. It is that of the position for both (vendor's manual).
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     ///
@@ -377,7 +386,7 @@ impl Client {
     ///
     /// Sends `set_digital_output` (4.25).
     ///
-    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 6 certain, 3 to 6 on newer firmware only.
     ///
     /// # Errors
     /// As [`call`](Self::call).
@@ -453,8 +462,11 @@ impl Client {
     /// 10. protective stop
     /// 11. return to the initial position
     /// 12. reduced mode, level 2
+    /// 13. clear the error (likely)
+    /// 14. enter drag mode (likely)
+    /// 15. leave drag mode (likely)
     ///
-    /// What entries behind the twelfth stand for is not known.
+    /// The document has the first twelve.
     ///
     /// Sends `get_funcdi_status` (4.35). Changes nothing on the robot.
     ///
@@ -471,8 +483,11 @@ impl Client {
     ) -> Result<::jaka_proto::messages::io::GetFuncdiStatusReply, Error> {}
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
-    /// stay raw. With no tool connected, measure first which value gives which voltage.
+    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
+    /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
+    /// known. With no tool connected, measure first which value gives which voltage.
+    ///
+    /// The setting wants a disabled arm (one client).
     ///
     /// Sends `set_tio_vout_param` (4.80).
     ///
@@ -484,7 +499,7 @@ impl Client {
     ) -> Result<(), Error> {}
     /// Reads the settings of the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on the meaning of both values, so both stay raw.
+    /// The sources contradict each other on the meaning of both values, so both stay raw. `set_tio_vout_param` has the readings.
     ///
     /// Sends `get_tio_vout_param` (4.81). Changes nothing on the robot.
     ///
@@ -677,7 +692,7 @@ impl Client {
     pub fn clear_error(&mut self) -> Result<(), Error> {}
     /// Computes the pose of the robot's end at a joint position (forward kinematics).
     ///
-    /// The document does not say which tool frame and which user frame the pose refers to.
+    /// The pose refers to the current tool frame, mounting and user frame (vendor's manual).
     ///
     /// Sends `kine_forward` (4.46). Changes nothing on the robot.
     ///
@@ -689,8 +704,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::kinematics::KineForwardReply, Error> {}
     /// Computes a joint position at which the robot's end has a pose (inverse kinematics).
     ///
-    /// Where there is no solution, the controller answers with error code 2. The document does not say which tool frame and
-    /// which user frame the pose refers to.
+    /// Where there is no solution, the controller answers with error code 2. The pose refers to the current tool frame, mounting and user frame
+    /// (vendor's manual).
     ///
     /// Sends `kine_inverse` (4.47). Changes nothing on the robot.
     ///
@@ -707,6 +722,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::kinematics::KineInverseReply, Error> {}
     /// Reads the positions of the six joints.
     ///
+    /// They may be commanded ones: on firmware 1.5.14 they differ from the actual ones of port 10000 by up to 0.023 degrees.
+    ///
     /// Sends `get_joint_pos` (4.49). Changes nothing on the robot.
     ///
     /// # Errors
@@ -716,7 +733,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::kinematics::GetJointPosReply, Error> {}
     /// Reads the pose of the robot's end, which the selected tool frame defines.
     ///
-    /// By default that is the centre of the flange. The document does not say which user frame the pose refers to.
+    /// By default that is the centre of the flange. The document does not say which user frame the pose refers to. It may be the commanded
+    /// pose: see `get_joint_pos`.
     ///
     /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot.
     ///
@@ -732,8 +750,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::kinematics::GetTcpPosReply, Error> {}
     /// Reads the Denavit-Hartenberg (DH) parameters of the robot.
     ///
-    /// The document prints the four keys and zeros, and explains nothing. It gives no unit, and does not say which of the
-    /// conventions for DH parameters is meant.
+    /// The document prints the four keys and zeros, and explains nothing: the units are those of the field notes, and no source says which of
+    /// the conventions for DH parameters is meant.
     ///
     /// Sends `get_dh_param` (4.82). Changes nothing on the robot.
     ///
@@ -918,7 +936,8 @@ impl Client {
     ) -> Result<::jaka_proto::messages::force::GetAdmitCtrlConfigReply, Error> {}
     /// Switches the torque sensor on or off.
     ///
-    /// Sources contradict each other on which value is on, so the value is sent as given. Try it with the arm clear of people.
+    /// Sources contradict each other on which value is on, so the value is sent as given: the TCP documents say 0, all other texts 1, and no
+    /// capture shows it. Try it with the arm clear of people.
     ///
     /// Sends `set_torque_sensor_mode` (4.65).
     ///
@@ -1006,7 +1025,8 @@ impl Client {
     /// # Errata
     ///
     /// - The heading speaks of a torque condition, the text of force components and torque components.
-    /// - The text names only `fx` and `tx` of the six values, and prints no order.
+    /// - The text names only `fx` and `tx` of the six values, and prints no order and no unit.
+    /// - The sample sends zeros, while the values are to be greater than 0 (vendor's manual).
     ///
     /// # Errors
     /// As [`call`](Self::call).

@@ -40,10 +40,12 @@ pub mod collision {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetClsnSensitivity {
-        /// Collision level. 0 to 5.
+        /// Collision level. 0 to 5. Newer firmware takes levels up to 7 (field notes).
         ///
         /// 0 switches detection off. 1 is the most sensitive and stops at 25 N; each level adds 25 N; 5 is the least sensitive and
         /// stops at 125 N.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see `AdvisoryRanges`.
         ///
         /// `sensitivityVal` on the wire.
         #[doc(alias = "sensitivityVal")]

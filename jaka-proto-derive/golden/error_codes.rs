@@ -16,8 +16,8 @@ impl ::jaka_proto::ErrorCode {
     pub const EXCEPTION: Self = Self(1i64);
     /// The command failed; the message says more.
     ///
-    /// Often `call … failed` with the command's name. Also the answer in a wrong state, such as `joint_move` while the robot is
-    /// not enabled, and of `kine_inverse` where it finds no solution.
+    /// Often `call … failed` with the command's name: in a transcript, for malformed arguments, and of `kine_inverse` where it finds no
+    /// solution. It is likely, not certain, that a wrong state has the same answer, such as `joint_move` while the robot is not enabled.
     pub const CALL_FAILED: Self = Self(2i64);
     /// The controller does not take commands from this source.
     ///

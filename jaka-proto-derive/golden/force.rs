@@ -197,7 +197,8 @@ pub mod force {
     }
     /// Switches the torque sensor on or off.
     ///
-    /// Sources contradict each other on which value is on, so the value is sent as given. Try it with the arm clear of people.
+    /// Sources contradict each other on which value is on, so the value is sent as given: the TCP documents say 0, all other texts 1, and no
+    /// capture shows it. Try it with the arm clear of people.
     ///
     /// Sends `set_torque_sensor_mode` (4.65).
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -207,8 +208,8 @@ pub mod force {
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
-        /// - document 2.0.4: 0 = on, 1 = off
-        /// - vendor header, SDK 2.2.2: 1 = on, 0 = off
+        /// - the TCP documents alone, 2.0.4 among them: 0 = on, 1 = off
+        /// - vendor header, SDK 2.2.2, and all others: 1 = on, 0 = off
         ///
         /// `sensor_mode` on the wire.
         #[doc(alias = "sensor_mode")]
@@ -368,14 +369,14 @@ pub mod force {
     /// # Errata
     ///
     /// - The heading speaks of a torque condition, the text of force components and torque components.
-    /// - The text names only `fx` and `tx` of the six values, and prints no order.
+    /// - The text names only `fx` and `tx` of the six values, and prints no order and no unit.
+    /// - The sample sends zeros, while the values are to be greater than 0 (vendor's manual).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetComplianceCondition {
-        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. Units not stated.
+        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. In N for the forces, Nm for the torques.
         ///
-        /// The document names `fx`, the force along x, and `tx`, the torque about x, and prints no order. Forces before torques,
-        /// so fx, fy, fz, tx, ty, tz, is the usual one: confirm it on the robot.
+        /// The order is fx, fy, fz, tx, ty, tz, and each is greater than 0 (vendor's manual).
         ///
         /// `compliant_condition` on the wire.
         #[doc(alias = "compliant_condition")]
@@ -383,6 +384,8 @@ pub mod force {
     }
     impl SetComplianceCondition {
         /// With the required fields alone.
+        ///
+        /// - `condition`: in N for the forces, Nm for the torques
         #[must_use]
         pub const fn new(condition: [f64; 6]) -> Self {}
     }
@@ -563,7 +566,7 @@ pub mod force {
     impl proto::Command for SetVelCompliantCtrl {
         type Reply = ();
     }
-    /// Brand of a torque sensor.
+    /// Brand of a torque sensor. The document names three; newer firmware has 4 to 6 and 10 as well (field notes).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum TorqueSensorBrand {
@@ -573,6 +576,14 @@ pub mod force {
         BoschSensortec,
         /// STMicroelectronics. `3` on the wire.
         StMicroelectronics,
+        /// A brand that no source names. Taken by newer firmware only. `4` on the wire.
+        Brand4,
+        /// A brand that no source names. Taken by newer firmware only. `5` on the wire.
+        Brand5,
+        /// A brand that no source names. Taken by newer firmware only. `6` on the wire.
+        Brand6,
+        /// A brand that no source names. Taken by newer firmware only. `10` on the wire.
+        Brand10,
         /// A value that the spec does not list.
         Other(i64),
     }
@@ -669,23 +680,31 @@ pub mod force {
     impl ::core::fmt::Display for TorqueSensorCommunication {}
     /// Parameters of compliance in velocity.
     ///
-    /// The document gives neither ranges nor units, and does not say how a level and the four ratios work together.
+    /// The level says how often the arm slows down, and each ratio by how much: level 1 uses two ratios, level 2 three, level 3 four, and the
+    /// rest are 0. Those in use become smaller: 1 > rate1 > rate2 > rate3 > rate4 > 0 (vendor's manual). The document gives neither ranges nor
+    /// rules.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct VelocityCompliance {
-        /// Level of the compliance, `vc_level` in the document.
+        /// Level of the compliance, `vc_level` in the document. 1 to 3.
         pub level: i64,
-        /// Ratio of level 1.
+        /// First ratio. 0 to 1.
         pub rate1: f64,
-        /// Ratio of level 2.
+        /// Second ratio. 0 to 1.
         pub rate2: f64,
-        /// Ratio of level 3.
+        /// Third ratio, or 0 with level 1. 0 to 1.
         pub rate3: f64,
-        /// Ratio of level 4.
+        /// Fourth ratio, or 0 with levels 1 and 2. 0 to 1.
         pub rate4: f64,
     }
     impl VelocityCompliance {
         /// With the required fields alone.
+        ///
+        /// - `level`: 1 to 3
+        /// - `rate1`: 0 to 1
+        /// - `rate2`: 0 to 1
+        /// - `rate3`: 0 to 1
+        /// - `rate4`: 0 to 1
         #[must_use]
         pub const fn new(
             level: i64,

@@ -23,7 +23,9 @@ pub mod frames {
         /// `tooloffset` on the wire.
         #[doc(alias = "tooloffset")]
         pub offset: super::types::Pose,
-        /// Id of the tool frame to set. 1 to 10.
+        /// Id of the tool frame to set. 1 to 10. One client sets frames up to 15 on newer firmware.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see `AdvisoryRanges`.
         pub id: i64,
         /// Name of the tool frame.
         pub name: String,
@@ -50,7 +52,9 @@ pub mod frames {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetToolId {
-        /// Id of the tool frame to use. 0 to 10.
+        /// Id of the tool frame to use. 0 to 10. One client sets frames up to 15 on newer firmware.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see `AdvisoryRanges`.
         pub tool_id: i64,
     }
     impl SetToolId {

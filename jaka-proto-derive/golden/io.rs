@@ -9,7 +9,7 @@ pub mod io {
     ///
     /// Sends `set_digital_output` (4.25).
     ///
-    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 2 certain, 3 to 6 likely, on newer firmware only.
+    /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and reply certain; output types 0 to 6 certain, 3 to 6 on newer firmware only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetDigitalOutput {
@@ -139,11 +139,36 @@ pub mod io {
         /// - `index`: at least 0
         #[must_use]
         pub const fn cabinet(index: i64, value: f64) -> Self {}
+        /// At the tool end of the arm (one client).
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn tool(index: i64, value: f64) -> Self {}
         /// On an extension I/O module.
         ///
         /// - `index`: at least 0
         #[must_use]
         pub const fn extension(index: i64, value: f64) -> Self {}
+        /// Reserved, by the same list; a relay where the output is digital.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn reserved(index: i64, value: f64) -> Self {}
+        /// An output of the Modbus slave.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn modbus_slave(index: i64, value: f64) -> Self {}
+        /// A Profinet output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn profinet(index: i64, value: f64) -> Self {}
+        /// An EtherNet/IP output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn ethernet_ip(index: i64, value: f64) -> Self {}
     }
     impl proto::Command for SetAnalogOutput {
         type Reply = ();
@@ -194,8 +219,11 @@ pub mod io {
     /// 10. protective stop
     /// 11. return to the initial position
     /// 12. reduced mode, level 2
+    /// 13. clear the error (likely)
+    /// 14. enter drag mode (likely)
+    /// 15. leave drag mode (likely)
     ///
-    /// What entries behind the twelfth stand for is not known.
+    /// The document has the first twelve.
     ///
     /// Sends `get_funcdi_status` (4.35). Changes nothing on the robot.
     ///
@@ -227,8 +255,11 @@ pub mod io {
     }
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
-    /// stay raw. With no tool connected, measure first which value gives which voltage.
+    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
+    /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
+    /// known. With no tool connected, measure first which value gives which voltage.
+    ///
+    /// The setting wants a disabled arm (one client).
     ///
     /// Sends `set_tio_vout_param` (4.80).
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -238,8 +269,8 @@ pub mod io {
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
-        /// - document 2.0.4: 0 = enabled, 1 = not enabled
-        /// - vendor header, SDK 2.2.2: 0 = off, 1 = on
+        /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
+        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
         ///
         /// `tio_vout_ena` on the wire.
         #[doc(alias = "tio_vout_ena")]
@@ -248,8 +279,8 @@ pub mod io {
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
-        /// - document 2.0.4: 0 = 12 V, 1 = 24 V
-        /// - vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V
+        /// - document 2.0.4 alone: 0 = 12 V, 1 = 24 V
+        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
         ///
         /// `tio_vout_vol` on the wire.
         #[doc(alias = "tio_vout_vol")]
@@ -268,7 +299,7 @@ pub mod io {
     }
     /// Reads the settings of the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on the meaning of both values, so both stay raw.
+    /// The sources contradict each other on the meaning of both values, so both stay raw. `set_tio_vout_param` has the readings.
     ///
     /// Sends `get_tio_vout_param` (4.81). Changes nothing on the robot.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -290,8 +321,8 @@ pub mod io {
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
-        /// - document 2.0.4: 0 = enabled, 1 = not enabled
-        /// - vendor header, SDK 2.2.2: 0 = off, 1 = on
+        /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
+        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
         ///
         /// `tio_vout_ena` on the wire.
         #[doc(alias = "tio_vout_ena")]
@@ -300,8 +331,8 @@ pub mod io {
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
-        /// - document 2.0.4: 0 = 12 V, 1 = 24 V
-        /// - vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V
+        /// - document 2.0.4 alone: 0 = 12 V, 1 = 24 V
+        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
         ///
         /// `tio_vout_vol` on the wire.
         #[doc(alias = "tio_vout_vol")]
@@ -317,13 +348,13 @@ pub mod io {
         Tool,
         /// On an extension I/O module. `2` on the wire.
         Extension,
-        /// A relay output. Likely, on newer firmware only (field notes). Taken by newer firmware only. `3` on the wire.
+        /// A relay output. Taken by newer firmware only. `3` on the wire.
         Relay,
-        /// An output of the Modbus slave. Likely, on newer firmware only (field notes). Taken by newer firmware only. `4` on the wire.
+        /// An output of the Modbus slave. Taken by newer firmware only. `4` on the wire.
         ModbusSlave,
-        /// A Profinet output. Likely, on newer firmware only (field notes). Taken by newer firmware only. `5` on the wire.
+        /// A Profinet output. Taken by newer firmware only. `5` on the wire.
         Profinet,
-        /// An EtherNet/IP output. Likely, on newer firmware only (field notes). Taken by newer firmware only. `6` on the wire.
+        /// An EtherNet/IP output. Taken by newer firmware only. `6` on the wire.
         EthernetIp,
         /// A value that the spec does not list.
         Other(i64),
@@ -338,8 +369,18 @@ pub mod io {
     pub enum AnalogOutputKind {
         /// In the control cabinet. `0` on the wire.
         Cabinet,
+        /// At the tool end of the arm (one client). Taken by newer firmware only. `1` on the wire.
+        Tool,
         /// On an extension I/O module. `2` on the wire.
         Extension,
+        /// Reserved, by the same list; a relay where the output is digital. Taken by newer firmware only. `3` on the wire.
+        Reserved,
+        /// An output of the Modbus slave. Taken by newer firmware only. `4` on the wire.
+        ModbusSlave,
+        /// A Profinet output. Taken by newer firmware only. `5` on the wire.
+        Profinet,
+        /// An EtherNet/IP output. Taken by newer firmware only. `6` on the wire.
+        EthernetIp,
         /// A value that the spec does not list.
         Other(i64),
     }

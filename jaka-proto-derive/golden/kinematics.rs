@@ -6,7 +6,7 @@
 pub mod kinematics {
     /// Computes the pose of the robot's end at a joint position (forward kinematics).
     ///
-    /// The document does not say which tool frame and which user frame the pose refers to.
+    /// The pose refers to the current tool frame, mounting and user frame (vendor's manual).
     ///
     /// Sends `kine_forward` (4.46). Changes nothing on the robot.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,8 +38,8 @@ pub mod kinematics {
     }
     /// Computes a joint position at which the robot's end has a pose (inverse kinematics).
     ///
-    /// Where there is no solution, the controller answers with error code 2. The document does not say which tool frame and
-    /// which user frame the pose refers to.
+    /// Where there is no solution, the controller answers with error code 2. The pose refers to the current tool frame, mounting and user frame
+    /// (vendor's manual).
     ///
     /// Sends `kine_inverse` (4.47). Changes nothing on the robot.
     ///
@@ -86,6 +86,8 @@ pub mod kinematics {
     }
     /// Reads the positions of the six joints.
     ///
+    /// They may be commanded ones: on firmware 1.5.14 they differ from the actual ones of port 10000 by up to 0.023 degrees.
+    ///
     /// Sends `get_joint_pos` (4.49). Changes nothing on the robot.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
@@ -110,7 +112,8 @@ pub mod kinematics {
     }
     /// Reads the pose of the robot's end, which the selected tool frame defines.
     ///
-    /// By default that is the centre of the flange. The document does not say which user frame the pose refers to.
+    /// By default that is the centre of the flange. The document does not say which user frame the pose refers to. It may be the commanded
+    /// pose: see `get_joint_pos`.
     ///
     /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot.
     ///
@@ -141,8 +144,8 @@ pub mod kinematics {
     }
     /// Reads the Denavit-Hartenberg (DH) parameters of the robot.
     ///
-    /// The document prints the four keys and zeros, and explains nothing. It gives no unit, and does not say which of the
-    /// conventions for DH parameters is meant.
+    /// The document prints the four keys and zeros, and explains nothing: the units are those of the field notes, and no source says which of
+    /// the conventions for DH parameters is meant.
     ///
     /// Sends `get_dh_param` (4.82). Changes nothing on the robot.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -160,13 +163,13 @@ pub mod kinematics {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDhParamReply {
-        /// DH parameter alpha, one for each joint. Unit not stated.
+        /// DH parameter alpha, one for each joint. In deg.
         pub alpha: [f64; 6],
-        /// DH parameter a, one for each joint. Unit not stated.
+        /// DH parameter a, one for each joint. In mm.
         pub a: [f64; 6],
-        /// DH parameter d, one for each joint. Unit not stated.
+        /// DH parameter d, one for each joint. In mm.
         pub d: [f64; 6],
-        /// Home offset, by the key's name, one for each joint. Unit not stated.
+        /// Home offset, by the key's name, one for each joint. In deg.
         ///
         /// `joint_homeoff` on the wire.
         #[doc(alias = "joint_homeoff")]

@@ -268,11 +268,11 @@ pub mod motion {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveL {
-        /// Whether `pose` is a target or an offset.
+        /// Whether `pose` is a target or an offset, and along which axes an offset goes.
         ///
         /// `relFlag` on the wire.
         #[doc(alias = "relFlag")]
-        pub mode: super::types::MoveMode,
+        pub mode: LineMode,
         /// Target pose, or offset, of the tool centre point.
         ///
         /// `cartPosition` on the wire.
@@ -286,8 +286,10 @@ pub mod motion {
         /// `accel` on the wire.
         #[doc(alias = "accel")]
         pub acceleration: Option<f64>,
-        /// Greatest error allowed, or 0 where none is needed. In mm, at least 0. The document names no unit. Controllers take the command without it
-        /// (field notes).
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0.
+        ///
+        /// With a positive value the arm may never be there (vendor's manual). The document explains the key in 4.10 alone, as the
+        /// greatest error, and names no unit. Controllers take the command without it (field notes).
         ///
         /// `tol` on the wire.
         #[doc(alias = "tol")]
@@ -299,20 +301,28 @@ pub mod motion {
         /// - `speed`: in mm/s, at least 0
         #[must_use]
         pub fn new(
-            mode: super::types::MoveMode,
+            mode: LineMode,
             pose: impl Into<super::types::Pose>,
             speed: f64,
         ) -> Self {}
-        /// The coordinates are the target.
+        /// The pose is the target.
         ///
         /// - `speed`: in mm/s, at least 0
         #[must_use]
         pub fn absolute(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
-        /// The coordinates are an offset.
+        /// The pose is an offset from the present one along the axes of the selected user frame.
         ///
         /// - `speed`: in mm/s, at least 0
         #[must_use]
         pub fn relative(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
+        /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual).
+        ///
+        /// - `speed`: in mm/s, at least 0
+        #[must_use]
+        pub fn relative_to_tool(
+            pose: impl Into<super::types::Pose>,
+            speed: f64,
+        ) -> Self {}
         /// Acceleration of the tool centre point along the line. In mm/s², at least 0. The document advises 8000 at most. Controllers take the command
         /// without it (field notes).
         ///
@@ -320,8 +330,10 @@ pub mod motion {
         #[doc(alias = "accel")]
         #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
-        /// Greatest error allowed, or 0 where none is needed. In mm, at least 0. The document names no unit. Controllers take the command without it
-        /// (field notes).
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0.
+        ///
+        /// With a positive value the arm may never be there (vendor's manual). The document explains the key in 4.10 alone, as the
+        /// greatest error, and names no unit. Controllers take the command without it (field notes).
         ///
         /// `tol` on the wire.
         #[doc(alias = "tol")]
@@ -333,8 +345,8 @@ pub mod motion {
     }
     /// Moves the tool centre point along an arc, through one pose to another (MoveC).
     ///
-    /// The units of speed and acceleration are uncertain: the document gives those of joints, although the motion follows a
-    /// path. Begin with small values, and with nobody near the arm.
+    /// The three points, the present one among them, must differ: otherwise the controller refuses the motion with the event
+    /// `0x0F0029`.
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -342,15 +354,15 @@ pub mod motion {
     ///
     /// # Errata
     ///
-    /// - The text gives speed and acceleration in deg/s and deg/s², of joints, and advises 720 deg/s² at most, in the words of 4.8. The motion follows a path, for which 4.9 has mm/s and mm/s².
+    /// - The text gives speed and acceleration in deg/s and deg/s², of joints, and advises 720 deg/s² at most, in the words of 4.8. They are mm/s and mm/s² (four other texts of the vendor).
     /// - The text does not explain `relFlag`, nor what the two poses are relative to when it is 1.
-    /// - The text names no unit for `tol`. Millimetres follow from the field notes, which find them throughout.
+    /// - The text calls `tol` the greatest error allowed, and names no unit. It is in millimetres, and lets the motion blend into the next one (vendor's manual).
     /// - The `cmdName` is `movc`, while the section is titled MoveC.
     #[doc(alias = "movc")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveC {
-        /// Whether the two poses are targets or offsets, as for `move_l`. The document does not explain it here.
+        /// Whether the two poses are targets or offsets. No source says along which axes an offset goes here.
         ///
         /// `relFlag` on the wire.
         #[doc(alias = "relFlag")]
@@ -365,14 +377,16 @@ pub mod motion {
         /// `pos_end` on the wire.
         #[doc(alias = "pos_end")]
         pub end_pose: super::types::Pose,
-        /// Speed. In deg/s as printed or mm/s by the kind of motion (uncertain), at least 0. The document calls it a joint speed, although the motion follows a path.
+        /// Speed of the tool centre point along the arc. In mm/s, at least 0. The document calls it a joint speed.
         pub speed: f64,
-        /// Acceleration. In deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0. The document calls it a joint acceleration and advises 720 at most.
+        /// Acceleration of the tool centre point along the arc. In mm/s², at least 0. The document calls it a joint acceleration and advises 720 at most.
         ///
         /// `accel` on the wire.
         #[doc(alias = "accel")]
         pub acceleration: f64,
-        /// Greatest error allowed, or 0 where none is needed. In mm, at least 0. The document names no unit.
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0.
+        ///
+        /// With a positive value the arm may never be there (vendor's manual). The document calls it the greatest error allowed.
         ///
         /// `tol` on the wire.
         #[doc(alias = "tol")]
@@ -381,8 +395,8 @@ pub mod motion {
     impl MoveC {
         /// With the required fields alone.
         ///
-        /// - `speed`: in deg/s as printed or mm/s by the kind of motion (uncertain), at least 0
-        /// - `acceleration`: in deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0
+        /// - `speed`: in mm/s, at least 0
+        /// - `acceleration`: in mm/s², at least 0
         /// - `tolerance`: in mm, at least 0
         #[must_use]
         pub fn new(
@@ -395,8 +409,8 @@ pub mod motion {
         ) -> Self {}
         /// The coordinates are the target.
         ///
-        /// - `speed`: in deg/s as printed or mm/s by the kind of motion (uncertain), at least 0
-        /// - `acceleration`: in deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0
+        /// - `speed`: in mm/s, at least 0
+        /// - `acceleration`: in mm/s², at least 0
         /// - `tolerance`: in mm, at least 0
         #[must_use]
         pub fn absolute(
@@ -408,8 +422,8 @@ pub mod motion {
         ) -> Self {}
         /// The coordinates are an offset.
         ///
-        /// - `speed`: in deg/s as printed or mm/s by the kind of motion (uncertain), at least 0
-        /// - `acceleration`: in deg/s² as printed or mm/s² by the kind of motion (uncertain), at least 0
+        /// - `speed`: in mm/s, at least 0
+        /// - `acceleration`: in mm/s², at least 0
         /// - `tolerance`: in mm, at least 0
         #[must_use]
         pub fn relative(
@@ -450,7 +464,7 @@ pub mod motion {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum JogFrame {
-        /// The axes of the world frame. `0` on the wire.
+        /// The axes of the robot's base, or of the selected user frame (vendor's manual). The document calls it the world frame. `0` on the wire.
         World,
         /// A joint. `1` on the wire.
         Joint,
@@ -463,4 +477,24 @@ pub mod motion {
     impl From<JogFrame> for i64 {}
     /// The value in words; one that the spec does not list as its number.
     impl ::core::fmt::Display for JogFrame {}
+    /// Whether the pose of a straight line is a target or an offset.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum LineMode {
+        /// The pose is the target. `0` on the wire.
+        Absolute,
+        /// The pose is an offset from the present one along the axes of the selected user frame.
+        ///
+        /// Real arms go along these axes and not along those of the tool, and the vendor's manual says so. The document does not say from where
+        /// an offset counts that waits behind another motion, nor how its rotation composes. `1` on the wire.
+        Relative,
+        /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual). Taken by newer firmware only. `2` on the wire.
+        RelativeToTool,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for LineMode {}
+    impl From<LineMode> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for LineMode {}
 }

@@ -40,13 +40,13 @@ pub mod network {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum NetworkExceptionAction {
-        /// Keeps, by the document's one word for it.
+        /// The arm goes on with its motion (vendor's manual).
         ///
-        /// It does not say what is kept: a motion may go on. Choose another action where the arm must not move on its own. `0` on the wire.
+        /// Choose another action where the arm must not move on its own. The document has one word, keep. `0` on the wire.
         Keep,
-        /// Pauses. `1` on the wire.
+        /// The motion pauses, by the document's word. `1` on the wire.
         Pause,
-        /// Terminates. `2` on the wire.
+        /// The motion stops (vendor's manual). `2` on the wire.
         Terminate,
         /// A value that the spec does not list.
         Other(i64),

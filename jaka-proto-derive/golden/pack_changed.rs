@@ -118,8 +118,11 @@ pub mod changed {
     }
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
-    /// stay raw. With no tool connected, measure first which value gives which voltage.
+    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
+    /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
+    /// known. With no tool connected, measure first which value gives which voltage.
+    ///
+    /// The setting wants a disabled arm (one client).
     ///
     /// Sends `set_tio_vout_param` (4.80).
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,8 +132,8 @@ pub mod changed {
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
-        /// - document 2.0.4: 0 = enabled, 1 = not enabled
-        /// - vendor header, SDK 2.2.2: 0 = off, 1 = on
+        /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
+        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
         ///
         /// `tio_vout_ena` on the wire.
         #[doc(alias = "tio_vout_ena")]
@@ -216,8 +219,11 @@ pub mod changed {
         ) -> Result<(), ::jaka_sync::Error>;
         /// Sets the voltage output of a version 3 tool I/O board.
         ///
-        /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values
-        /// stay raw. With no tool connected, measure first which value gives which voltage.
+        /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
+        /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
+        /// known. With no tool connected, measure first which value gives which voltage.
+        ///
+        /// The setting wants a disabled arm (one client).
         ///
         /// Sends `set_tio_vout_param` (4.80).
         ///

@@ -2,12 +2,16 @@
 ///
 /// The arm is ready to move when it has power and is enabled, in this order.
 ///
-/// A reply to `power_on` or `enable_robot`, even with errorCode 0, is no proof of the new state. Poll `get_robot_state` or
-/// the status of port 10000 until the state is there.
+/// A reply to `power_on` or `enable_robot`, even with errorCode 0, is no proof of the new state: firmware 1.5.14 replies when the state is
+/// there, newer firmware at once. Poll `get_robot_state` or the status of port 10000 until the state is there.
+///
+/// Leave the states in the reverse order, from an arm at rest: powering off wants a disabled arm, a shutdown one without power (events in the
+/// vendor's table).
 pub mod power {
     /// Switches the arm's power on.
     ///
-    /// This takes about 8 s. An errorCode of 0 is no proof that the arm has power: poll the state.
+    /// This takes about 8 s. Firmware 1.5.14 replies when the arm has power (three transcripts), newer firmware at once (vendor's SDK). So an
+    /// errorCode of 0 is no proof that the arm has power: poll the state.
     ///
     /// Sends `power_on` (4.1).
     ///
@@ -37,6 +41,8 @@ pub mod power {
     }
     /// Switches the arm's power off.
     ///
+    /// It wants a disabled arm (event `0x0F0026`).
+    ///
     /// Sends `power_off` (4.2).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
@@ -51,7 +57,8 @@ pub mod power {
     }
     /// Enables the arm, so that it can move.
     ///
-    /// This takes 3 to 4 s as a rule; 20 s is seen. An errorCode of 0 is no proof that the arm is enabled: poll the state.
+    /// This takes 3 to 4 s as a rule; 20 s is seen. Firmware 1.5.14 replies when the arm is enabled (transcripts), newer firmware at once
+    /// (vendor's SDK). So an errorCode of 0 is no proof that the arm is enabled: poll the state.
     ///
     /// Sends `enable_robot` (4.3). The robot must be powered.
     ///
@@ -81,6 +88,8 @@ pub mod power {
     }
     /// Disables the arm.
     ///
+    /// It is refused while the arm moves or a program runs (events `0x0F003A` and `0x0F0027`).
+    ///
     /// Sends `disable_robot` (4.4).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
@@ -95,7 +104,8 @@ pub mod power {
     }
     /// Shuts down the arm and the controller.
     ///
-    /// The document shows a reply, users see none. The connection is of no use afterwards.
+    /// It wants an arm without power (vendor's table of events). The document shows a reply, users see none. The connection is of no use
+    /// afterwards.
     ///
     /// Sends `shutdown` (4.5).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -142,8 +152,8 @@ pub mod power {
         pub powered_on: bool,
         /// Code of the controller's event, which is not always an error; newer firmware adds the key.
         ///
-        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON. How other firmware writes it is not known;
-        /// on port 10000 it is a hexadecimal string such as `0x0`. The Rust method `event` reads both.
+        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON; the vendor's own SDK reads nothing else. Clients
+        /// of newer firmware have met a hexadecimal string such as `0x0`, as on port 10000. The Rust method `event` reads both.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///

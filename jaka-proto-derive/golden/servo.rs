@@ -36,8 +36,9 @@ pub mod servo {
     }
     /// Enters or leaves servo mode.
     ///
-    /// The reply comes at once, before the mode has changed. `servo_j` is refused until `is_in_servomove` says that servo mode
-    /// is on.
+    /// An arm at rest enters at once: within 9 ms on firmware 1.5.14. While the arm moves, the command is acknowledged and servo mode is not
+    /// entered: `is_in_servomove` stays false, and `servo_j` is refused with code -1 (two transcripts of firmware 1.5.14). So send it to an arm
+    /// at rest, and ask `is_in_servomove` before the first set-point.
     ///
     /// Sends `servo_move` (4.14). The robot must be powered and enabled.
     ///
@@ -184,7 +185,8 @@ pub mod servo {
     }
     /// Sets the filter that smooths the set-points of servo mode.
     ///
-    /// It can be set only outside servo mode.
+    /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on `servo_j` and `servo_p`, filter 4 on `servo_p` alone (vendor's
+    /// manual).
     ///
     /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
@@ -192,10 +194,10 @@ pub mod servo {
     ///
     /// - The text calls `filter_type` the motion mode, as copied from 4.6.
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
-    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
-    /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
+    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. Those of filter 2 are degrees (vendor's manual), and the field notes find degrees throughout.
+    /// - The limits of filter 2 are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space. They are limits of the joints (vendor's manual).
     /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
-    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
+    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5. It is that of the position for both (vendor's manual).
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -216,26 +218,28 @@ pub mod servo {
         /// Nonlinear filter on the joints.
         #[non_exhaustive]
         JointNonlinear {
-            /// Greatest speed at which the orientation changes. In deg/s (printed as %/s), at least 0.
+            /// Greatest speed of a joint. In deg/s, at least 0.
             ///
             /// `nlf_max_vr` on the wire.
             #[doc(alias = "nlf_max_vr")]
-            max_rotation_speed: f64,
-            /// Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²), at least 0.
+            max_joint_speed: f64,
+            /// Greatest acceleration of a joint. In deg/s², at least 0.
             ///
             /// `nlf_max_ar` on the wire.
             #[doc(alias = "nlf_max_ar")]
-            max_rotation_acceleration: f64,
-            /// Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³), at least 0.
+            max_joint_acceleration: f64,
+            /// Greatest jerk of a joint. In deg/s³, at least 0.
             ///
             /// `nlf_max_jr` on the wire.
             #[doc(alias = "nlf_max_jr")]
-            max_rotation_jerk: f64,
+            max_joint_jerk: f64,
         },
         /// Multi-stage mean filter on the joints.
         #[non_exhaustive]
         JointMean {
             /// Width of the filter's window. At least 0. A wider one smooths more and is less accurate.
+            ///
+            /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's manual).
             ///
             /// `mmf_max_buf` on the wire.
             #[doc(alias = "mmf_max_buf")]
@@ -296,14 +300,16 @@ pub mod servo {
         SpeedLookahead {
             /// Size of the mean filter's buffer. At least 0.
             ///
+            /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's manual).
+            ///
             /// `mmf_max_buf` on the wire.
             #[doc(alias = "mmf_max_buf")]
             buffer_size: i64,
-            /// Filter coefficient. The document calls it that of the acceleration here, and that of the position for filter 3.
+            /// How closely the position is followed. The document calls it a coefficient of the acceleration here.
             ///
             /// `mmf_kp` on the wire.
             #[doc(alias = "mmf_kp")]
-            coefficient: f64,
+            position_coefficient: f64,
         },
     }
     impl SetServoMoveFilter {
@@ -317,14 +323,14 @@ pub mod servo {
         pub const fn joint_low_pass(cutoff_frequency: f64) -> Self {}
         /// Nonlinear filter on the joints.
         ///
-        /// - `max_rotation_speed`: in deg/s (printed as %/s), at least 0
-        /// - `max_rotation_acceleration`: in deg/s² (printed as %/s²), at least 0
-        /// - `max_rotation_jerk`: in deg/s³ (printed as %/s³), at least 0
+        /// - `max_joint_speed`: in deg/s, at least 0
+        /// - `max_joint_acceleration`: in deg/s², at least 0
+        /// - `max_joint_jerk`: in deg/s³, at least 0
         #[must_use]
         pub const fn joint_nonlinear(
-            max_rotation_speed: f64,
-            max_rotation_acceleration: f64,
-            max_rotation_jerk: f64,
+            max_joint_speed: f64,
+            max_joint_acceleration: f64,
+            max_joint_jerk: f64,
         ) -> Self {}
         /// Multi-stage mean filter on the joints.
         ///
@@ -357,7 +363,10 @@ pub mod servo {
         ///
         /// - `buffer_size`: at least 0
         #[must_use]
-        pub const fn speed_lookahead(buffer_size: i64, coefficient: f64) -> Self {}
+        pub const fn speed_lookahead(
+            buffer_size: i64,
+            position_coefficient: f64,
+        ) -> Self {}
     }
     impl proto::Command for SetServoMoveFilter {
         type Reply = ();

@@ -2,12 +2,17 @@
 ///
 /// The arm is ready to move when it has power and is enabled, in this order.
 ///
-/// A reply to `power_on` or `enable_robot`, even with errorCode 0, is no proof of the new state. Poll `get_robot_state` or
-/// the status of port 10000 until the state is there.
+/// A reply to `power_on` or `enable_robot`, even with errorCode 0, is no proof of the new state: firmware 1.5.14 replies when the state is
+/// there, newer firmware at once. Poll `get_robot_state` or the status of port 10000 until the state is there.
+///
+/// Leave the states in the reverse order, from an arm at rest: powering off wants a disabled arm, a shutdown one without power (events in the
+/// vendor's table).
 pub mod power {
     #[allow(unused_imports)]
     use ::jaka_proto::{self as proto, check, wire};
     /// Switches the arm's power off.
+    ///
+    /// It wants a disabled arm (event `0x0F0026`).
     ///
     /// Sends `power_off` (4.2).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -109,8 +114,8 @@ pub mod power {
         pub powered_on: bool,
         /// Code of the controller's event, which is not always an error; newer firmware adds the key.
         ///
-        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON. How other firmware writes it is not known;
-        /// on port 10000 it is a hexadecimal string such as `0x0`. The Rust method `event` reads both.
+        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON; the vendor's own SDK reads nothing else. Clients
+        /// of newer firmware have met a hexadecimal string such as `0x0`, as on port 10000. The Rust method `event` reads both.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
@@ -415,7 +420,8 @@ pub mod servo {
     use ::jaka_proto::{self as proto, check, wire};
     /// Sets the filter that smooths the set-points of servo mode.
     ///
-    /// It can be set only outside servo mode.
+    /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on `servo_j` and `servo_p`, filter 4 on `servo_p` alone (vendor's
+    /// manual).
     ///
     /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
@@ -423,10 +429,10 @@ pub mod servo {
     ///
     /// - The text calls `filter_type` the motion mode, as copied from 4.6.
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
-    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
-    /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
+    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. Those of filter 2 are degrees (vendor's manual), and the field notes find degrees throughout.
+    /// - The limits of filter 2 are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space. They are limits of the joints (vendor's manual).
     /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
-    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
+    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5. It is that of the position for both (vendor's manual).
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -1921,19 +1927,21 @@ pub mod force {
     }
     /// Parameters of compliance in velocity.
     ///
-    /// The document gives neither ranges nor units, and does not say how a level and the four ratios work together.
+    /// The level says how often the arm slows down, and each ratio by how much: level 1 uses two ratios, level 2 three, level 3 four, and the
+    /// rest are 0. Those in use become smaller: 1 > rate1 > rate2 > rate3 > rate4 > 0 (vendor's manual). The document gives neither ranges nor
+    /// rules.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct VelocityCompliance {
-        /// Level of the compliance, `vc_level` in the document.
+        /// Level of the compliance, `vc_level` in the document. 1 to 3.
         pub level: i64,
-        /// Ratio of level 1.
+        /// First ratio. 0 to 1.
         pub rate1: f64,
-        /// Ratio of level 2.
+        /// Second ratio. 0 to 1.
         pub rate2: f64,
-        /// Ratio of level 3.
+        /// Third ratio, or 0 with level 1. 0 to 1.
         pub rate3: f64,
-        /// Ratio of level 4.
+        /// Fourth ratio, or 0 with levels 1 and 2. 0 to 1.
         pub rate4: f64,
     }
     impl wire::Encode for VelocityCompliance {
@@ -1968,6 +1976,12 @@ pub mod force {
     proto::__serde_impls!(VelocityCompliance);
     impl VelocityCompliance {
         /// With the required fields alone.
+        ///
+        /// - `level`: 1 to 3
+        /// - `rate1`: 0 to 1
+        /// - `rate2`: 0 to 1
+        /// - `rate3`: 0 to 1
+        /// - `rate4`: 0 to 1
         #[must_use]
         pub const fn new(
             level: i64,
@@ -1992,11 +2006,56 @@ pub mod force {
             place: &check::Place<'_>,
             limits: &check::Limits,
         ) -> Result<(), check::NotSent> {
-            place.check("level", &self.level, &check::Limits::NONE)?;
-            place.check("rate1", &self.rate1, &check::Limits::NONE)?;
-            place.check("rate2", &self.rate2, &check::Limits::NONE)?;
-            place.check("rate3", &self.rate3, &check::Limits::NONE)?;
-            place.check("rate4", &self.rate4, &check::Limits::NONE)?;
+            place
+                .check(
+                    "level",
+                    &self.level,
+                    &check::Limits {
+                        min: Some(1f64),
+                        max: Some(3f64),
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place
+                .check(
+                    "rate1",
+                    &self.rate1,
+                    &check::Limits {
+                        min: Some(0f64),
+                        max: Some(1f64),
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place
+                .check(
+                    "rate2",
+                    &self.rate2,
+                    &check::Limits {
+                        min: Some(0f64),
+                        max: Some(1f64),
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place
+                .check(
+                    "rate3",
+                    &self.rate3,
+                    &check::Limits {
+                        min: Some(0f64),
+                        max: Some(1f64),
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place
+                .check(
+                    "rate4",
+                    &self.rate4,
+                    &check::Limits {
+                        min: Some(0f64),
+                        max: Some(1f64),
+                        ..check::Limits::NONE
+                    },
+                )?;
             Ok(())
         }
     }
@@ -2086,8 +2145,8 @@ pub mod types {
         Absolute,
         /// The coordinates are an offset.
         ///
-        /// The document does not say from which position it counts, nor, for a pose, along the axes of which frame. Try a small
-        /// one first. `1` on the wire.
+        /// The document does not say from which position it counts, and no source says, for a pose of `move_c` or `servo_p`, along the axes of
+        /// which frame. Try a small one first. `1` on the wire.
         Relative,
         /// A value that the spec does not list.
         Other(i64),
@@ -2300,6 +2359,8 @@ impl ::jaka_proto::ControllerEvent {
 impl Client {
     /// Switches the arm's power off.
     ///
+    /// It wants a disabled arm (event `0x0F0026`).
+    ///
     /// Sends `power_off` (4.2).
     ///
     /// # Errors
@@ -2339,7 +2400,8 @@ impl Client {
     }
     /// Sets the filter that smooths the set-points of servo mode.
     ///
-    /// It can be set only outside servo mode.
+    /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on `servo_j` and `servo_p`, filter 4 on `servo_p` alone (vendor's
+    /// manual).
     ///
     /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
@@ -2347,10 +2409,10 @@ impl Client {
     ///
     /// - The text calls `filter_type` the motion mode, as copied from 4.6.
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
-    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. The field notes find degrees throughout.
-    /// - The limits of filter 2, which works on joints, are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space.
+    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. Those of filter 2 are degrees (vendor's manual), and the field notes find degrees throughout.
+    /// - The limits of filter 2 are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space. They are limits of the joints (vendor's manual).
     /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
-    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5.
+    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5. It is that of the position for both (vendor's manual).
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     ///

@@ -5,7 +5,10 @@
 /// The packets follow each other without anything between them: about every 30 ms on firmware 1.5.14, every 50 or 100 ms
 /// elsewhere (field notes). Keys may be missing, newer firmware adds some, and lengths of arrays differ.
 ///
-/// The document explains the keys up to `current_user_id`, and prints only a value or a length of those behind it.
+/// The document explains the keys up to `current_user_id`, and prints only a value or a length of those after it: a page is probably lost in
+/// the copy at hand. The vendor's English page, which a public client has copied, explains more of them.
+///
+/// Controllers write a blank after each comma and colon, and `len` counts the blanks: so do all 312 packets that were captured.
 pub mod status {
     /// State of the robot, as one packet of port 10000 gives it.
     ///
@@ -55,12 +58,12 @@ pub mod status {
         pub joint_actual_position: Option<super::types::JointPosition>,
         /// Actual pose of the tool centre point in Cartesian space.
         pub actual_position: Option<super::types::Pose>,
-        /// All digital inputs. 135, 136, 144 or 200, depending on the firmware.
+        /// All digital inputs. 135 on firmware 1.5.14, 199 on newer firmware (captures); 136, 144 and 200 are seen too.
         ///
         /// `din` on the wire.
         #[doc(alias = "din")]
         pub digital_inputs: Option<Vec<bool>>,
-        /// All digital outputs of the cabinet. The document prints 144.
+        /// All digital outputs of the cabinet. 135 on firmware 1.5.14, 199 on newer firmware (captures); the document prints 144.
         ///
         /// `dout` on the wire.
         #[doc(alias = "dout")]
@@ -85,7 +88,7 @@ pub mod status {
         /// `tio_dout` on the wire.
         #[doc(alias = "tio_dout")]
         pub tool_digital_outputs: Option<Vec<bool>>,
-        /// All analog inputs of the tool. 1 or 2, depending on the firmware. Unit not stated.
+        /// All analog inputs of the tool. 2 on firmware 1.5.14 and newer firmware (captures); the document prints 1. Unit not stated.
         ///
         /// `tio_ain` on the wire.
         #[doc(alias = "tio_ain")]
@@ -94,7 +97,7 @@ pub mod status {
         pub task_state: Option<TaskState>,
         /// Whether each joint is homed. Withdrawn.
         ///
-        /// The document prints the length 9 and no element.
+        /// Nine elements: six of 1 and three of 0 in the captures of firmware 1.5.14 and of newer firmware.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub homed: Option<wire::Typed<Vec<bool>>>,
@@ -121,49 +124,48 @@ pub mod status {
         /// `current_user_id` on the wire.
         #[doc(alias = "current_user_id")]
         pub current_user_frame_id: Option<i64>,
-        /// Whether a soft limit is reached, by the key's name; passed on as it is.
+        /// Whether a soft limit was hit: 1 if so (vendor's English page); passed on as it is.
         ///
-        /// The document does not explain it, and prints 1 in its sample, for a robot that is enabled and in position.
+        /// The captures have 0. The document does not explain it, and prints 1 in its sample, for a robot that is enabled and in position.
         pub on_soft_limit: Option<i64>,
-        /// Whether the robot is in an emergency stop, by the key's name. The document does not explain it.
+        /// Whether the robot is in an emergency stop (vendor's English page).
         pub emergency_stop: Option<bool>,
-        /// Not explained. The document prints the length 6 and no element.
+        /// For each joint, whether it is near its limit in drag mode (vendor's English page).
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub drag_near_limit: Option<wire::Typed<Vec<i64>>>,
         /// The input of each function.
         ///
-        /// The document prints only the length, 15; 12 and 13 have been seen too. `get_funcdi_status` names the
-        /// functions, and the shape of an entry is taken from there.
+        /// 15 of them in the captures, \[-1, -1] where none is assigned; 12 and 13 have been seen too. `get_funcdi_status` names the functions.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `funcdi` on the wire.
         #[doc(alias = "funcdi")]
         pub function_inputs: Option<wire::Typed<Vec<super::io::FunctionInput>>>,
-        /// Whether the robot has power, by the key's name. The document does not explain it.
+        /// Whether the robot has power (vendor's English page).
         pub powered_on: Option<bool>,
-        /// Whether the robot is in position, by the key's name. The document does not explain it.
+        /// Whether the robot is in position (vendor's English page).
         ///
         /// It stays true for some 100 ms after a motion is accepted, and a motion of length zero may never drop it (field notes).
         ///
         /// `inpos` on the wire.
         #[doc(alias = "inpos")]
         pub in_position: Option<bool>,
-        /// Not explained. The document prints 1.
+        /// Withdrawn (vendor's English page). The document prints 1.
         pub motion_mode: Option<i64>,
-        /// Speed of the tool centre point's translation, by the key's name. In mm/s. The document does not explain it.
+        /// Speed of the tool centre point (vendor's English page). In mm/s.
         ///
         /// `curr_tcp_trans_vel` on the wire.
         #[doc(alias = "curr_tcp_trans_vel")]
         pub tcp_speed: Option<f64>,
-        /// Whether the robot is in a protective stop, by the key's name. The document does not explain it here.
+        /// Whether the robot is in a protective stop (vendor's English page).
         ///
         /// `protective_stop_status` reads the key of the same name.
         pub protective_stop: Option<bool>,
-        /// Not explained. The document prints 0.
+        /// The button at the arm's end (vendor's English page).
         pub point_key: Option<i64>,
-        /// Not explained. The document prints 1.
+        /// Withdrawn (vendor's English page). The document prints 1.
         ///
         /// `netState` on the wire.
         #[doc(alias = "netState")]
@@ -178,20 +180,20 @@ pub mod status {
         /// `position` on the wire.
         #[doc(alias = "position")]
         pub commanded_position: Option<super::types::Pose>,
-        /// Keys at the tool, by the name; 3 of them. Sent by newer firmware, not explained.
+        /// Keys at the tool: free, point and pause, in this order (vendor's English page). Sent by newer firmware.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `tio_key` on the wire.
         #[doc(alias = "tio_key")]
         pub tool_keys: Option<wire::Typed<Vec<i64>>>,
-        /// Instantaneous velocities, by the name; 6 of them. Sent by newer firmware, not explained. Unit not stated.
+        /// Speeds of the six joints (vendor's English page). Sent by newer firmware. Unit not stated.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         ///
         /// `instVel` on the wire.
         #[doc(alias = "instVel")]
-        pub instantaneous_velocities: Option<wire::Typed<Vec<f64>>>,
+        pub joint_velocities: Option<wire::Typed<Vec<f64>>>,
         /// Relays, by the name; 2 of them. Sent by newer firmware, not explained.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
@@ -302,22 +304,20 @@ pub mod status {
     }
     /// Whether the robot has power and is enabled.
     ///
-    /// The document gives 3 and 4 the same meaning.
+    /// The document gives 3 and 4 the same meaning, which is a misprint: five clients have 3 as disabled, 4 as enabled.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum TaskState {
         /// The robot has no power. `1` on the wire.
         PoweredOff,
-        /// The robot has power. `2` on the wire.
+        /// The robot has power.
+        ///
+        /// Which of 2 and 3 follows `power_on` directly is not shown. `2` on the wire.
         PoweredOn,
-        /// The robot is enabled.
-        ///
-        /// The document says the same of 4, and its sample prints 4 beside `enabled` true. What sets 3 apart is not known. `3` on the wire.
-        Enabled3,
-        /// The robot is enabled.
-        ///
-        /// The document says the same of 3. Its sample prints 4 beside `enabled` true. `4` on the wire.
-        Enabled4,
+        /// The robot has power and is disabled (five clients). The document says enabled, as of 4. `3` on the wire.
+        Disabled,
+        /// The robot is enabled. The document's sample prints it next to `enabled` true. `4` on the wire.
+        Enabled,
         /// A value that the spec does not list.
         Other(i64),
     }
@@ -386,10 +386,13 @@ pub mod status {
         /// `pinmap` on the wire.
         #[doc(alias = "pinmap")]
         pub pin_maps: Vec<ExtioReportPinMap>,
-        /// Whether the modules run.
+        /// Raw state of the modules. The document contradicts itself on which value says that they run.
         ///
-        /// The document counts the other way round in 4.34, where `state` 0 says that the modules do not run and 1 that they do.
-        pub mode: ExtioMode,
+        /// Sources contradict each other on the meaning, so the value is passed on as it is:
+        ///
+        /// - document 2.0.4, chapter 2: 0 = on, 1 = off
+        /// - document 2.0.4, section 4.34, of `state`, which is explained in the same words: 0 = does not run, 1 = runs
+        pub mode: i64,
     }
     /// State of all pins of the extension I/O modules, by kind.
     #[derive(Debug, Clone, PartialEq)]
@@ -464,30 +467,15 @@ pub mod status {
         /// Start of the analog outputs.
         pub analog_outputs: i64,
     }
-    /// Whether the extension I/O modules run, in the sense of `extio` on port 10000.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[non_exhaustive]
-    pub enum ExtioMode {
-        /// On, by the document. `0` on the wire.
-        On,
-        /// Off, by the document. `1` on the wire.
-        Off,
-        /// A value that the spec does not list.
-        Other(i64),
-    }
-    impl From<i64> for ExtioMode {}
-    impl From<ExtioMode> for i64 {}
-    /// The value in words; one that the spec does not list as its number.
-    impl ::core::fmt::Display for ExtioMode {}
     /// Measurements in the cabinet and the joints, for diagnosis.
     ///
     /// The document states no units.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct MonitorData {
-        /// Major version number of the SCB.
+        /// Major version number of the SCB. It can be two ASCII characters as one number, such as 12338 for `02` (vendor's English page).
         pub scb_major_version: i64,
-        /// Minor version number of the SCB.
+        /// Minor version number of the SCB. It can be two ASCII characters as one number, too.
         pub scb_minor_version: i64,
         /// Temperature of the cabinet. Unit not stated.
         pub cabinet_temperature: f64,
@@ -501,7 +489,7 @@ pub mod status {
     /// Measurements of one joint.
     ///
     /// The document states no units. It writes `monitor_data[5][0]` for the current and leaves out the joint; that each joint
-    /// has a row of its own comes from the field notes, which have seen rows of 10 and of 11 values.
+    /// has a row of its own comes from captures, whose rows have 11 values, on firmware 1.5.14 and on newer firmware. Rows of 10 are seen too.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMonitor {
@@ -527,7 +515,7 @@ pub mod status {
         pub running_time_since_start: f64,
         /// Torque of the joint. Unit not stated.
         pub torque: f64,
-        /// An eleventh value that some firmware sends and nobody explains.
+        /// An eleventh value, which no source explains.
         pub eleventh: Option<f64>,
     }
     /// Settings and state of the torque sensor.
@@ -615,7 +603,7 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub error_code: wire::Typed<i64>,
-        /// Actual contact force, six values. Unit and order not stated.
+        /// Actual contact force, six values, once the sensor is initialised (vendor's English page). Unit and order not stated.
         pub contact_force: [f64; 6],
         /// Raw reading of the sensor, six values. Unit and order not stated.
         pub raw_reading: [f64; 6],

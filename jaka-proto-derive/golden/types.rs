@@ -9,7 +9,9 @@ pub mod types {
     impl From<JointPosition> for [f64; 6] {}
     /// Position and orientation of a frame, or an offset from one.
     ///
-    /// The orientation is given by Euler angles in the order x, y, z (4.16). Some sections call them a, b, c.
+    /// The orientation is turned about the fixed axes x, then y, then z, so that its matrix is Rz(rz) Ry(ry) Rx(rx): the same as moving
+    /// axes z, y, x. Four pairs of joint positions and pose of a real arm agree with this to 0.0000 degrees. The document speaks of Euler angles
+    /// in the order x, y, z (4.16), which misleads. Some sections call the angles a, b, c.
     ///
     /// Sections 4.16 and 4.47 state the units. Elsewhere the document leaves them out; the field notes find the same
     /// throughout.
@@ -21,11 +23,11 @@ pub mod types {
         pub y: f64,
         /// Position along z. In mm.
         pub z: f64,
-        /// Rotation about x. In deg.
+        /// Rotation about the fixed axis x, the first of the three. In deg.
         pub rx: f64,
-        /// Rotation about y. In deg.
+        /// Rotation about the fixed axis y, the second. In deg.
         pub ry: f64,
-        /// Rotation about z. In deg.
+        /// Rotation about the fixed axis z, the third. In deg.
         pub rz: f64,
     }
     impl From<[f64; 6]> for Pose {}
@@ -38,8 +40,8 @@ pub mod types {
         Absolute,
         /// The coordinates are an offset.
         ///
-        /// The document does not say from which position it counts, nor, for a pose, along the axes of which frame. Try a small
-        /// one first. `1` on the wire.
+        /// The document does not say from which position it counts, and no source says, for a pose of `move_c` or `servo_p`, along the axes of
+        /// which frame. Try a small one first. `1` on the wire.
         Relative,
         /// A value that the spec does not list.
         Other(i64),

@@ -1,6 +1,8 @@
 /// User-defined system variables.
 ///
 /// System variables that the user has defined on the controller, each with an id, a name and a number as its value.
+///
+/// Their ids are 5500 to 5599 (field notes).
 pub mod variables {
     /// Reads all user-defined system variables.
     ///

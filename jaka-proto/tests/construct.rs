@@ -1,7 +1,7 @@
 //! How programs make requests, and how values are shown.
 
 use jaka_proto::messages::force::TorqueSensorBrand;
-use jaka_proto::messages::motion::{Jog, JogFrame, JointMove, MoveL};
+use jaka_proto::messages::motion::{Jog, JogFrame, JointMove, LineMode, MoveL};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
@@ -18,7 +18,7 @@ fn written(request: &impl Command) -> String {
 fn required_fields_are_arguments_and_optional_ones_setters() {
     let pose = Pose { x: 300.0, y: 0.0, z: 200.0, rx: 180.0, ry: 0.0, rz: 0.0 };
     let request = MoveL::relative(pose, 20.0).tolerance(0.5);
-    assert_eq!(request, MoveL::new(MoveMode::Relative, [300.0, 0.0, 200.0, 180.0, 0.0, 0.0], 20.0).tolerance(0.5));
+    assert_eq!(request, MoveL::new(LineMode::Relative, [300.0, 0.0, 200.0, 180.0, 0.0, 0.0], 20.0).tolerance(0.5));
     assert_eq!(
         written(&request),
         r#"{"cmdName":"moveL","relFlag":1,"cartPosition":[300,0,200,180,0,0],"speed":20,"tol":0.5}"#

@@ -94,7 +94,7 @@ fn set_modes(state: &State, status: &mut RobotStatus) {
     status.task_state = Some(match (state.powered, state.enabled) {
         (false, _) => TaskState::PoweredOff,
         (true, false) => TaskState::PoweredOn,
-        (true, true) => TaskState::Enabled4,
+        (true, true) => TaskState::Enabled,
     });
     status.homed = Some(Typed::Known(vec![false; HOMED]));
     status.task_mode = Some(if state.drag_mode { TaskMode::Drag } else { TaskMode::Manual });

@@ -143,7 +143,7 @@ wire = 7
 name = "Tool"
 doc = "The target counts from the tool."
 "#;
-    assert_eq!(module(text), "joint_move_newer move_l_newer move_c_newer servo_j_newer servo_p_newer MoveMode");
+    assert_eq!(module(text), "joint_move_newer move_c_newer servo_j_newer servo_p_newer MoveMode");
 }
 
 #[test]

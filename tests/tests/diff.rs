@@ -109,7 +109,7 @@ fn what_is_said_about_a_command() {
             ("servo/set_servo_move_filter", r#"requires = ["not_servo_mode"]"#, r#"requires = ["powered", "enabled"]"#),
             ("servo/servo_move", r#"requires = ["powered", "enabled"]"#, ""),
             ("io/get_extio_status", "bare_reply = \"extio_status\"\n", ""),
-            ("io/set_digital_output", "request and reply certain", "all certain"),
+            ("io/set_digital_output", "request and reply certain;", "all certain;"),
             ("power/shutdown", "reply_certain = false\n", ""),
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
@@ -184,7 +184,7 @@ fn fields_of_requests() {
             ("program/rapid_rate", "max = 1", "max = 2\nadvisory = true"),
             ("network/set_network_exception_handle", last, ""),
             ("network/set_network_exception_handle", "[[command.request]]", &last_first),
-            ("io/set_tio_vout_param/tio_vout_ena", "vendor header, SDK 2.2.2", "vendor header"),
+            ("io/set_tio_vout_param/tio_vout_ena", "2.0.4 alone", "2.0.4"),
             ("collision/clear_error", "[[command.example]]", &with_extra),
         ],
         &expect![[r"
@@ -448,7 +448,7 @@ fn events_of_the_controller() {
 #[test]
 fn a_type_that_moves_takes_its_path_along() {
     let old = "[[type]]\nname = \"JogFrame\"\nkind = \"enum\"\ndoc = \"What a jog moves along or about.\"\n";
-    let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";
+    let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the robot's base, or of the selected user frame (vendor's manual). The document calls it the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";
     let whole = format!("{old}{values}");
     let moved = format!("{whole}\n[[type]]\nname = \"Switch\"");
     check(

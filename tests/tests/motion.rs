@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_sim::{Controller, Delays};
 use jaka_sync::frames::{SetToolOffsets, SetUserOffsets};
 use jaka_sync::kinematics::KineInverse;
-use jaka_sync::motion::{EndMove, Jog, JogFrame, JointMove, MoveC, MoveL};
+use jaka_sync::motion::{EndMove, Jog, JogFrame, JointMove, LineMode, MoveC, MoveL};
 use jaka_sync::program::ProgramState;
 use jaka_sync::servo::{ServoJ, ServoP};
 use jaka_sync::types::{MoveMode, Pose, Switch};
@@ -161,7 +161,7 @@ fn a_straight_line_is_straight() {
     assert!(distance(place(end), std::array::from_fn(|i| start[i] + direction[i])) < 0.01);
     // Back to the pose itself, orientation too.
     let mut back = request;
-    back.mode = MoveMode::Absolute;
+    back.mode = LineMode::Absolute;
     back.pose = start.into();
     client.move_l(&back).expect("it came from there");
     run(&controller, || ());

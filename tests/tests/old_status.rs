@@ -7,8 +7,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Fault, Habit, Port};
-use jaka_sync::motion::{JointMove, MoveC, MoveL};
-use jaka_sync::types::{MoveMode, Pose};
+use jaka_sync::motion::{JointMove, LineMode, MoveC, MoveL};
+use jaka_sync::types::Pose;
 use jaka_sync::{Config, Error, ErrorKind, Monitor, Outcome, Robot, ServoConfig};
 
 const LONG: Duration = Duration::from_secs(60);
@@ -396,7 +396,7 @@ fn a_refused_motion_is_told_within_its_deadline() {
     robot.start(&to(90.0, 10.0)).expect("accepted");
     let mut far = up(0.0, 20.0);
     far.pose = Pose { x: 9000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 };
-    far.mode = MoveMode::Absolute;
+    far.mode = LineMode::Absolute;
     let since = Instant::now();
     let error = robot.run(&far, ms(200)).expect_err("it is not reachable");
     let took = since.elapsed();

@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Habit, Port, State};
-use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_sync::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
 use jaka_sync::{
     Command, Config, Error, ErrorKind, Monitor, MotionEnd, Outcome, Robot, RobotStop, ServoConfig, ServoSession,
@@ -250,15 +250,15 @@ fn any_move(random: &mut Random, state: &State, is_alone: bool) -> (Move, End) {
     let relative = |end: End| if is_alone { end } else { End::Unknown };
     match random.below(if is_alone { 8 } else { 5 }) {
         0 | 1 => (Move::Joint(joint(MoveMode::Absolute, joints)), End::Joints(joints.into())),
-        2 => (Move::Line(line(MoveMode::Absolute, there)), End::Pose(there)),
+        2 => (Move::Line(line(LineMode::Absolute, there)), End::Pose(there)),
         3 => (Move::Joint(joint(MoveMode::Relative, turn)), relative(End::Joints(joints.into()))),
         4 => {
             let offset = Pose { x: by[0], y: by[1], z: by[2], rx: 0.0, ry: 0.0, rz: 0.0 };
-            (Move::Line(line(MoveMode::Relative, offset)), relative(End::Pose(there)))
+            (Move::Line(line(LineMode::Relative, offset)), relative(End::Pose(there)))
         }
         5 => {
             let turned = Pose { x: by[0], y: by[1], z: by[2], rx: 0.0, ry: 0.0, rz: 2.0 };
-            (Move::Line(line(MoveMode::Relative, turned)), End::Unknown)
+            (Move::Line(line(LineMode::Relative, turned)), End::Unknown)
         }
         6 => {
             let mid_pose =

@@ -101,7 +101,7 @@ keys! {
     36 br#""joint_position":"# joint_commanded_position six;
     37 br#""position":"# commanded_position six;
     38 br#""tio_key":"# tool_keys |scan, slot| known(slot, ints, scan);
-    39 br#""instVel":"# instantaneous_velocities |scan, slot| known(slot, floats, scan);
+    39 br#""instVel":"# joint_velocities |scan, slot| known(slot, floats, scan);
     40 br#""relay_io":"# relay_outputs |scan, slot| known(slot, bits, scan);
     41 br#""mb_slave_din":"# modbus_slave_digital_inputs |scan, slot| known(slot, bits, scan);
     42 br#""mb_slave_dout":"# modbus_slave_digital_outputs |scan, slot| known(slot, bits, scan);

@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::io::{ExtioModule, ExtioPinMap, ExtioPins, ExtioSetup, ExtioStatus};
 use jaka_proto::messages::status::{
-    ExtioMode, ExtioPinStates, ExtioReport, ExtioReportPinMap, ExtioReportPins, ExtioReportSetup, literal,
+    ExtioPinStates, ExtioReport, ExtioReportPinMap, ExtioReportPins, ExtioReportSetup, literal,
 };
 
 /// The modules as a status packet shows them.
@@ -18,7 +18,8 @@ pub(super) fn report(status: &ExtioStatus) -> ExtioReport {
         setup: status.modules.iter().filter_map(setup).collect(),
         count: status.count,
         pin_maps: status.modules.iter().map(|module| pin_map(module.pin_map)).collect(),
-        mode: if state.running { ExtioMode::On } else { ExtioMode::Off },
+        // By the document's words on this key.
+        mode: i64::from(!state.running),
     })
 }
 

@@ -32,7 +32,7 @@ pub(super) fn add(state: &State, status: &mut RobotStatus) {
     status.joint_commanded_position = Some(state.joint_commanded_position);
     status.commanded_position = Some(state.tcp_commanded_pose);
     status.tool_keys = Some(Typed::Known(vec![0; TOOL_KEYS]));
-    status.instantaneous_velocities = Some(Typed::Known(vec![0.0; 6]));
+    status.joint_velocities = Some(Typed::Known(vec![0.0; 6]));
     status.relay_outputs = Some(Typed::Known(digital_outputs(state, DigitalOutputKind::Relay, RELAYS)));
     // Each signal is said to have a name; there are none.
     status.tool_rs_signals = Some(Value::Array(vec![Value::Array(Vec::new()); SIGNALS]));

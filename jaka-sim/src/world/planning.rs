@@ -1,7 +1,7 @@
 //! Motions as planned from the requests that command them.
 
 use jaka_proto::Request;
-use jaka_proto::messages::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_proto::messages::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 
 use super::World;
@@ -90,13 +90,16 @@ fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Transform {
 fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
     let tool = world.tool();
     let from = world.model.forward(world.tail()) * tool;
-    let to = tool_at(world, command.mode, command.pose);
+    let to = match command.mode {
+        LineMode::Relative => tool_at(world, MoveMode::Relative, command.pose),
+        LineMode::RelativeToTool => from * from_pose(command.pose.into()),
+        _ => tool_at(world, MoveMode::Absolute, command.pose),
+    };
     let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
     let planned = world.plan(Path::line(from, to, tool), command.speed, acceleration)?;
     Some(world.rounded(planned, command.tolerance))
 }
 
-/// Speed and acceleration as those of the path, in mm/s and mm/s²: the sources leave that open.
 fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
     let tool = world.tool();
     let from = world.model.forward(world.tail()) * tool;

@@ -2,7 +2,7 @@
 
 use jaka_proto::Command;
 use jaka_proto::messages::force::StartTorqSensorPayloadIdentify;
-use jaka_proto::messages::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_proto::messages::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_proto::messages::types::MoveMode;
 
 use super::Target;
@@ -46,8 +46,8 @@ impl Motion for MoveL {
         let pose = self.pose;
         let turns = [pose.rx, pose.ry, pose.rz].iter().any(|angle| *angle != 0.0);
         match self.mode {
-            MoveMode::Absolute => Target::Pose(pose),
-            MoveMode::Relative if !turns => Target::Offset([pose.x, pose.y, pose.z]),
+            LineMode::Absolute => Target::Pose(pose),
+            LineMode::Relative if !turns => Target::Offset([pose.x, pose.y, pose.z]),
             _ => Target::Unknown,
         }
     }

@@ -41,28 +41,29 @@ fn each_field_is_an_argument() {
     check_arguments(
         "set_tio_vout_param",
         &expect![[r#"
-        --output-enable INTEGER [tio_vout_ena, output_enable] []
-          Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = enabled, 1 = not enabled; vendor header, SDK 2.2.2: 0 = off, 1 = on.
-        --output-voltage INTEGER [tio_vout_vol, output_voltage] []
-          Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4: 0 = 12 V, 1 = 24 V; vendor header, SDK 2.2.2: 0 = 24 V, 1 = 12 V.
-    "#]],
+            --output-enable INTEGER [tio_vout_ena, output_enable] []
+              Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4 alone: 0 = enabled, 1 = not enabled; vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on.
+            --output-voltage INTEGER [tio_vout_vol, output_voltage] []
+              Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4 alone: 0 = 12 V, 1 = 24 V; vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V.
+        "#]],
     );
     check_arguments(
         "moveL",
         &expect![[r#"
-        --mode absolute|relative [relFlag, mode] []
-          Whether `pose` is a target or an offset.
-            absolute = 0: The coordinates are the target.
-            relative = 1: The coordinates are an offset.
-        --pose [X,Y,Z,RX,RY,RZ] [cartPosition, pose] []
-          Target pose, or offset, of the tool centre point.
-        --speed NUMBER [speed, speed] []
-          Speed of the tool centre point along the line. In mm/s. Allowed: at least 0.
-        --acceleration NUMBER (optional) [accel, acceleration] []
-          Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0.
-        --tolerance NUMBER (optional) [tol, tolerance] []
-          Greatest error allowed, or 0 where none is needed. In mm. Allowed: at least 0.
-    "#]],
+            --mode absolute|relative|relative-to-tool [relFlag, mode] []
+              Whether `pose` is a target or an offset, and along which axes an offset goes.
+                absolute = 0: The pose is the target.
+                relative = 1: The pose is an offset from the present one along the axes of the selected user frame.
+                relative-to-tool = 2: The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual). Taken by newer firmware only.
+            --pose [X,Y,Z,RX,RY,RZ] [cartPosition, pose] []
+              Target pose, or offset, of the tool centre point.
+            --speed NUMBER [speed, speed] []
+              Speed of the tool centre point along the line. In mm/s. Allowed: at least 0.
+            --acceleration NUMBER (optional) [accel, acceleration] []
+              Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0.
+            --tolerance NUMBER (optional) [tol, tolerance] []
+              How far from its end the motion may blend into the next one: 0 reaches the end. In mm. Allowed: at least 0.
+        "#]],
     );
     check_arguments("power_on", &expect![[""]]);
 }
@@ -72,65 +73,69 @@ fn a_tag_says_which_arguments_there_are() {
     check_arguments(
         "jog",
         &expect![[r#"
-        --jog-mode stop|continuous|increment|absolute [jog_mode, jog_mode] []
-          What is asked for, and so which further arguments there are.
-            stop = 0: Stops the jog of one axis.
-            continuous = 1: Moves on and on.
-            increment = 2: Moves by a distance from the present position.
-            absolute = 3: Moves to a position of the axis.
-        --frame world|joint|tool [coord_map, frame] ["stop", "continuous", "increment", "absolute"]
-          Frame of the motion to stop. With `continuous`: Frame of the motion.
-            world = 0: The axes of the world frame.
-            joint = 1: A joint.
-            tool = 2: The axes of the tool frame.
-        --axis INTEGER [jnum, axis] ["stop", "continuous", "increment", "absolute"]
-          Index of joint 1 to 6, or of x, y, z, rx, ry, rz. Allowed: 0 to 5.
-        --velocity NUMBER [jogvel, velocity] ["continuous", "increment", "absolute"]
-          Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. With `increment`: Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
-        --distance NUMBER [poscmd, distance] ["increment"]
-          Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
-        --position NUMBER [poscmd, position] ["absolute"]
-          Position to move to. In deg for a joint or a rotation, mm for a translation.
-    "#]],
+            --jog-mode stop|continuous|increment|absolute [jog_mode, jog_mode] []
+              What is asked for, and so which further arguments there are.
+                stop = 0: Stops the jog of one axis.
+                continuous = 1: Moves on and on.
+                increment = 2: Moves by a distance from the present position.
+                absolute = 3: Moves to a position of the axis.
+            --frame world|joint|tool [coord_map, frame] ["stop", "continuous", "increment", "absolute"]
+              Frame of the motion to stop. With `continuous`: Frame of the motion.
+                world = 0: The axes of the robot's base, or of the selected user frame (vendor's manual).
+                joint = 1: A joint.
+                tool = 2: The axes of the tool frame.
+            --axis INTEGER [jnum, axis] ["stop", "continuous", "increment", "absolute"]
+              Index of joint 1 to 6, or of x, y, z, rx, ry, rz. Allowed: 0 to 5.
+            --velocity NUMBER [jogvel, velocity] ["continuous", "increment", "absolute"]
+              Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. With `increment`: Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
+            --distance NUMBER [poscmd, distance] ["increment"]
+              Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
+            --position NUMBER [poscmd, position] ["absolute"]
+              Position to move to. In deg for a joint or a rotation, mm for a translation.
+        "#]],
     );
     check_arguments(
         "set_servo_move_filter",
         &expect![[r#"
-        --filter-type disabled|joint-low-pass|joint-nonlinear|joint-mean|cartesian-nonlinear|speed-lookahead [filter_type, filter_type] []
-          What is asked for, and so which further arguments there are.
-            disabled = 0: No filter.
-            joint-low-pass = 1: First-order low-pass filter on the joints.
-            joint-nonlinear = 2: Nonlinear filter on the joints.
-            joint-mean = 3: Multi-stage mean filter on the joints.
-            cartesian-nonlinear = 4: Nonlinear filter in Cartesian space.
-            speed-lookahead = 5: Speed look-ahead.
-        --cutoff-frequency NUMBER [lpf_cf, cutoff_frequency] ["joint-low-pass"]
-          Cut-off frequency. In Hz. Allowed: at least 0.
-        --max-rotation-speed NUMBER [nlf_max_vr, max_rotation_speed] ["joint-nonlinear", "cartesian-nonlinear"]
-          Greatest speed at which the orientation changes. In deg/s (printed as %/s). Allowed: at least 0.
-        --max-rotation-acceleration NUMBER [nlf_max_ar, max_rotation_acceleration] ["joint-nonlinear", "cartesian-nonlinear"]
-          Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²). Allowed: at least 0.
-        --max-rotation-jerk NUMBER [nlf_max_jr, max_rotation_jerk] ["joint-nonlinear", "cartesian-nonlinear"]
-          Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³). Allowed: at least 0.
-        --window-width INTEGER [mmf_max_buf, window_width] ["joint-mean"]
-          Width of the filter's window. Allowed: at least 0.
-        --position-coefficient NUMBER [mmf_kp, position_coefficient] ["joint-mean"]
-          How closely the position is followed.
-        --speed-coefficient NUMBER [mmf_kv, speed_coefficient] ["joint-mean"]
-          How closely the speed is followed.
-        --acceleration-coefficient NUMBER [mmf_ka, acceleration_coefficient] ["joint-mean"]
-          How closely the acceleration is followed.
-        --max-translation-speed NUMBER [nlf_max_vp, max_translation_speed] ["cartesian-nonlinear"]
-          Greatest speed of the commanded translation in Cartesian space. In mm/s. Allowed: at least 0.
-        --max-translation-acceleration NUMBER [nlf_max_ap, max_translation_acceleration] ["cartesian-nonlinear"]
-          Greatest acceleration of the commanded translation in Cartesian space. In mm/s². Allowed: at least 0.
-        --max-translation-jerk NUMBER [nlf_max_jp, max_translation_jerk] ["cartesian-nonlinear"]
-          Greatest jerk of the commanded translation in Cartesian space. In mm/s³. Allowed: at least 0.
-        --buffer-size INTEGER [mmf_max_buf, buffer_size] ["speed-lookahead"]
-          Size of the mean filter's buffer. Allowed: at least 0.
-        --coefficient NUMBER [mmf_kp, coefficient] ["speed-lookahead"]
-          Filter coefficient.
-    "#]],
+            --filter-type disabled|joint-low-pass|joint-nonlinear|joint-mean|cartesian-nonlinear|speed-lookahead [filter_type, filter_type] []
+              What is asked for, and so which further arguments there are.
+                disabled = 0: No filter.
+                joint-low-pass = 1: First-order low-pass filter on the joints.
+                joint-nonlinear = 2: Nonlinear filter on the joints.
+                joint-mean = 3: Multi-stage mean filter on the joints.
+                cartesian-nonlinear = 4: Nonlinear filter in Cartesian space.
+                speed-lookahead = 5: Speed look-ahead.
+            --cutoff-frequency NUMBER [lpf_cf, cutoff_frequency] ["joint-low-pass"]
+              Cut-off frequency. In Hz. Allowed: at least 0.
+            --max-joint-speed NUMBER [nlf_max_vr, max_joint_speed] ["joint-nonlinear"]
+              Greatest speed of a joint. In deg/s. Allowed: at least 0.
+            --max-joint-acceleration NUMBER [nlf_max_ar, max_joint_acceleration] ["joint-nonlinear"]
+              Greatest acceleration of a joint. In deg/s². Allowed: at least 0.
+            --max-joint-jerk NUMBER [nlf_max_jr, max_joint_jerk] ["joint-nonlinear"]
+              Greatest jerk of a joint. In deg/s³. Allowed: at least 0.
+            --window-width INTEGER [mmf_max_buf, window_width] ["joint-mean"]
+              Width of the filter's window. Allowed: at least 0.
+            --position-coefficient NUMBER [mmf_kp, position_coefficient] ["joint-mean", "speed-lookahead"]
+              How closely the position is followed.
+            --speed-coefficient NUMBER [mmf_kv, speed_coefficient] ["joint-mean"]
+              How closely the speed is followed.
+            --acceleration-coefficient NUMBER [mmf_ka, acceleration_coefficient] ["joint-mean"]
+              How closely the acceleration is followed.
+            --max-rotation-speed NUMBER [nlf_max_vr, max_rotation_speed] ["cartesian-nonlinear"]
+              Greatest speed at which the orientation changes. In deg/s (printed as %/s). Allowed: at least 0.
+            --max-rotation-acceleration NUMBER [nlf_max_ar, max_rotation_acceleration] ["cartesian-nonlinear"]
+              Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²). Allowed: at least 0.
+            --max-rotation-jerk NUMBER [nlf_max_jr, max_rotation_jerk] ["cartesian-nonlinear"]
+              Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³). Allowed: at least 0.
+            --max-translation-speed NUMBER [nlf_max_vp, max_translation_speed] ["cartesian-nonlinear"]
+              Greatest speed of the commanded translation in Cartesian space. In mm/s. Allowed: at least 0.
+            --max-translation-acceleration NUMBER [nlf_max_ap, max_translation_acceleration] ["cartesian-nonlinear"]
+              Greatest acceleration of the commanded translation in Cartesian space. In mm/s². Allowed: at least 0.
+            --max-translation-jerk NUMBER [nlf_max_jp, max_translation_jerk] ["cartesian-nonlinear"]
+              Greatest jerk of the commanded translation in Cartesian space. In mm/s³. Allowed: at least 0.
+            --buffer-size INTEGER [mmf_max_buf, buffer_size] ["speed-lookahead"]
+              Size of the mean filter's buffer. Allowed: at least 0.
+        "#]],
     );
 }
 

@@ -134,7 +134,7 @@ fn whole_numbers_are_whole() {
         json!({"level": 9, "speed": 1}),
         &expect![[r#"
             there is no field `speed`; the fields are `level`
-            field `level` is 9; allowed is a whole number, 0 to 5
+            field `level` is 9; allowed is a whole number, 0 to 5; newer firmware may take it
         "#]],
     );
 }

@@ -195,7 +195,7 @@ fn status_packets_are_held_against_their_type() {
         unreadable: `din[4]` is 2; expected is 0 or 1
         lenient: `ain[0]` is "0"; expected is a number (and 1 more like it)
         unreadable: `ain[3]` is "x"; expected is a number
-        lenient: `task_state` is 7; the spec lists 1 (PoweredOff), 2 (PoweredOn), 3 (Enabled3) or 4 (Enabled4)
+        lenient: `task_state` is 7; the spec lists 1 (PoweredOff), 2 (PoweredOn), 3 (Disabled) or 4 (Enabled)
         lenient: `enabled` is 1; expected is false or true
         lenient: `funcdi[0].kind` is "0"; expected is -1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus) (and 1 more like it)
         lenient: `funcdi[1].index` is "2"; expected is a whole number

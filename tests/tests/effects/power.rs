@@ -35,7 +35,7 @@ fn an_enabled_arm_moves(arm: &mut Arm) {
     arm.refuses(disabled, |client| client.joint_move(&turn(1.0)));
     assert_eq!(arm.client.enable_robot().expect("the arm has power").enabled, Some(true));
     let status = arm.status();
-    assert_eq!((status.enabled, status.task_state), (Some(true), Some(TaskState::Enabled4)));
+    assert_eq!((status.enabled, status.task_state), (Some(true), Some(TaskState::Enabled)));
     arm.client.joint_move(&turn(1.0)).expect("the arm is enabled");
 }
 

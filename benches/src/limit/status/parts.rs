@@ -4,8 +4,8 @@ use jaka_proto::messages::io::literal as io_literal;
 use jaka_proto::messages::io::{ExtioPinRange, ExtioRtu, ExtioTcp, FunctionInput};
 use jaka_proto::messages::status::literal as status_literal;
 use jaka_proto::messages::status::{
-    ExtioMode, ExtioPinStates, ExtioReport, ExtioReportPinMap, ExtioReportPins, ExtioReportSetup, JointMonitor,
-    MonitorData, TorqueSensorPayload, TorqueSensorReport, TorqueSensorSettings, TorqueSensorState, TorqueSensorTcp,
+    ExtioPinStates, ExtioReport, ExtioReportPinMap, ExtioReportPins, ExtioReportSetup, JointMonitor, MonitorData,
+    TorqueSensorPayload, TorqueSensorReport, TorqueSensorSettings, TorqueSensorState, TorqueSensorTcp,
 };
 use jaka_proto::wire::{Typed, Value};
 
@@ -145,7 +145,7 @@ pub(super) fn extio(scan: &mut Scan<'_>, into: &mut ExtioReport) -> Option<()> {
     scan.list(&mut into.pin_maps, pin_map)?;
     next(scan)?;
     scan.need(br#""mode":"#)?;
-    into.mode = scan.int()?.into();
+    into.mode = scan.int()?;
     (!scan.comma(b'}')?).then_some(())
 }
 
@@ -340,6 +340,6 @@ impl Blank for ExtioReport {
             analog_outputs: Vec::new(),
         });
         let (setup, pin_maps) = (Vec::new(), Vec::new());
-        Self::from(status_literal::ExtioReport { pin_states, setup, count: 0, pin_maps, mode: ExtioMode::On })
+        Self::from(status_literal::ExtioReport { pin_states, setup, count: 0, pin_maps, mode: 0 })
     }
 }
