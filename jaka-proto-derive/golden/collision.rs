@@ -1,15 +1,15 @@
-/// Collision detection and protective stop.
-///
-/// How hard a contact must be for the arm to stop, whether it has stopped, and the way back.
-///
-/// A protective stop usually follows a collision (4.40). `clear_error` leaves the collision protection (4.48); the document
-/// does not say whether that is the same state.
 pub mod collision {
+    //! Collision detection and protective stop.
+    //!
+    //! How hard a contact must be for the arm to stop, whether it has stopped, and the way back.
+    //!
+    //! A protective stop usually follows a collision (4.40). [`clear_error`](type@ClearError) leaves the collision protection (4.48); the document
+    //! does not say whether that is the same state.
     /// Reads whether the robot is in a protective stop.
     ///
     /// A protective stop usually follows a collision.
     ///
-    /// Sends `protective_stop_status` (4.40). Changes nothing on the robot.
+    /// Sends `protective_stop_status` (4.40). Changes nothing on the robot. The reply is [`ProtectiveStopStatusReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct ProtectiveStopStatus {}
@@ -18,10 +18,7 @@ pub mod collision {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for ProtectiveStopStatus {
-        type Reply = ProtectiveStopStatusReply;
-    }
-    /// What the controller answers to [`ProtectiveStopStatus`].
+    /// What the controller answers to [`type@ProtectiveStopStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ProtectiveStopStatusReply {
@@ -36,19 +33,16 @@ pub mod collision {
     ///
     /// # Errata
     ///
-    /// - The key is `sensitivityVal` here and `sensitivityLevel` in the reply of `get_clsn_sensitivity`.
+    /// - The key is `sensitivityVal` here and `sensitivityLevel` in the reply of [`get_clsn_sensitivity`](type@GetClsnSensitivity).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetClsnSensitivity {
-        /// Collision level. 0 to 5. Newer firmware takes levels up to 7 (field notes).
+        /// Collision level. 0 to 5. Newer firmware takes levels up to 7 (field notes). `sensitivityVal` on the wire.
         ///
         /// 0 switches detection off. 1 is the most sensitive and stops at 25 N; each level adds 25 N; 5 is the least sensitive and
         /// stops at 125 N.
         ///
-        /// Newer firmware takes more than this range, which can be switched off: see `AdvisoryRanges`.
-        ///
-        /// `sensitivityVal` on the wire.
-        #[doc(alias = "sensitivityVal")]
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub level: i64,
     }
     impl SetClsnSensitivity {
@@ -58,16 +52,13 @@ pub mod collision {
         #[must_use]
         pub const fn new(level: i64) -> Self {}
     }
-    impl proto::Command for SetClsnSensitivity {
-        type Reply = ();
-    }
     /// Reads the collision level.
     ///
-    /// Sends `get_clsn_sensitivity` (4.45). Changes nothing on the robot.
+    /// Sends `get_clsn_sensitivity` (4.45). Changes nothing on the robot. The reply is [`GetClsnSensitivityReply`].
     ///
     /// # Errata
     ///
-    /// - The key is `sensitivityLevel` here and `sensitivityVal` in the request of `set_clsn_sensitivity`.
+    /// - The key is `sensitivityLevel` here and `sensitivityVal` in the request of [`set_clsn_sensitivity`](type@SetClsnSensitivity).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetClsnSensitivity {}
@@ -76,19 +67,13 @@ pub mod collision {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetClsnSensitivity {
-        type Reply = GetClsnSensitivityReply;
-    }
-    /// What the controller answers to [`GetClsnSensitivity`].
+    /// What the controller answers to [`type@GetClsnSensitivity`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetClsnSensitivityReply {
-        /// Collision level, from 0 to 5.
+        /// Collision level, from 0 to 5. `sensitivityLevel` on the wire.
         ///
-        /// 0 says that detection is off, 1 is the most sensitive, 5 the least. See `set_clsn_sensitivity` for the forces.
-        ///
-        /// `sensitivityLevel` on the wire.
-        #[doc(alias = "sensitivityLevel")]
+        /// 0 says that detection is off, 1 is the most sensitive, 5 the least. See [`set_clsn_sensitivity`](type@SetClsnSensitivity) for the forces.
         pub level: i64,
     }
     /// Leaves the collision protection that the robot enters after a collision.
@@ -103,8 +88,5 @@ pub mod collision {
         /// Without any optional field.
         #[must_use]
         pub const fn new() -> Self {}
-    }
-    impl proto::Command for ClearError {
-        type Reply = ();
     }
 }

@@ -1,11 +1,11 @@
 impl ::jaka_proto::ErrorCode {
     /// The controller rejects the command.
     ///
-    /// Not in the document. Seen when `servo_j` was sent outside servo mode; what else it covers is not known.
+    /// Not in the document. Seen when [`servo_j`](crate::messages::servo::ServoJ) was sent outside servo mode; what else it covers is not known.
     pub const REJECTED: Self = Self(-1i64);
     /// The command was accepted.
     ///
-    /// The document says executed, but it may not have ended yet: a motion is only accepted, and `power_on` and `enable_robot`
+    /// The document says executed, but it may not have ended yet: a motion is only accepted, and [`power_on`](crate::messages::power::PowerOn) and [`enable_robot`](crate::messages::power::EnableRobot)
     /// need seconds.
     ///
     /// The message is empty by chapter 5, while chapter 3 prints `unknown`. It may be absent too (field notes).
@@ -16,8 +16,8 @@ impl ::jaka_proto::ErrorCode {
     pub const EXCEPTION: Self = Self(1i64);
     /// The command failed; the message says more.
     ///
-    /// Often `call … failed` with the command's name: in a transcript, for malformed arguments, and of `kine_inverse` where it finds no
-    /// solution. It is likely, not certain, that a wrong state has the same answer, such as `joint_move` while the robot is not enabled.
+    /// Often `call … failed` with the command's name: in a transcript, for malformed arguments, and of [`kine_inverse`](crate::messages::kinematics::KineInverse) where it finds no
+    /// solution. It is likely, not certain, that a wrong state has the same answer, such as [`joint_move`](crate::messages::motion::JointMove) while the robot is not enabled.
     pub const CALL_FAILED: Self = Self(2i64);
     /// The controller does not take commands from this source.
     ///

@@ -1,16 +1,15 @@
-/// Force control and drag mode.
-///
-/// Leading the arm by hand, the torque sensor at its end, and control that yields to forces.
-///
-/// While such control is on, the arm may move with the forces that act on it. The document gives no units for forces and
-/// torques here.
 pub mod force {
+    //! Force control and drag mode.
+    //!
+    //! Leading the arm by hand, the torque sensor at its end, and control that yields to forces.
+    //!
+    //! While such control is on, the arm may move with the forces that act on it. The document gives no units for forces and
+    //! torques here.
     /// Switches drag mode on or off.
     ///
-    /// In drag mode the arm gives way to the hand and can be led. `drag_status` reads the mode back.
+    /// In drag mode the arm gives way to the hand and can be led. [`drag_status`](type@DragStatus) reads the mode back.
     ///
     /// Sends `torque_control_enable` (4.36). The robot must be powered and enabled.
-    #[doc(alias = "torque_control_enable")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTorqueControl {
@@ -22,12 +21,9 @@ pub mod force {
         #[must_use]
         pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
-    impl proto::Command for SetTorqueControl {
-        type Reply = ();
-    }
     /// Reads whether the robot is in drag mode.
     ///
-    /// Sends `drag_status` (4.37). Changes nothing on the robot.
+    /// Sends `drag_status` (4.37). Changes nothing on the robot. The reply is [`DragStatusReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct DragStatus {}
@@ -36,10 +32,7 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for DragStatus {
-        type Reply = DragStatusReply;
-    }
-    /// What the controller answers to [`DragStatus`].
+    /// What the controller answers to [`type@DragStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct DragStatusReply {
@@ -54,14 +47,10 @@ pub mod force {
     ///
     /// - The wire spells the name `torsenosr`.
     /// - The document's text calls the key `sensor_band`; its sample sends `sensor_brand`.
-    #[doc(alias = "set_torsenosr_brand")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTorqueSensorBrand {
-        /// Brand of the sensor.
-        ///
-        /// `sensor_brand` on the wire.
-        #[doc(alias = "sensor_brand")]
+        /// Brand of the sensor. `sensor_brand` on the wire.
         pub brand: TorqueSensorBrand,
     }
     impl SetTorqueSensorBrand {
@@ -69,18 +58,14 @@ pub mod force {
         #[must_use]
         pub const fn new(brand: TorqueSensorBrand) -> Self {}
     }
-    impl proto::Command for SetTorqueSensorBrand {
-        type Reply = ();
-    }
     /// Reads the brand of the torque sensor.
     ///
-    /// Sends `get_torsenosr_brand` (4.62). Changes nothing on the robot.
+    /// Sends `get_torsenosr_brand` (4.62). Changes nothing on the robot. The reply is [`GetTorqueSensorBrandReply`].
     ///
     /// # Errata
     ///
     /// - The wire spells the name `torsenosr`.
     /// - The document's text calls the key `sensor_band`; its sample answers `sensor_brand`.
-    #[doc(alias = "get_torsenosr_brand")]
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTorqueSensorBrand {}
@@ -89,17 +74,11 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTorqueSensorBrand {
-        type Reply = GetTorqueSensorBrandReply;
-    }
-    /// What the controller answers to [`GetTorqueSensorBrand`].
+    /// What the controller answers to [`type@GetTorqueSensorBrand`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTorqueSensorBrandReply {
-        /// Brand of the sensor.
-        ///
-        /// `sensor_brand` on the wire.
-        #[doc(alias = "sensor_brand")]
+        /// Brand of the sensor. `sensor_brand` on the wire.
         pub brand: TorqueSensorBrand,
     }
     /// Sets the parameters of admittance control for one axis.
@@ -117,34 +96,19 @@ pub mod force {
     pub struct SetAdmitCtrlConfig {
         /// Axis to set.
         pub axis: CartesianAxis,
-        /// Whether the axis is on.
-        ///
-        /// `opt` on the wire.
-        #[doc(alias = "opt")]
+        /// Whether the axis is on. `opt` on the wire.
         pub enabled: super::types::Switch,
-        /// Damping: the force with which a user moves the arm along the axis at its greatest speed.
+        /// Damping: the force with which a user moves the arm along the axis at its greatest speed. `ftUser` on the wire.
         ///
         /// Unit not stated.
-        ///
-        /// `ftUser` on the wire.
-        #[doc(alias = "ftUser")]
         pub user_force: f64,
-        /// Constant force. Unit not stated. Zero for moving the arm by hand.
-        ///
-        /// `ftConstant` on the wire.
-        #[doc(alias = "ftConstant")]
+        /// Constant force. Unit not stated. Zero for moving the arm by hand. `ftConstant` on the wire.
         pub constant_force: f64,
-        /// Normal tracking. Zero for moving the arm by hand.
+        /// Normal tracking. Zero for moving the arm by hand. `ftNnormalTrack` on the wire.
         ///
         /// The document does not say which other values there are.
-        ///
-        /// `ftNnormalTrack` on the wire.
-        #[doc(alias = "ftNnormalTrack")]
         pub normal_track: i64,
-        /// Rebound: how strongly the arm returns to its initial state. Unit not stated.
-        ///
-        /// `ftReboundFK` on the wire.
-        #[doc(alias = "ftReboundFK")]
+        /// Rebound: how strongly the arm returns to its initial state. Unit not stated. `ftReboundFK` on the wire.
         pub rebound: f64,
     }
     impl SetAdmitCtrlConfig {
@@ -159,12 +123,9 @@ pub mod force {
             rebound: f64,
         ) -> Self {}
     }
-    impl proto::Command for SetAdmitCtrlConfig {
-        type Reply = ();
-    }
     /// Reads the parameters of admittance control for all axes.
     ///
-    /// Sends `get_admit_ctrl_config` (4.64). Changes nothing on the robot.
+    /// Sends `get_admit_ctrl_config` (4.64). Changes nothing on the robot. The reply is [`GetAdmitCtrlConfigReply`].
     ///
     /// # Errata
     ///
@@ -177,22 +138,16 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetAdmitCtrlConfig {
-        type Reply = GetAdmitCtrlConfigReply;
-    }
-    /// What the controller answers to [`GetAdmitCtrlConfig`].
+    /// What the controller answers to [`type@GetAdmitCtrlConfig`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetAdmitCtrlConfigReply {
-        /// Parameters of the axes x, y, z, rx, ry, rz.
+        /// Parameters of the axes x, y, z, rx, ry, rz. `admitConfig` on the wire.
         ///
         /// In the document's sample the outer array holds one array, and that one holds the six rows. The document's text describes
         /// one level less.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `admitConfig` on the wire.
-        #[doc(alias = "admitConfig")]
         pub axes: wire::Typed<Vec<Vec<AdmittanceAxis>>>,
     }
     /// Switches the torque sensor on or off.
@@ -204,15 +159,12 @@ pub mod force {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTorqueSensorMode {
-        /// Mode, 0 or 1, sent raw because the sources do not agree on the meaning. 0 to 1.
+        /// Mode, 0 or 1, sent raw because the sources do not agree on the meaning. 0 to 1. `sensor_mode` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - the TCP documents alone, 2.0.4 among them: 0 = on, 1 = off
         /// - vendor header, SDK 2.2.2, and all others: 1 = on, 0 = off
-        ///
-        /// `sensor_mode` on the wire.
-        #[doc(alias = "sensor_mode")]
         pub mode: i64,
     }
     impl SetTorqueSensorMode {
@@ -222,13 +174,10 @@ pub mod force {
         #[must_use]
         pub const fn new(mode: i64) -> Self {}
     }
-    impl proto::Command for SetTorqueSensorMode {
-        type Reply = ();
-    }
     /// Moves the arm to a joint position to identify the payload at the end of the tool.
     ///
-    /// This is a motion, and the document does not say how fast it is. `get_torq_sensor_identify_status` says when the
-    /// identification is done, and `get_torq_sensor_payload_identify_result` reads what was found.
+    /// This is a motion, and the document does not say how fast it is. [`get_torq_sensor_identify_status`](type@GetTorqSensorIdentifyStatus) says when the
+    /// identification is done, and [`get_torq_sensor_payload_identify_result`](type@GetTorqSensorPayloadIdentifyResult) reads what was found.
     ///
     /// Sends `start_torq_sensor_payload_identify` (4.66). The robot must be powered, enabled and outside servo mode.
     ///
@@ -238,30 +187,25 @@ pub mod force {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct StartTorqSensorPayloadIdentify {
-        /// Joint position at which the identification ends.
+        /// Joint position at which the identification ends. In deg. `jointPosition` on the wire.
         ///
         /// The document recommends turning joints 4, 5 and 6 by 90 degrees each, for an accurate result.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
         pub joint_position: super::types::JointPosition,
     }
     impl StartTorqSensorPayloadIdentify {
         /// With the required fields alone.
+        ///
+        /// - `joint_position`: in deg
         #[must_use]
         pub fn new(joint_position: impl Into<super::types::JointPosition>) -> Self {}
     }
-    impl proto::Command for StartTorqSensorPayloadIdentify {
-        type Reply = ();
-    }
     /// Reads how far the identification of the payload is.
     ///
-    /// Sends `get_torq_sensor_identify_staus` (4.67). Changes nothing on the robot.
+    /// Sends `get_torq_sensor_identify_staus` (4.67). Changes nothing on the robot. The reply is [`GetTorqSensorIdentifyStatusReply`].
     ///
     /// # Errata
     ///
     /// - The wire spells the name `staus`.
-    #[doc(alias = "get_torq_sensor_identify_staus")]
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTorqSensorIdentifyStatus {}
@@ -270,24 +214,18 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTorqSensorIdentifyStatus {
-        type Reply = GetTorqSensorIdentifyStatusReply;
-    }
-    /// What the controller answers to [`GetTorqSensorIdentifyStatus`].
+    /// What the controller answers to [`type@GetTorqSensorIdentifyStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTorqSensorIdentifyStatusReply {
-        /// How far the identification is.
-        ///
-        /// `identify_status` on the wire.
-        #[doc(alias = "identify_status")]
+        /// How far the identification is. `identify_status` on the wire.
         pub status: IdentifyStatus,
     }
     /// Reads the payload that the identification found.
     ///
-    /// Of use only once `get_torq_sensor_identify_status` says that the identification is done.
+    /// Of use only once [`get_torq_sensor_identify_status`](type@GetTorqSensorIdentifyStatus) says that the identification is done.
     ///
-    /// Sends `get_torq_sensor_payload_identify_result` (4.68). Changes nothing on the robot.
+    /// Sends `get_torq_sensor_payload_identify_result` (4.68). Changes nothing on the robot. The reply is [`GetTorqSensorPayloadIdentifyResultReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTorqSensorPayloadIdentifyResult {}
@@ -296,10 +234,7 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTorqSensorPayloadIdentifyResult {
-        type Reply = GetTorqSensorPayloadIdentifyResultReply;
-    }
-    /// What the controller answers to [`GetTorqSensorPayloadIdentifyResult`].
+    /// What the controller answers to [`type@GetTorqSensorPayloadIdentifyResult`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTorqSensorPayloadIdentifyResultReply {
@@ -310,13 +245,13 @@ pub mod force {
     }
     /// Sets the mass and the centroid of the payload at the torque sensor.
     ///
-    /// This is not the payload of the arm: that is `set_payload`.
+    /// This is not the payload of the arm: that is [`set_payload`](crate::messages::payload::SetPayload).
     ///
     /// Sends `set_tool_payload` (4.69).
     ///
     /// # Errata
     ///
-    /// - The document's worked example prints the `cmdName` `set_payload`, which is another command (4.42).
+    /// - The document's worked example prints the `cmdName` [`set_payload`](crate::messages::payload::SetPayload), which is another command (4.42).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetToolPayload {
@@ -332,14 +267,11 @@ pub mod force {
         #[must_use]
         pub fn new(mass: f64, centroid: impl Into<super::payload::Centroid>) -> Self {}
     }
-    impl proto::Command for SetToolPayload {
-        type Reply = ();
-    }
     /// Reads the mass and the centroid of the payload at the torque sensor.
     ///
-    /// This is not the payload of the arm: that is `get_payload`.
+    /// This is not the payload of the arm: that is [`get_payload`](crate::messages::payload::GetPayload).
     ///
-    /// Sends `get_tool_payload` (4.70). Changes nothing on the robot.
+    /// Sends `get_tool_payload` (4.70). Changes nothing on the robot. The reply is [`GetToolPayloadReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetToolPayload {}
@@ -348,10 +280,7 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetToolPayload {
-        type Reply = GetToolPayloadReply;
-    }
-    /// What the controller answers to [`GetToolPayload`].
+    /// What the controller answers to [`type@GetToolPayload`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetToolPayloadReply {
@@ -374,12 +303,9 @@ pub mod force {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetComplianceCondition {
-        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. In N for the forces, Nm for the torques.
+        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. In N for the forces, Nm for the torques. `compliant_condition` on the wire.
         ///
         /// The order is fx, fy, fz, tx, ty, tz, and each is greater than 0 (vendor's manual).
-        ///
-        /// `compliant_condition` on the wire.
-        #[doc(alias = "compliant_condition")]
         pub condition: [f64; 6],
     }
     impl SetComplianceCondition {
@@ -389,12 +315,9 @@ pub mod force {
         #[must_use]
         pub const fn new(condition: [f64; 6]) -> Self {}
     }
-    impl proto::Command for SetComplianceCondition {
-        type Reply = ();
-    }
     /// Switches admittance control on or off.
     ///
-    /// While it is on, the arm may move with the forces that its sensor reads. `set_admit_ctrl_config` sets the axes.
+    /// While it is on, the arm may move with the forces that its sensor reads. [`set_admit_ctrl_config`](type@SetAdmitCtrlConfig) sets the axes.
     ///
     /// Sends `enable_admittance_ctrl` (4.72).
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -408,12 +331,9 @@ pub mod force {
         #[must_use]
         pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
-    impl proto::Command for EnableAdmittanceCtrl {
-        type Reply = ();
-    }
     /// Reads the type of force control, and whether the sensor is compensated.
     ///
-    /// Sends `get_compliant_type` (4.73). Changes nothing on the robot.
+    /// Sends `get_compliant_type` (4.73). Changes nothing on the robot. The reply is [`GetCompliantTypeReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetCompliantType {}
@@ -422,10 +342,7 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetCompliantType {
-        type Reply = GetCompliantTypeReply;
-    }
-    /// What the controller answers to [`GetCompliantType`].
+    /// What the controller answers to [`type@GetCompliantType`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetCompliantTypeReply {
@@ -453,9 +370,6 @@ pub mod force {
             compliance_type: ComplianceType,
         ) -> Self {}
     }
-    impl proto::Command for SetCompliantType {
-        type Reply = ();
-    }
     /// Sets how the controller reaches the torque sensor.
     ///
     /// The document does not say what to send as address and port for RS485.
@@ -468,15 +382,9 @@ pub mod force {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct SetTorqueSensorComm {
-        /// Protocol to reach the sensor by.
-        ///
-        /// `type` on the wire.
-        #[doc(alias = "type")]
+        /// Protocol to reach the sensor by. `type` on the wire.
         pub communication: TorqueSensorCommunication,
-        /// IP address of the sensor.
-        ///
-        /// `ip_addr` on the wire.
-        #[doc(alias = "ip_addr")]
+        /// IP address of the sensor. `ip_addr` on the wire.
         pub address: String,
         /// Port of the sensor, for TCP/IP. 0 to 65535.
         pub port: i64,
@@ -492,12 +400,9 @@ pub mod force {
             port: i64,
         ) -> Self {}
     }
-    impl proto::Command for SetTorqueSensorComm {
-        type Reply = ();
-    }
     /// Reads how the controller reaches the torque sensor.
     ///
-    /// Sends `get_torque_sensor_comm` (4.77). Changes nothing on the robot.
+    /// Sends `get_torque_sensor_comm` (4.77). Changes nothing on the robot. The reply is [`GetTorqueSensorCommReply`].
     ///
     /// # Errata
     ///
@@ -510,22 +415,13 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTorqueSensorComm {
-        type Reply = GetTorqueSensorCommReply;
-    }
-    /// What the controller answers to [`GetTorqueSensorComm`].
+    /// What the controller answers to [`type@GetTorqueSensorComm`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetTorqueSensorCommReply {
-        /// IP address of the sensor.
-        ///
-        /// `ip_addr` on the wire.
-        #[doc(alias = "ip_addr")]
+        /// IP address of the sensor. `ip_addr` on the wire.
         pub address: String,
-        /// Protocol by which the sensor is reached.
-        ///
-        /// `type` on the wire.
-        #[doc(alias = "type")]
+        /// Protocol by which the sensor is reached. `type` on the wire.
         pub communication: TorqueSensorCommunication,
         /// Port of the sensor, for TCP/IP.
         pub port: i64,
@@ -543,28 +439,19 @@ pub mod force {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for DisableForceControl {
-        type Reply = ();
-    }
     /// Sets the parameters of compliance in velocity.
     ///
     /// Sends `set_vel_compliant_ctrl` (4.79).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetVelCompliantCtrl {
-        /// Level and ratios.
-        ///
-        /// `compliant_ctrl` on the wire.
-        #[doc(alias = "compliant_ctrl")]
+        /// Level and ratios. `compliant_ctrl` on the wire.
         pub compliance: VelocityCompliance,
     }
     impl SetVelCompliantCtrl {
         /// With the required fields alone.
         #[must_use]
         pub const fn new(compliance: VelocityCompliance) -> Self {}
-    }
-    impl proto::Command for SetVelCompliantCtrl {
-        type Reply = ();
     }
     /// Brand of a torque sensor. The document names three; newer firmware has 4 to 6 and 10 as well (field notes).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

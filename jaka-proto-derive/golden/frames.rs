@@ -1,31 +1,28 @@
-/// Tool frames and user frames.
-///
-/// The controller holds tool frames and user frames with the ids 0 to 10. Frame 0 is fixed: the centre of the flange as
-/// tool frame, the robot's base frame as user frame. Frames 1 to 10 can be set.
-///
-/// Which frames are selected decides what Cartesian coordinates mean. Changing a frame changes where the next Cartesian
-/// motion goes.
 pub mod frames {
+    //! Tool frames and user frames.
+    //!
+    //! The controller holds tool frames and user frames with the ids 0 to 10. Frame 0 is fixed: the centre of the flange as
+    //! tool frame, the robot's base frame as user frame. Frames 1 to 10 can be set.
+    //!
+    //! Which frames are selected decides what Cartesian coordinates mean. Changing a frame changes where the next Cartesian
+    //! motion goes.
     /// Sets the offset and the name of one tool frame.
     ///
-    /// Which frame the robot moves in is selected by `set_tool_id`.
+    /// Which frame the robot moves in is selected by [`set_tool_id`](type@SetToolId).
     ///
     /// Sends `set_tool_offsets` (4.28).
     ///
     /// # Errata
     ///
-    /// - The key is `tooloffset` here, while the reply of `get_tool_offsets` has `tool_offsets`.
+    /// - The key is `tooloffset` here, while the reply of [`get_tool_offsets`](type@GetToolOffsets) has `tool_offsets`.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct SetToolOffsets {
-        /// Offset of the tool frame.
-        ///
-        /// `tooloffset` on the wire.
-        #[doc(alias = "tooloffset")]
+        /// Offset of the tool frame. `tooloffset` on the wire.
         pub offset: super::types::Pose,
         /// Id of the tool frame to set. 1 to 10. One client sets frames up to 15 on newer firmware.
         ///
-        /// Newer firmware takes more than this range, which can be switched off: see `AdvisoryRanges`.
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub id: i64,
         /// Name of the tool frame.
         pub name: String,
@@ -41,9 +38,6 @@ pub mod frames {
             name: impl Into<String>,
         ) -> Self {}
     }
-    impl proto::Command for SetToolOffsets {
-        type Reply = ();
-    }
     /// Selects the tool frame in which the robot moves.
     ///
     /// Id 0 selects the centre of the flange.
@@ -54,7 +48,7 @@ pub mod frames {
     pub struct SetToolId {
         /// Id of the tool frame to use. 0 to 10. One client sets frames up to 15 on newer firmware.
         ///
-        /// Newer firmware takes more than this range, which can be switched off: see `AdvisoryRanges`.
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub tool_id: i64,
     }
     impl SetToolId {
@@ -64,12 +58,9 @@ pub mod frames {
         #[must_use]
         pub const fn new(tool_id: i64) -> Self {}
     }
-    impl proto::Command for SetToolId {
-        type Reply = ();
-    }
     /// Reads the offsets of all tool frames.
     ///
-    /// Sends `get_tool_offsets` (4.30). Changes nothing on the robot.
+    /// Sends `get_tool_offsets` (4.30). Changes nothing on the robot. The reply is [`GetToolOffsetsReply`].
     ///
     /// # Errata
     ///
@@ -82,22 +73,16 @@ pub mod frames {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetToolOffsets {
-        type Reply = GetToolOffsetsReply;
-    }
-    /// What the controller answers to [`GetToolOffsets`].
+    /// What the controller answers to [`type@GetToolOffsets`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetToolOffsetsReply {
-        /// Offset of each tool frame, by id from 0. The document counts 11.
-        ///
-        /// `tool_offsets` on the wire.
-        #[doc(alias = "tool_offsets")]
+        /// Offset of each tool frame, by id from 0. The document counts 11. `tool_offsets` on the wire.
         pub offsets: Vec<super::types::Pose>,
     }
     /// Sets the offset and the name of one user frame.
     ///
-    /// Which frame the robot moves in is selected by `set_user_id`.
+    /// Which frame the robot moves in is selected by [`set_user_id`](type@SetUserId).
     ///
     /// Sends `set_user_offsets` (4.31).
     ///
@@ -107,10 +92,7 @@ pub mod frames {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct SetUserOffsets {
-        /// Offset of the user frame.
-        ///
-        /// `userffset` on the wire.
-        #[doc(alias = "userffset")]
+        /// Offset of the user frame. `userffset` on the wire.
         pub offset: super::types::Pose,
         /// Id of the user frame to set. 1 to 10.
         pub id: i64,
@@ -127,9 +109,6 @@ pub mod frames {
             id: i64,
             name: impl Into<String>,
         ) -> Self {}
-    }
-    impl proto::Command for SetUserOffsets {
-        type Reply = ();
     }
     /// Selects the user frame in which the robot moves.
     ///
@@ -153,12 +132,9 @@ pub mod frames {
         #[must_use]
         pub const fn new(user_frame_id: i64) -> Self {}
     }
-    impl proto::Command for SetUserId {
-        type Reply = ();
-    }
     /// Reads the offsets of all user frames.
     ///
-    /// Sends `get_user_offsets` (4.33). Changes nothing on the robot.
+    /// Sends `get_user_offsets` (4.33). Changes nothing on the robot. The reply is [`GetUserOffsetsReply`].
     ///
     /// # Errata
     ///
@@ -172,17 +148,11 @@ pub mod frames {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetUserOffsets {
-        type Reply = GetUserOffsetsReply;
-    }
-    /// What the controller answers to [`GetUserOffsets`].
+    /// What the controller answers to [`type@GetUserOffsets`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetUserOffsetsReply {
-        /// Offset of each user frame, by id from 0. The document counts 11.
-        ///
-        /// `user_offsets` on the wire.
-        #[doc(alias = "user_offsets")]
+        /// Offset of each user frame, by id from 0. The document counts 11. `user_offsets` on the wire.
         pub offsets: Vec<super::types::Pose>,
     }
 }

@@ -1,7 +1,7 @@
-/// Inputs and outputs.
-///
-/// Digital and analog inputs and outputs of the cabinet, the tool and extension modules.
 pub mod io {
+    //! Inputs and outputs.
+    //!
+    //! Digital and analog inputs and outputs of the cabinet, the tool and extension modules.
     /// Sets one digital output.
     ///
     /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. Check
@@ -13,10 +13,7 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetDigitalOutput {
-        /// Where the output is.
-        ///
-        /// `type` on the wire.
-        #[doc(alias = "type")]
+        /// Where the output is. `type` on the wire.
         pub kind: DigitalOutputKind,
         /// Number of the output, sent as given: counted from 0 on some firmware, from 1 on other. At least 0.
         pub index: i64,
@@ -69,15 +66,12 @@ pub mod io {
         #[must_use]
         pub const fn ethernet_ip(index: i64, value: super::types::Switch) -> Self {}
     }
-    impl proto::Command for SetDigitalOutput {
-        type Reply = ();
-    }
     /// Reads the states of all digital inputs.
     ///
     /// The first eight are the cabinet's own inputs. The controller occupies the first of them, so it is not for use. The
     /// document calls the others Modbus inputs.
     ///
-    /// Sends `get_digital_input_status` (4.26). Changes nothing on the robot.
+    /// Sends `get_digital_input_status` (4.26). Changes nothing on the robot. The reply is [`GetDigitalInputStatusReply`].
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
     ///
@@ -92,17 +86,11 @@ pub mod io {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetDigitalInputStatus {
-        type Reply = GetDigitalInputStatusReply;
-    }
-    /// What the controller answers to [`GetDigitalInputStatus`].
+    /// What the controller answers to [`type@GetDigitalInputStatus`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalInputStatusReply {
-        /// State of each input. The number of inputs depends on the controller.
-        ///
-        /// `din_status` on the wire.
-        #[doc(alias = "din_status")]
+        /// State of each input. The number of inputs depends on the controller. `din_status` on the wire.
         pub digital_inputs: Vec<bool>,
     }
     /// Sets one analog output.
@@ -117,10 +105,7 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetAnalogOutput {
-        /// Where the output is.
-        ///
-        /// `type` on the wire.
-        #[doc(alias = "type")]
+        /// Where the output is. `type` on the wire.
         pub kind: AnalogOutputKind,
         /// Number of the output, sent as given. At least 0. The document numbers the cabinet's outputs from 0 to 7. Some firmware counts
         /// digital outputs from 1 (field notes); whether it does so for analog outputs is not known.
@@ -170,12 +155,9 @@ pub mod io {
         #[must_use]
         pub const fn ethernet_ip(index: i64, value: f64) -> Self {}
     }
-    impl proto::Command for SetAnalogOutput {
-        type Reply = ();
-    }
     /// Reads the configuration and state of the extension I/O modules.
     ///
-    /// Sends `get_extio_status` (4.34). Changes nothing on the robot.
+    /// Sends `get_extio_status` (4.34). Changes nothing on the robot. The reply is [`GetExtioStatusReply`].
     ///
     /// # Errata
     ///
@@ -193,10 +175,7 @@ pub mod io {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetExtioStatus {
-        type Reply = GetExtioStatusReply;
-    }
-    /// What the controller answers to [`GetExtioStatus`].
+    /// What the controller answers to [`type@GetExtioStatus`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetExtioStatusReply {
@@ -225,7 +204,7 @@ pub mod io {
     ///
     /// The document has the first twelve.
     ///
-    /// Sends `get_funcdi_status` (4.35). Changes nothing on the robot.
+    /// Sends `get_funcdi_status` (4.35). Changes nothing on the robot. The reply is [`GetFuncdiStatusReply`].
     ///
     /// # Errata
     ///
@@ -240,17 +219,11 @@ pub mod io {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetFuncdiStatus {
-        type Reply = GetFuncdiStatusReply;
-    }
-    /// What the controller answers to [`GetFuncdiStatus`].
+    /// What the controller answers to [`type@GetFuncdiStatus`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetFuncdiStatusReply {
-        /// The input of each function, in the order of the functions.
-        ///
-        /// `funcdi_status` on the wire.
-        #[doc(alias = "funcdi_status")]
+        /// The input of each function, in the order of the functions. `funcdi_status` on the wire.
         pub function_inputs: Vec<FunctionInput>,
     }
     /// Sets the voltage output of a version 3 tool I/O board.
@@ -265,25 +238,19 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTioVoutParam {
-        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
+        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on. `tio_vout_ena` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
         /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
-        ///
-        /// `tio_vout_ena` on the wire.
-        #[doc(alias = "tio_vout_ena")]
         pub output_enable: i64,
-        /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V.
+        /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V. `tio_vout_vol` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = 12 V, 1 = 24 V
         /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
-        ///
-        /// `tio_vout_vol` on the wire.
-        #[doc(alias = "tio_vout_vol")]
         pub output_voltage: i64,
     }
     impl SetTioVoutParam {
@@ -294,14 +261,11 @@ pub mod io {
         #[must_use]
         pub const fn new(output_enable: i64, output_voltage: i64) -> Self {}
     }
-    impl proto::Command for SetTioVoutParam {
-        type Reply = ();
-    }
     /// Reads the settings of the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on the meaning of both values, so both stay raw. `set_tio_vout_param` has the readings.
+    /// The sources contradict each other on the meaning of both values, so both stay raw. [`set_tio_vout_param`](type@SetTioVoutParam) has the readings.
     ///
-    /// Sends `get_tio_vout_param` (4.81). Changes nothing on the robot.
+    /// Sends `get_tio_vout_param` (4.81). Changes nothing on the robot. The reply is [`GetTioVoutParamReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTioVoutParam {}
@@ -310,32 +274,23 @@ pub mod io {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTioVoutParam {
-        type Reply = GetTioVoutParamReply;
-    }
-    /// What the controller answers to [`GetTioVoutParam`].
+    /// What the controller answers to [`type@GetTioVoutParam`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTioVoutParamReply {
-        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
+        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on. `tio_vout_ena` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
         /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
-        ///
-        /// `tio_vout_ena` on the wire.
-        #[doc(alias = "tio_vout_ena")]
         pub output_enable: i64,
-        /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V.
+        /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V. `tio_vout_vol` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = 12 V, 1 = 24 V
         /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
-        ///
-        /// `tio_vout_vol` on the wire.
-        #[doc(alias = "tio_vout_vol")]
         pub output_voltage: i64,
     }
     /// Where a digital output is.
@@ -388,7 +343,7 @@ pub mod io {
     impl From<AnalogOutputKind> for i64 {}
     /// The value in words; one that the spec does not list as its number.
     impl ::core::fmt::Display for AnalogOutputKind {}
-    /// The extension I/O modules and their state, as `get_extio_status` answers.
+    /// The extension I/O modules and their state, as [`get_extio_status`](type@GetExtioStatus) answers.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioStatus {
@@ -405,10 +360,7 @@ pub mod io {
     pub struct ExtioModule {
         /// How the module is connected, and its pins.
         pub setup: ExtioSetup,
-        /// Where the module's pins start; of interest with several modules.
-        ///
-        /// `pinmap` on the wire.
-        #[doc(alias = "pinmap")]
+        /// Where the module's pins start; of interest with several modules. `pinmap` on the wire.
         pub pin_map: ExtioPinMap,
     }
     /// How an extension I/O module is connected, and its pins.
@@ -474,25 +426,13 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioPins {
-        /// Analog inputs.
-        ///
-        /// `ai` on the wire.
-        #[doc(alias = "ai")]
+        /// Analog inputs. `ai` on the wire.
         pub analog_inputs: ExtioPinRange,
-        /// Digital outputs.
-        ///
-        /// `do` on the wire.
-        #[doc(alias = "do")]
+        /// Digital outputs. `do` on the wire.
         pub digital_outputs: ExtioPinRange,
-        /// Analog outputs.
-        ///
-        /// `ao` on the wire.
-        #[doc(alias = "ao")]
+        /// Analog outputs. `ao` on the wire.
         pub analog_outputs: ExtioPinRange,
-        /// Digital inputs.
-        ///
-        /// `di` on the wire.
-        #[doc(alias = "di")]
+        /// Digital inputs. `di` on the wire.
         pub digital_inputs: ExtioPinRange,
     }
     /// Where the registers of some pins start, and how many pins there are.
@@ -508,55 +448,28 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioPinMap {
-        /// Index of the first analog input.
-        ///
-        /// `ai` on the wire.
-        #[doc(alias = "ai")]
+        /// Index of the first analog input. `ai` on the wire.
         pub analog_inputs: i64,
-        /// Index of the first digital output.
-        ///
-        /// `do` on the wire.
-        #[doc(alias = "do")]
+        /// Index of the first digital output. `do` on the wire.
         pub digital_outputs: i64,
-        /// Index of the first analog output.
-        ///
-        /// `ao` on the wire.
-        #[doc(alias = "ao")]
+        /// Index of the first analog output. `ao` on the wire.
         pub analog_outputs: i64,
-        /// Index of the first digital input.
-        ///
-        /// `di` on the wire.
-        #[doc(alias = "di")]
+        /// Index of the first digital input. `di` on the wire.
         pub digital_inputs: i64,
     }
     /// Whether the extension I/O modules run, and the state of their pins.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioState {
-        /// Whether the modules run.
-        ///
-        /// `state` on the wire.
-        #[doc(alias = "state")]
+        /// Whether the modules run. `state` on the wire.
         pub running: bool,
-        /// State of the digital inputs, where there are modules.
-        ///
-        /// `di` on the wire.
-        #[doc(alias = "di")]
+        /// State of the digital inputs, where there are modules. `di` on the wire.
         pub digital_inputs: Option<Vec<bool>>,
-        /// State of the digital outputs, where the controller sends them.
-        ///
-        /// `do` on the wire.
-        #[doc(alias = "do")]
+        /// State of the digital outputs, where the controller sends them. `do` on the wire.
         pub digital_outputs: Option<Vec<bool>>,
-        /// Values of the analog inputs, where the controller sends them.
-        ///
-        /// `ai` on the wire.
-        #[doc(alias = "ai")]
+        /// Values of the analog inputs, where the controller sends them. `ai` on the wire.
         pub analog_inputs: Option<Vec<f64>>,
-        /// Values of the analog outputs, where the controller sends them.
-        ///
-        /// `ao` on the wire.
-        #[doc(alias = "ao")]
+        /// Values of the analog outputs, where the controller sends them. `ao` on the wire.
         pub analog_outputs: Option<Vec<f64>>,
     }
     /// The input that triggers a function of the controller, or -1 and -1 where there is none.

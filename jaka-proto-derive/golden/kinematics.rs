@@ -1,39 +1,32 @@
-/// Kinematics and present position.
-///
-/// Where the arm is, and the way between joint positions and poses.
-///
-/// None of these commands moves the arm.
 pub mod kinematics {
+    //! Kinematics and present position.
+    //!
+    //! Where the arm is, and the way between joint positions and poses.
+    //!
+    //! None of these commands moves the arm.
     /// Computes the pose of the robot's end at a joint position (forward kinematics).
     ///
     /// The pose refers to the current tool frame, mounting and user frame (vendor's manual).
     ///
-    /// Sends `kine_forward` (4.46). Changes nothing on the robot.
+    /// Sends `kine_forward` (4.46). Changes nothing on the robot. The reply is [`KineForwardReply`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct KineForward {
-        /// Joint position to compute the pose of.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
+        /// Joint position to compute the pose of. In deg. `jointPosition` on the wire.
         pub joint_position: super::types::JointPosition,
     }
     impl KineForward {
         /// With the required fields alone.
+        ///
+        /// - `joint_position`: in deg
         #[must_use]
         pub fn new(joint_position: impl Into<super::types::JointPosition>) -> Self {}
     }
-    impl proto::Command for KineForward {
-        type Reply = KineForwardReply;
-    }
-    /// What the controller answers to [`KineForward`].
+    /// What the controller answers to [`type@KineForward`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct KineForwardReply {
-        /// Pose of the robot's end at that joint position.
-        ///
-        /// `cartPosition` on the wire.
-        #[doc(alias = "cartPosition")]
+        /// Pose of the robot's end at that joint position. `cartPosition` on the wire.
         pub pose: super::types::Pose,
     }
     /// Computes a joint position at which the robot's end has a pose (inverse kinematics).
@@ -41,7 +34,7 @@ pub mod kinematics {
     /// Where there is no solution, the controller answers with error code 2. The pose refers to the current tool frame, mounting and user frame
     /// (vendor's manual).
     ///
-    /// Sends `kine_inverse` (4.47). Changes nothing on the robot.
+    /// Sends `kine_inverse` (4.47). Changes nothing on the robot. The reply is [`KineInverseReply`].
     ///
     /// # Errata
     ///
@@ -50,45 +43,35 @@ pub mod kinematics {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct KineInverse {
-        /// Reference for the solution.
+        /// Reference for the solution. In deg. `jointPosition` on the wire.
         ///
         /// The document recommends the present joint position.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
         pub reference_joint_position: super::types::JointPosition,
-        /// Pose of the robot's end to find a joint position for.
-        ///
-        /// `cartPosition` on the wire.
-        #[doc(alias = "cartPosition")]
+        /// Pose of the robot's end to find a joint position for. `cartPosition` on the wire.
         pub pose: super::types::Pose,
     }
     impl KineInverse {
         /// With the required fields alone.
+        ///
+        /// - `reference_joint_position`: in deg
         #[must_use]
         pub fn new(
             reference_joint_position: impl Into<super::types::JointPosition>,
             pose: impl Into<super::types::Pose>,
         ) -> Self {}
     }
-    impl proto::Command for KineInverse {
-        type Reply = KineInverseReply;
-    }
-    /// What the controller answers to [`KineInverse`].
+    /// What the controller answers to [`type@KineInverse`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct KineInverseReply {
-        /// Joint position that was found.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
+        /// Joint position that was found. In deg. `jointPosition` on the wire.
         pub joint_position: super::types::JointPosition,
     }
     /// Reads the positions of the six joints.
     ///
     /// They may be commanded ones: on firmware 1.5.14 they differ from the actual ones of port 10000 by up to 0.023 degrees.
     ///
-    /// Sends `get_joint_pos` (4.49). Changes nothing on the robot.
+    /// Sends `get_joint_pos` (4.49). Changes nothing on the robot. The reply is [`GetJointPosReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetJointPos {}
@@ -97,25 +80,19 @@ pub mod kinematics {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetJointPos {
-        type Reply = GetJointPosReply;
-    }
-    /// What the controller answers to [`GetJointPos`].
+    /// What the controller answers to [`type@GetJointPos`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetJointPosReply {
-        /// Positions of the six joints.
-        ///
-        /// `joint_pos` on the wire.
-        #[doc(alias = "joint_pos")]
+        /// Positions of the six joints. In deg. `joint_pos` on the wire.
         pub joint_position: super::types::JointPosition,
     }
     /// Reads the pose of the robot's end, which the selected tool frame defines.
     ///
     /// By default that is the centre of the flange. The document does not say which user frame the pose refers to. It may be the commanded
-    /// pose: see `get_joint_pos`.
+    /// pose: see [`get_joint_pos`](type@GetJointPos).
     ///
-    /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot.
+    /// Sends `get_tcp_pos` (4.50). Changes nothing on the robot. The reply is [`GetTcpPosReply`].
     ///
     /// # Errata
     ///
@@ -129,17 +106,11 @@ pub mod kinematics {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTcpPos {
-        type Reply = GetTcpPosReply;
-    }
-    /// What the controller answers to [`GetTcpPos`].
+    /// What the controller answers to [`type@GetTcpPos`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTcpPosReply {
-        /// Pose of the robot's end, which the selected tool frame defines.
-        ///
-        /// `tcp_pos` on the wire.
-        #[doc(alias = "tcp_pos")]
+        /// Pose of the robot's end, which the selected tool frame defines. `tcp_pos` on the wire.
         pub pose: super::types::Pose,
     }
     /// Reads the Denavit-Hartenberg (DH) parameters of the robot.
@@ -147,7 +118,7 @@ pub mod kinematics {
     /// The document prints the four keys and zeros, and explains nothing: the units are those of the field notes, and no source says which of
     /// the conventions for DH parameters is meant.
     ///
-    /// Sends `get_dh_param` (4.82). Changes nothing on the robot.
+    /// Sends `get_dh_param` (4.82). Changes nothing on the robot. The reply is [`GetDhParamReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetDhParam {}
@@ -156,10 +127,7 @@ pub mod kinematics {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetDhParam {
-        type Reply = GetDhParamReply;
-    }
-    /// What the controller answers to [`GetDhParam`].
+    /// What the controller answers to [`type@GetDhParam`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDhParamReply {
@@ -169,10 +137,7 @@ pub mod kinematics {
         pub a: [f64; 6],
         /// DH parameter d, one for each joint. In mm.
         pub d: [f64; 6],
-        /// Home offset, by the key's name, one for each joint. In deg.
-        ///
-        /// `joint_homeoff` on the wire.
-        #[doc(alias = "joint_homeoff")]
+        /// Home offset, by the key's name, one for each joint. In deg. `joint_homeoff` on the wire.
         pub joint_home_offset: [f64; 6],
     }
 }

@@ -1,11 +1,11 @@
-/// Jog and planned motion.
-///
-/// The controller's own planner drives these motions. The reply says that a motion was accepted, not that it has ended:
-/// newer firmware replies at once, firmware 1.4, or any firmware that is still moving, may reply seconds later.
-///
-/// Motions queue (4.7 to 4.9): the next one starts when the one before has ended. `stop_program` ends the motion that is
-/// running.
 pub mod motion {
+    //! Jog and planned motion.
+    //!
+    //! The controller's own planner drives these motions. The reply says that a motion was accepted, not that it has ended:
+    //! newer firmware replies at once, firmware 1.4, or any firmware that is still moving, may reply seconds later.
+    //!
+    //! Motions queue (4.7 to 4.9): the next one starts when the one before has ended. [`stop_program`](crate::messages::program::StopProgram) ends the motion that is
+    //! running.
     /// Moves one joint, or one Cartesian coordinate of the tool centre point, continuously, by an increment or to a position.
     ///
     /// Send `Stop` for an axis before the next jog of the same axis. The frame decides what `axis` counts: joints 1 to 6, or
@@ -24,15 +24,9 @@ pub mod motion {
         /// Stops the jog of one axis.
         #[non_exhaustive]
         Stop {
-            /// Frame of the motion to stop.
-            ///
-            /// `coord_map` on the wire.
-            #[doc(alias = "coord_map")]
+            /// Frame of the motion to stop. `coord_map` on the wire.
             frame: JogFrame,
-            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
-            ///
-            /// `jnum` on the wire.
-            #[doc(alias = "jnum")]
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5. `jnum` on the wire.
             axis: i64,
         },
         /// Moves on and on.
@@ -40,70 +34,37 @@ pub mod motion {
         /// Send `Stop` for the axis to end it: the document names nothing else that does.
         #[non_exhaustive]
         Continuous {
-            /// Frame of the motion.
-            ///
-            /// `coord_map` on the wire.
-            #[doc(alias = "coord_map")]
+            /// Frame of the motion. `coord_map` on the wire.
             frame: JogFrame,
-            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
-            ///
-            /// `jnum` on the wire.
-            #[doc(alias = "jnum")]
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5. `jnum` on the wire.
             axis: i64,
-            /// Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation.
-            ///
-            /// `jogvel` on the wire.
-            #[doc(alias = "jogvel")]
+            /// Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. `jogvel` on the wire.
             velocity: f64,
         },
         /// Moves by a distance from the present position.
         #[non_exhaustive]
         Increment {
-            /// Frame of the motion.
-            ///
-            /// `coord_map` on the wire.
-            #[doc(alias = "coord_map")]
+            /// Frame of the motion. `coord_map` on the wire.
             frame: JogFrame,
-            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
-            ///
-            /// `jnum` on the wire.
-            #[doc(alias = "jnum")]
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5. `jnum` on the wire.
             axis: i64,
-            /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
+            /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation. `jogvel` on the wire.
             ///
             /// The direction can be given by the sign of `distance`. The document does not say what a negative velocity does here.
-            ///
-            /// `jogvel` on the wire.
-            #[doc(alias = "jogvel")]
             velocity: f64,
-            /// Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
-            ///
-            /// `poscmd` on the wire.
-            #[doc(alias = "poscmd")]
+            /// Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation. `poscmd` on the wire.
             distance: f64,
         },
         /// Moves to a position of the axis.
         #[non_exhaustive]
         Absolute {
-            /// Frame of the motion.
-            ///
-            /// `coord_map` on the wire.
-            #[doc(alias = "coord_map")]
+            /// Frame of the motion. `coord_map` on the wire.
             frame: JogFrame,
-            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5.
-            ///
-            /// `jnum` on the wire.
-            #[doc(alias = "jnum")]
+            /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5. `jnum` on the wire.
             axis: i64,
-            /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation. The document does not say what a negative one does here.
-            ///
-            /// `jogvel` on the wire.
-            #[doc(alias = "jogvel")]
+            /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation. The document does not say what a negative one does here. `jogvel` on the wire.
             velocity: f64,
-            /// Position to move to. In deg for a joint or a rotation, mm for a translation.
-            ///
-            /// `poscmd` on the wire.
-            #[doc(alias = "poscmd")]
+            /// Position to move to. In deg for a joint or a rotation, mm for a translation. `poscmd` on the wire.
             position: f64,
         },
     }
@@ -144,12 +105,9 @@ pub mod motion {
             position: f64,
         ) -> Self {}
     }
-    impl proto::Command for Jog {
-        type Reply = ();
-    }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram).
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -157,27 +115,19 @@ pub mod motion {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMove {
-        /// Whether `joint_position` is a target or an offset.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// Whether `joint_position` is a target or an offset. `relFlag` on the wire.
         pub mode: super::types::MoveMode,
-        /// Target or offset of the six joints.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
+        /// Target or offset of the six joints. In deg. `jointPosition` on the wire.
         pub joint_position: super::types::JointPosition,
         /// Joint speed; the direction comes from `joint_position` alone. In deg/s, at least 0.
         pub speed: f64,
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes). `accel` on the wire.
         pub acceleration: Option<f64>,
     }
     impl JointMove {
         /// With the required fields alone.
         ///
+        /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn new(
@@ -187,6 +137,7 @@ pub mod motion {
         ) -> Self {}
         /// The coordinates are the target.
         ///
+        /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn absolute(
@@ -195,28 +146,23 @@ pub mod motion {
         ) -> Self {}
         /// The coordinates are an offset.
         ///
+        /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn relative(
             joint_position: impl Into<super::types::JointPosition>,
             speed: f64,
         ) -> Self {}
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
-    }
-    impl proto::Command for JointMove {
-        type Reply = ();
     }
     /// Moves all joints so that the tool centre point reaches a pose.
     ///
     /// The tool centre point does not follow a straight line. The controller computes the joint positions for the pose and
-    /// moves to them as `joint_move` does; so speed and acceleration are those of joints. For a straight line use `move_l`.
+    /// moves to them as [`joint_move`](type@JointMove) does; so speed and acceleration are those of joints. For a straight line use [`move_l`](type@MoveL).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram).
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -224,17 +170,11 @@ pub mod motion {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct EndMove {
-        /// Target pose of the tool centre point.
-        ///
-        /// `endPosition` on the wire.
-        #[doc(alias = "endPosition")]
+        /// Target pose of the tool centre point. `endPosition` on the wire.
         pub pose: super::types::Pose,
         /// Joint speed. In deg/s, at least 0.
         pub speed: f64,
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes). `accel` on the wire.
         pub acceleration: Option<f64>,
     }
     impl EndMove {
@@ -243,19 +183,13 @@ pub mod motion {
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn new(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
     }
-    impl proto::Command for EndMove {
-        type Reply = ();
-    }
     /// Moves the tool centre point along a straight line to a pose, or by an offset (MoveL).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram).
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -264,35 +198,22 @@ pub mod motion {
     /// # Errata
     ///
     /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit; millimetres follow from the field notes, which find them throughout.
-    #[doc(alias = "moveL")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveL {
-        /// Whether `pose` is a target or an offset, and along which axes an offset goes.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// Whether `pose` is a target or an offset, and along which axes an offset goes. `relFlag` on the wire.
         pub mode: LineMode,
-        /// Target pose, or offset, of the tool centre point.
-        ///
-        /// `cartPosition` on the wire.
-        #[doc(alias = "cartPosition")]
+        /// Target pose, or offset, of the tool centre point. `cartPosition` on the wire.
         pub pose: super::types::Pose,
         /// Speed of the tool centre point along the line. In mm/s, at least 0.
         pub speed: f64,
         /// Acceleration of the tool centre point along the line. In mm/s², at least 0. The document advises 8000 at most. Controllers take the command
-        /// without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// without it (field notes). `accel` on the wire.
         pub acceleration: Option<f64>,
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0.
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
         /// With a positive value the arm may never be there (vendor's manual). The document explains the key in 4.10 alone, as the
         /// greatest error, and names no unit. Controllers take the command without it (field notes).
-        ///
-        /// `tol` on the wire.
-        #[doc(alias = "tol")]
         pub tolerance: Option<f64>,
     }
     impl MoveL {
@@ -323,25 +244,12 @@ pub mod motion {
             pose: impl Into<super::types::Pose>,
             speed: f64,
         ) -> Self {}
-        /// Acceleration of the tool centre point along the line. In mm/s², at least 0. The document advises 8000 at most. Controllers take the command
-        /// without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Acceleration of the tool centre point along the line. In mm/s², at least 0. `accel` on the wire.
         #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0.
-        ///
-        /// With a positive value the arm may never be there (vendor's manual). The document explains the key in 4.10 alone, as the
-        /// greatest error, and names no unit. Controllers take the command without it (field notes).
-        ///
-        /// `tol` on the wire.
-        #[doc(alias = "tol")]
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         #[must_use]
         pub fn tolerance(mut self, tolerance: f64) -> Self {}
-    }
-    impl proto::Command for MoveL {
-        type Reply = ();
     }
     /// Moves the tool centre point along an arc, through one pose to another (MoveC).
     ///
@@ -358,38 +266,22 @@ pub mod motion {
     /// - The text does not explain `relFlag`, nor what the two poses are relative to when it is 1.
     /// - The text calls `tol` the greatest error allowed, and names no unit. It is in millimetres, and lets the motion blend into the next one (vendor's manual).
     /// - The `cmdName` is `movc`, while the section is titled MoveC.
-    #[doc(alias = "movc")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveC {
-        /// Whether the two poses are targets or offsets. No source says along which axes an offset goes here.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// Whether the two poses are targets or offsets. No source says along which axes an offset goes here. `relFlag` on the wire.
         pub mode: super::types::MoveMode,
-        /// Pose on the arc, between its ends.
-        ///
-        /// `pos_mid` on the wire.
-        #[doc(alias = "pos_mid")]
+        /// Pose on the arc, between its ends. `pos_mid` on the wire.
         pub mid_pose: super::types::Pose,
-        /// Pose at the end of the arc.
-        ///
-        /// `pos_end` on the wire.
-        #[doc(alias = "pos_end")]
+        /// Pose at the end of the arc. `pos_end` on the wire.
         pub end_pose: super::types::Pose,
         /// Speed of the tool centre point along the arc. In mm/s, at least 0. The document calls it a joint speed.
         pub speed: f64,
-        /// Acceleration of the tool centre point along the arc. In mm/s², at least 0. The document calls it a joint acceleration and advises 720 at most.
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Acceleration of the tool centre point along the arc. In mm/s², at least 0. The document calls it a joint acceleration and advises 720 at most. `accel` on the wire.
         pub acceleration: f64,
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0.
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
         /// With a positive value the arm may never be there (vendor's manual). The document calls it the greatest error allowed.
-        ///
-        /// `tol` on the wire.
-        #[doc(alias = "tol")]
         pub tolerance: f64,
     }
     impl MoveC {
@@ -434,9 +326,6 @@ pub mod motion {
             tolerance: f64,
         ) -> Self {}
     }
-    impl proto::Command for MoveC {
-        type Reply = ();
-    }
     /// Waits until the motion that is running has ended.
     ///
     /// The document calls it withdrawn and advises against it, without saying what it does. On old firmware the reply comes
@@ -456,9 +345,6 @@ pub mod motion {
         /// Without any optional field.
         #[must_use]
         pub const fn new() -> Self {}
-    }
-    impl proto::Command for WaitComplete {
-        type Reply = ();
     }
     /// What a jog moves along or about.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

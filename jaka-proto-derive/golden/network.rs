@@ -1,7 +1,7 @@
-/// Lost network.
-///
-/// What the arm does when the network fails while a program on another machine commands it.
 pub mod network {
+    //! Lost network.
+    //!
+    //! What the arm does when the network fails while a program on another machine commands it.
     /// Sets what the arm does when the network fails, and how long after the failure.
     ///
     /// The document does not say what counts as a failure, or whether the setting outlives the connection.
@@ -15,15 +15,9 @@ pub mod network {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetNetworkExceptionHandle {
-        /// How long after the failure the arm acts. In ms, at least 0.
-        ///
-        /// `timeLimit` on the wire.
-        #[doc(alias = "timeLimit")]
+        /// How long after the failure the arm acts. In ms, at least 0. `timeLimit` on the wire.
         pub delay: i64,
-        /// What the arm does.
-        ///
-        /// `motType` on the wire.
-        #[doc(alias = "motType")]
+        /// What the arm does. `motType` on the wire.
         pub action: NetworkExceptionAction,
     }
     impl SetNetworkExceptionHandle {
@@ -32,9 +26,6 @@ pub mod network {
         /// - `delay`: in ms, at least 0
         #[must_use]
         pub const fn new(delay: i64, action: NetworkExceptionAction) -> Self {}
-    }
-    impl proto::Command for SetNetworkExceptionHandle {
-        type Reply = ();
     }
     /// What the arm does when the network fails.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

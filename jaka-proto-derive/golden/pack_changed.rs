@@ -1,11 +1,11 @@
-/// What newer firmware changes.
-///
-/// A field more for `joint_move`, a wider range, a settled dispute, a status key, the status as a reply, and an error code.
 #[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
 pub mod changed {
+    //! What newer firmware changes.
+    //!
+    //! A field more for [`joint_move`](type@JointMove), a wider range, a settled dispute, a status key, the status as a reply, and an error code.
     /// Reads what a status packet says.
     ///
-    /// Sends `read_whole_state`. Changes nothing on the robot.
+    /// Sends `read_whole_state`. Changes nothing on the robot. The reply is [`type@RobotStatus`]. The method is [`ChangedCommands::read_whole_state`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct ReadWholeState {}
@@ -14,35 +14,23 @@ pub mod changed {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for ReadWholeState {
-        type Reply = RobotStatus;
-    }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram).
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
-    /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
+    /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode. The method is [`ChangedCommands::joint_move_changed`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMove {
-        /// Whether `joint_position` is a target or an offset.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// Whether `joint_position` is a target or an offset. `relFlag` on the wire.
         pub mode: ::jaka_sync::types::MoveMode,
-        /// Target or offset of the six joints.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
+        /// Target or offset of the six joints. In deg. `jointPosition` on the wire.
         pub joint_position: ::jaka_sync::types::JointPosition,
         /// Joint speed; the direction comes from `joint_position` alone. In deg/s, at least 0.
         pub speed: f64,
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes). `accel` on the wire.
         pub acceleration: Option<f64>,
         /// Distance from the target at which the next motion may begin. In mm, at least 0.
         ///
@@ -52,6 +40,7 @@ pub mod changed {
     impl JointMove {
         /// With the required fields alone.
         ///
+        /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn new(
@@ -61,6 +50,7 @@ pub mod changed {
         ) -> Self {}
         /// The coordinates are the target.
         ///
+        /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn absolute(
@@ -69,41 +59,30 @@ pub mod changed {
         ) -> Self {}
         /// The coordinates are an offset.
         ///
+        /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
         #[must_use]
         pub fn relative(
             joint_position: impl Into<::jaka_sync::types::JointPosition>,
             speed: f64,
         ) -> Self {}
-        /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes).
-        ///
-        /// `accel` on the wire.
-        #[doc(alias = "accel")]
+        /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
         /// Distance from the target at which the next motion may begin. In mm, at least 0.
-        ///
-        /// Known to firmware 1.7.1 and later.
         #[must_use]
         pub fn zone(mut self, zone: f64) -> Self {}
-    }
-    impl proto::Command for JointMove {
-        type Reply = ();
     }
     /// Sets the rate by which the controller scales the speed of motion.
     ///
     /// The document speaks of the rate at which programs run; whether a motion that is running follows the new rate at once
     /// is not stated.
     ///
-    /// Sends `rapid_rate` (4.17).
-    #[doc(alias = "rapid_rate")]
+    /// Sends `rapid_rate` (4.17). The method is [`ChangedCommands::set_rapid_rate_changed`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetRapidRate {
-        /// Rate. 0 to 1.5. The default is 1.
-        ///
-        /// `rate_value` on the wire.
-        #[doc(alias = "rate_value")]
+        /// Rate. 0 to 1.5. The default is 1. `rate_value` on the wire.
         pub rate: f64,
     }
     impl SetRapidRate {
@@ -113,9 +92,6 @@ pub mod changed {
         #[must_use]
         pub const fn new(rate: f64) -> Self {}
     }
-    impl proto::Command for SetRapidRate {
-        type Reply = ();
-    }
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
     /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
@@ -124,26 +100,20 @@ pub mod changed {
     ///
     /// The setting wants a disabled arm (one client).
     ///
-    /// Sends `set_tio_vout_param` (4.80).
+    /// Sends `set_tio_vout_param` (4.80). The method is [`ChangedCommands::set_tio_vout_param_changed`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTioVoutParam {
-        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on.
+        /// Raw switch of the voltage output. 0 to 1. The sources contradict each other on which of them is on. `tio_vout_ena` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
         /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
-        ///
-        /// `tio_vout_ena` on the wire.
-        #[doc(alias = "tio_vout_ena")]
         pub output_enable: i64,
-        /// Voltage of the tool's output.
+        /// Voltage of the tool's output. `tio_vout_vol` on the wire.
         ///
         /// Settled: Measured at the tool's connector.
-        ///
-        /// `tio_vout_vol` on the wire.
-        #[doc(alias = "tio_vout_vol")]
         pub output_voltage: ToolVoltage,
     }
     impl SetTioVoutParam {
@@ -152,9 +122,6 @@ pub mod changed {
         /// - `output_enable`: 0 to 1
         #[must_use]
         pub const fn new(output_enable: i64, output_voltage: ToolVoltage) -> Self {}
-    }
-    impl proto::Command for SetTioVoutParam {
-        type Reply = ();
     }
     /// Voltage of the tool's output.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -184,18 +151,24 @@ pub mod changed {
     pub trait ChangedCommands: ::jaka_sync::Call {
         /// Reads what a status packet says.
         ///
-        /// Sends `read_whole_state`. Changes nothing on the robot.
+        /// Sends [`read_whole_state`](type@ReadWholeState). Changes nothing on the robot.
         ///
         /// # Errors
         /// As `Call::call`.
         fn read_whole_state(&mut self) -> Result<RobotStatus, ::jaka_sync::Error>;
         /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
         ///
-        /// The motion starts when the one before it has ended. To move at once, stop that one first with `stop_program`.
+        /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram).
         ///
         /// The reply says that the motion was accepted, not that it has ended.
         ///
-        /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
+        /// Sends [`joint_move`](type@JointMove) (4.7). The robot must be powered, enabled and outside servo mode.
+        ///
+        /// # Example
+        /// ```text
+        /// -> {"cmdName": "joint_move", "relFlag": 0, "jointPosition": [0, 90.5, 90.5, 0, 90.5, 0], "speed": 20.5, "accel": 20.5}
+        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "joint_move"}
+        /// ```
         ///
         /// # Errors
         /// As `Call::call`. In another state than the one it needs, expect a refusal.
@@ -208,11 +181,16 @@ pub mod changed {
         /// The document speaks of the rate at which programs run; whether a motion that is running follows the new rate at once
         /// is not stated.
         ///
-        /// Sends `rapid_rate` (4.17).
+        /// Sends [`rapid_rate`](type@SetRapidRate) (4.17).
+        ///
+        /// # Example
+        /// ```text
+        /// -> {"cmdName": "rapid_rate", "rate_value": 0.2}
+        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "rapid_rate"}
+        /// ```
         ///
         /// # Errors
         /// As `Call::call`.
-        #[doc(alias = "rapid_rate")]
         fn set_rapid_rate_changed(
             &mut self,
             rate: f64,
@@ -225,7 +203,13 @@ pub mod changed {
         ///
         /// The setting wants a disabled arm (one client).
         ///
-        /// Sends `set_tio_vout_param` (4.80).
+        /// Sends [`set_tio_vout_param`](type@SetTioVoutParam) (4.80).
+        ///
+        /// # Example
+        /// ```text
+        /// -> {"cmdName": "set_tio_vout_param", "tio_vout_ena": 0, "tio_vout_vol": 0}
+        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "set_tio_vout_param"}
+        /// ```
         ///
         /// # Errors
         /// As `Call::call`.

@@ -1,9 +1,9 @@
-/// Payload.
-///
-/// Mass and centroid of what the arm carries.
-///
-/// The payload at the torque sensor is a setting of its own: see `set_tool_payload`.
 pub mod payload {
+    //! Payload.
+    //!
+    //! Mass and centroid of what the arm carries.
+    //!
+    //! The payload at the torque sensor is a setting of its own: see [`set_tool_payload`](crate::messages::force::SetToolPayload).
     /// Sets the mass and the centroid of the payload.
     ///
     /// Sends `set_payload` (4.42).
@@ -26,12 +26,9 @@ pub mod payload {
         #[must_use]
         pub fn new(mass: f64, centroid: impl Into<Centroid>) -> Self {}
     }
-    impl proto::Command for SetPayload {
-        type Reply = ();
-    }
     /// Reads the mass and the centroid of the payload.
     ///
-    /// Sends `get_payload` (4.43). Changes nothing on the robot.
+    /// Sends `get_payload` (4.43). Changes nothing on the robot. The reply is [`GetPayloadReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetPayload {}
@@ -40,10 +37,7 @@ pub mod payload {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetPayload {
-        type Reply = GetPayloadReply;
-    }
-    /// What the controller answers to [`GetPayload`].
+    /// What the controller answers to [`type@GetPayload`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetPayloadReply {

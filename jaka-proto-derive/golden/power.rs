@@ -1,19 +1,19 @@
-/// Power, enabling and the controller's state.
-///
-/// The arm is ready to move when it has power and is enabled, in this order.
-///
-/// A reply to `power_on` or `enable_robot`, even with errorCode 0, is no proof of the new state: firmware 1.5.14 replies when the state is
-/// there, newer firmware at once. Poll `get_robot_state` or the status of port 10000 until the state is there.
-///
-/// Leave the states in the reverse order, from an arm at rest: powering off wants a disabled arm, a shutdown one without power (events in the
-/// vendor's table).
 pub mod power {
+    //! Power, enabling and the controller's state.
+    //!
+    //! The arm is ready to move when it has power and is enabled, in this order.
+    //!
+    //! A reply to [`power_on`](type@PowerOn) or [`enable_robot`](type@EnableRobot), even with errorCode 0, is no proof of the new state: firmware 1.5.14 replies when the state is
+    //! there, newer firmware at once. Poll [`get_robot_state`](type@GetRobotState) or the status of port 10000 until the state is there.
+    //!
+    //! Leave the states in the reverse order, from an arm at rest: powering off wants a disabled arm, a shutdown one without power (events in the
+    //! vendor's table).
     /// Switches the arm's power on.
     ///
     /// This takes about 8 s. Firmware 1.5.14 replies when the arm has power (three transcripts), newer firmware at once (vendor's SDK). So an
     /// errorCode of 0 is no proof that the arm has power: poll the state.
     ///
-    /// Sends `power_on` (4.1).
+    /// Sends `power_on` (4.1). The reply is [`PowerOnReply`].
     ///
     /// # Errata
     ///
@@ -26,17 +26,11 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for PowerOn {
-        type Reply = PowerOnReply;
-    }
-    /// What the controller answers to [`PowerOn`].
+    /// What the controller answers to [`type@PowerOn`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct PowerOnReply {
-        /// Whether the arm has power, where the controller says so.
-        ///
-        /// `power status` on the wire.
-        #[doc(alias = "power status")]
+        /// Whether the arm has power, where the controller says so. `power status` on the wire.
         pub powered_on: Option<bool>,
     }
     /// Switches the arm's power off.
@@ -52,15 +46,12 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for PowerOff {
-        type Reply = ();
-    }
     /// Enables the arm, so that it can move.
     ///
     /// This takes 3 to 4 s as a rule; 20 s is seen. Firmware 1.5.14 replies when the arm is enabled (transcripts), newer firmware at once
     /// (vendor's SDK). So an errorCode of 0 is no proof that the arm is enabled: poll the state.
     ///
-    /// Sends `enable_robot` (4.3). The robot must be powered.
+    /// Sends `enable_robot` (4.3). The robot must be powered. The reply is [`EnableRobotReply`].
     ///
     /// # Errata
     ///
@@ -73,17 +64,11 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for EnableRobot {
-        type Reply = EnableRobotReply;
-    }
-    /// What the controller answers to [`EnableRobot`].
+    /// What the controller answers to [`type@EnableRobot`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct EnableRobotReply {
-        /// Whether the arm is enabled, where the controller says so.
-        ///
-        /// `enabled status` on the wire.
-        #[doc(alias = "enabled status")]
+        /// Whether the arm is enabled, where the controller says so. `enabled status` on the wire.
         pub enabled: Option<bool>,
     }
     /// Disables the arm.
@@ -99,9 +84,6 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for DisableRobot {
-        type Reply = ();
-    }
     /// Shuts down the arm and the controller.
     ///
     /// It wants an arm without power (vendor's table of events). The document shows a reply, users see none. The connection is of no use
@@ -116,15 +98,12 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for Shutdown {
-        type Reply = ();
-    }
     /// Reads whether the arm has power and is enabled.
     ///
     /// Old firmware answers with the document's words, newer firmware with true and false or with numbers, and adds the
     /// controller's error.
     ///
-    /// Sends `get_robot_state` (4.12). Changes nothing on the robot.
+    /// Sends `get_robot_state` (4.12). Changes nothing on the robot. The reply is [`GetRobotStateReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetRobotState {}
@@ -133,42 +112,27 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetRobotState {
-        type Reply = GetRobotStateReply;
-    }
-    /// What the controller answers to [`GetRobotState`].
+    /// What the controller answers to [`type@GetRobotState`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetRobotStateReply {
-        /// Whether the arm is enabled.
-        ///
-        /// `enable` on the wire.
-        #[doc(alias = "enable")]
+        /// Whether the arm is enabled. `enable` on the wire.
         pub enabled: bool,
-        /// Whether the arm has power.
-        ///
-        /// `power` on the wire.
-        #[doc(alias = "power")]
+        /// Whether the arm has power. `power` on the wire.
         pub powered_on: bool,
-        /// Code of the controller's event, which is not always an error; newer firmware adds the key.
+        /// Code of the controller's event, which is not always an error; newer firmware adds the key. `errcode` on the wire.
         ///
         /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON; the vendor's own SDK reads nothing else. Clients
         /// of newer firmware have met a hexadecimal string such as `0x0`, as on port 10000. The Rust method `event` reads both.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `errcode` on the wire.
-        #[doc(alias = "errcode")]
         pub error_code: Option<wire::Typed<String>>,
-        /// The message that goes with `error_code`, which newer firmware adds.
-        ///
-        /// `msg` on the wire.
-        #[doc(alias = "msg")]
+        /// The message that goes with `error_code`, which newer firmware adds. `msg` on the wire.
         pub error_message: Option<String>,
     }
     /// Reads the version of the controller's software.
     ///
-    /// Sends `get_version` (4.51). Changes nothing on the robot.
+    /// Sends `get_version` (4.51). Changes nothing on the robot. The reply is [`GetVersionReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetVersion {}
@@ -177,10 +141,7 @@ pub mod power {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetVersion {
-        type Reply = GetVersionReply;
-    }
-    /// What the controller answers to [`GetVersion`].
+    /// What the controller answers to [`type@GetVersion`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetVersionReply {

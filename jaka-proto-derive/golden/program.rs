@@ -1,23 +1,19 @@
-/// Programs and the speed rate.
-///
-/// Loads a program that is stored on the controller, starts, pauses, resumes and stops it.
-///
-/// `stop_program` also ends a motion when no program is loaded.
 pub mod program {
+    //! Programs and the speed rate.
+    //!
+    //! Loads a program that is stored on the controller, starts, pauses, resumes and stops it.
+    //!
+    //! [`stop_program`](type@StopProgram) also ends a motion when no program is loaded.
     /// Sets the rate by which the controller scales the speed of motion.
     ///
     /// The document speaks of the rate at which programs run; whether a motion that is running follows the new rate at once
     /// is not stated.
     ///
     /// Sends `rapid_rate` (4.17).
-    #[doc(alias = "rapid_rate")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetRapidRate {
-        /// Rate. 0 to 1. The default is 1.
-        ///
-        /// `rate_value` on the wire.
-        #[doc(alias = "rate_value")]
+        /// Rate. 0 to 1. The default is 1. `rate_value` on the wire.
         pub rate: f64,
     }
     impl SetRapidRate {
@@ -26,9 +22,6 @@ pub mod program {
         /// - `rate`: 0 to 1
         #[must_use]
         pub const fn new(rate: f64) -> Self {}
-    }
-    impl proto::Command for SetRapidRate {
-        type Reply = ();
     }
     /// Loads a program that is stored on the controller.
     ///
@@ -43,12 +36,9 @@ pub mod program {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct LoadProgram {
-        /// File name of the program. Chinese characters are not supported.
+        /// File name of the program. Chinese characters are not supported. `programName` on the wire.
         ///
         /// Printable ASCII only.
-        ///
-        /// `programName` on the wire.
-        #[doc(alias = "programName")]
         pub program_name: String,
     }
     impl LoadProgram {
@@ -56,12 +46,9 @@ pub mod program {
         #[must_use]
         pub fn new(program_name: impl Into<String>) -> Self {}
     }
-    impl proto::Command for LoadProgram {
-        type Reply = ();
-    }
     /// Reads the name of the loaded program.
     ///
-    /// Sends `get_loaded_program` (4.19). Changes nothing on the robot.
+    /// Sends `get_loaded_program` (4.19). Changes nothing on the robot. The reply is [`GetLoadedProgramReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetLoadedProgram {}
@@ -70,18 +57,12 @@ pub mod program {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetLoadedProgram {
-        type Reply = GetLoadedProgramReply;
-    }
-    /// What the controller answers to [`GetLoadedProgram`].
+    /// What the controller answers to [`type@GetLoadedProgram`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetLoadedProgramReply {
         /// File name of the program. The document does not say what it is when no program is loaded, nor whether a trajectory's
-        /// name keeps its `track/`.
-        ///
-        /// `programName` on the wire.
-        #[doc(alias = "programName")]
+        /// name keeps its `track/`. `programName` on the wire.
         pub program_name: String,
     }
     /// Starts the loaded program.
@@ -97,9 +78,6 @@ pub mod program {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for PlayProgram {
-        type Reply = ();
-    }
     /// Pauses the program that is running.
     ///
     /// Sends `pause_program` (4.21).
@@ -112,9 +90,6 @@ pub mod program {
         /// Without any optional field.
         #[must_use]
         pub const fn new() -> Self {}
-    }
-    impl proto::Command for PauseProgram {
-        type Reply = ();
     }
     /// Resumes the program that is paused.
     ///
@@ -129,13 +104,10 @@ pub mod program {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for ResumeProgram {
-        type Reply = ();
-    }
     /// Stops the program, or the motion, that is running.
     ///
-    /// This is also the usual way to abort `joint_move`, `end_move` or `move_l` with no program loaded. No source says whether
-    /// it ends `move_c`, a jog or servo motion too, nor what becomes of motions that wait their turn. It is no emergency stop:
+    /// This is also the usual way to abort [`joint_move`](crate::messages::motion::JointMove), [`end_move`](crate::messages::motion::EndMove) or [`move_l`](crate::messages::motion::MoveL) with no program loaded. No source says whether
+    /// it ends [`move_c`](crate::messages::motion::MoveC), a jog or servo motion too, nor what becomes of motions that wait their turn. It is no emergency stop:
     /// the command travels over the network.
     ///
     /// Sends `stop_program` (4.23).
@@ -149,12 +121,9 @@ pub mod program {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for StopProgram {
-        type Reply = ();
-    }
     /// Reads the state of the program.
     ///
-    /// Sends `get_program_state` (4.24). Changes nothing on the robot.
+    /// Sends `get_program_state` (4.24). Changes nothing on the robot. The reply is [`GetProgramStateReply`].
     ///
     /// Reconstructed, since the document's page is lost: The document's page is lost. Field notes: request and key certain; value `idle` certain, `running` and `paused` likely.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -165,20 +134,14 @@ pub mod program {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetProgramState {
-        type Reply = GetProgramStateReply;
-    }
-    /// What the controller answers to [`GetProgramState`].
+    /// What the controller answers to [`type@GetProgramState`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetProgramStateReply {
-        /// State of the program.
-        ///
-        /// `programState` on the wire.
-        #[doc(alias = "programState")]
+        /// State of the program. `programState` on the wire.
         pub program_state: ProgramState,
     }
-    /// State of a program, as `get_program_state` answers. There may be others than these.
+    /// State of a program, as [`get_program_state`](type@GetProgramState) answers. There may be others than these.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum ProgramState {

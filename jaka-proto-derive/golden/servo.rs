@@ -1,18 +1,18 @@
-/// Servo mode.
-///
-/// In servo mode the arm follows set-points that come one by one, without the controller's planner between them.
-///
-/// A set-point is due every 8 ms, or every multiple of it that `step_count` gives, and each is answered. Plan the
-/// trajectory beforehand: what the set-points ask goes straight to the drives. For other purposes the document advises
-/// `joint_move` and `move_l`.
 pub mod servo {
+    //! Servo mode.
+    //!
+    //! In servo mode the arm follows set-points that come one by one, without the controller's planner between them.
+    //!
+    //! A set-point is due every 8 ms, or every multiple of it that `step_count` gives, and each is answered. Plan the
+    //! trajectory beforehand: what the set-points ask goes straight to the drives. For other purposes the document advises
+    //! [`joint_move`](crate::messages::motion::JointMove) and [`move_l`](crate::messages::motion::MoveL).
     /// Reads whether the robot is in servo mode.
     ///
-    /// Sends `is_in_servomove` (4.13). Changes nothing on the robot.
+    /// Sends `is_in_servomove` (4.13). Changes nothing on the robot. The reply is [`IsInServomoveReply`].
     ///
     /// # Errata
     ///
-    /// - The text explains `relFlag`, which neither request nor reply has; it belongs to `servo_move` (4.14).
+    /// - The text explains `relFlag`, which neither request nor reply has; it belongs to [`servo_move`](type@SetServoMode) (4.14).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct IsInServomove {}
@@ -21,38 +21,28 @@ pub mod servo {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for IsInServomove {
-        type Reply = IsInServomoveReply;
-    }
-    /// What the controller answers to [`IsInServomove`].
+    /// What the controller answers to [`type@IsInServomove`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct IsInServomoveReply {
-        /// Whether the robot is in servo mode.
-        ///
-        /// `in_servomove` on the wire.
-        #[doc(alias = "in_servomove")]
+        /// Whether the robot is in servo mode. `in_servomove` on the wire.
         pub in_servo_mode: bool,
     }
     /// Enters or leaves servo mode.
     ///
     /// An arm at rest enters at once: within 9 ms on firmware 1.5.14. While the arm moves, the command is acknowledged and servo mode is not
-    /// entered: `is_in_servomove` stays false, and `servo_j` is refused with code -1 (two transcripts of firmware 1.5.14). So send it to an arm
-    /// at rest, and ask `is_in_servomove` before the first set-point.
+    /// entered: [`is_in_servomove`](type@IsInServomove) stays false, and [`servo_j`](type@ServoJ) is refused with code -1 (two transcripts of firmware 1.5.14). So send it to an arm
+    /// at rest, and ask [`is_in_servomove`](type@IsInServomove) before the first set-point.
     ///
     /// Sends `servo_move` (4.14). The robot must be powered and enabled.
     ///
     /// # Errata
     ///
     /// - The key `relFlag` means enter or leave here. In other commands it chooses between target and offset.
-    #[doc(alias = "servo_move")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetServoMode {
-        /// On to enter servo mode, off to leave it.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// On to enter servo mode, off to leave it. `relFlag` on the wire.
         pub servo_mode: super::types::Switch,
     }
     impl SetServoMode {
@@ -60,16 +50,13 @@ pub mod servo {
         #[must_use]
         pub const fn new(servo_mode: super::types::Switch) -> Self {}
     }
-    impl proto::Command for SetServoMode {
-        type Reply = ();
-    }
     /// Moves all joints to a set-point, or by an offset, within one servo period.
     ///
     /// The planner does not interpolate: set-points must follow one another every 8 ms times `step_count`, and a single one
     /// shows no effect. A set-point that asks more than 180 deg/s of a joint has no effect: the document's example is 1.5
     /// degrees in 8 ms, which is 187.5 deg/s.
     ///
-    /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
+    /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with [`servo_move`](type@SetServoMode)
     /// first.
     ///
     /// Sends `servo_j` (4.15). The robot must be powered, enabled and in servo mode.
@@ -78,57 +65,47 @@ pub mod servo {
     ///
     /// - The text writes the key `stepnum`, the sample `stepNum`.
     /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
-    /// - The text calls `joint_move` the fifth command. It is in 4.7.
+    /// - The text calls [`joint_move`](crate::messages::motion::JointMove) the fifth command. It is in 4.7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ServoJ {
-        /// Whether `joint_position` is a target or an offset.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// Whether `joint_position` is a target or an offset. `relFlag` on the wire.
         pub mode: super::types::MoveMode,
-        /// Set-point, or offset, of the six joints.
-        ///
-        /// `jointPosition` on the wire.
-        #[doc(alias = "jointPosition")]
+        /// Set-point, or offset, of the six joints. In deg. `jointPosition` on the wire.
         pub joint_position: super::types::JointPosition,
         /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. Controllers take the command without it (field
-        /// notes).
-        ///
-        /// `stepNum` on the wire.
-        #[doc(alias = "stepNum")]
+        /// notes). `stepNum` on the wire.
         pub step_count: Option<i64>,
     }
     impl ServoJ {
         /// With the required fields alone.
+        ///
+        /// - `joint_position`: in deg
         #[must_use]
         pub fn new(
             mode: super::types::MoveMode,
             joint_position: impl Into<super::types::JointPosition>,
         ) -> Self {}
         /// The coordinates are the target.
+        ///
+        /// - `joint_position`: in deg
         #[must_use]
         pub fn absolute(joint_position: impl Into<super::types::JointPosition>) -> Self {}
         /// The coordinates are an offset.
+        ///
+        /// - `joint_position`: in deg
         #[must_use]
         pub fn relative(joint_position: impl Into<super::types::JointPosition>) -> Self {}
-        /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. Controllers take the command without it (field
-        /// notes).
-        ///
-        /// `stepNum` on the wire.
-        #[doc(alias = "stepNum")]
+        /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. `stepNum` on the wire.
         #[must_use]
         pub fn step_count(mut self, step_count: i64) -> Self {}
-    }
-    impl proto::Command for ServoJ {
-        type Reply = ();
     }
     /// Moves the tool centre point to a set-point, or by an offset, within one servo period.
     ///
     /// The planner does not interpolate: set-points must follow one another every 8 ms times `step_count`. Keep the steps
     /// between them small, so that the controller's speed limits are not exceeded; the document names no number.
     ///
-    /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with `servo_move`
+    /// Every set-point is answered. The answers need not be waited for, but must be read. Enter servo mode with [`servo_move`](type@SetServoMode)
     /// first.
     ///
     /// Sends `servo_p` (4.16). The robot must be powered, enabled and in servo mode.
@@ -138,25 +115,16 @@ pub mod servo {
     /// - The key is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
     /// - The text writes the key `stepnum`, the sample `stepNum`.
     /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
-    /// - The text speaks of points of the six joints and of `servo_j`, as copied from 4.15. The set-point is a pose.
+    /// - The text speaks of points of the six joints and of [`servo_j`](type@ServoJ), as copied from 4.15. The set-point is a pose.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ServoP {
-        /// Set-point, or offset, of the tool centre point.
-        ///
-        /// `catPosition` on the wire.
-        #[doc(alias = "catPosition")]
+        /// Set-point, or offset, of the tool centre point. `catPosition` on the wire.
         pub pose: super::types::Pose,
-        /// Whether `pose` is a target or an offset.
-        ///
-        /// `relFlag` on the wire.
-        #[doc(alias = "relFlag")]
+        /// Whether `pose` is a target or an offset. `relFlag` on the wire.
         pub mode: super::types::MoveMode,
         /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. Controllers take the command without it (field
-        /// notes).
-        ///
-        /// `stepNum` on the wire.
-        #[doc(alias = "stepNum")]
+        /// notes). `stepNum` on the wire.
         pub step_count: Option<i64>,
     }
     impl ServoP {
@@ -172,20 +140,13 @@ pub mod servo {
         /// The coordinates are an offset.
         #[must_use]
         pub fn relative(pose: impl Into<super::types::Pose>) -> Self {}
-        /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. Controllers take the command without it (field
-        /// notes).
-        ///
-        /// `stepNum` on the wire.
-        #[doc(alias = "stepNum")]
+        /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. `stepNum` on the wire.
         #[must_use]
         pub fn step_count(mut self, step_count: i64) -> Self {}
     }
-    impl proto::Command for ServoP {
-        type Reply = ();
-    }
     /// Sets the filter that smooths the set-points of servo mode.
     ///
-    /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on `servo_j` and `servo_p`, filter 4 on `servo_p` alone (vendor's
+    /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on [`servo_j`](type@ServoJ) and [`servo_p`](type@ServoP), filter 4 on [`servo_p`](type@ServoP) alone (vendor's
     /// manual).
     ///
     /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
@@ -209,106 +170,58 @@ pub mod servo {
         /// First-order low-pass filter on the joints.
         #[non_exhaustive]
         JointLowPass {
-            /// Cut-off frequency. In Hz, at least 0.
-            ///
-            /// `lpf_cf` on the wire.
-            #[doc(alias = "lpf_cf")]
+            /// Cut-off frequency. In Hz, at least 0. `lpf_cf` on the wire.
             cutoff_frequency: f64,
         },
         /// Nonlinear filter on the joints.
         #[non_exhaustive]
         JointNonlinear {
-            /// Greatest speed of a joint. In deg/s, at least 0.
-            ///
-            /// `nlf_max_vr` on the wire.
-            #[doc(alias = "nlf_max_vr")]
+            /// Greatest speed of a joint. In deg/s, at least 0. `nlf_max_vr` on the wire.
             max_joint_speed: f64,
-            /// Greatest acceleration of a joint. In deg/s², at least 0.
-            ///
-            /// `nlf_max_ar` on the wire.
-            #[doc(alias = "nlf_max_ar")]
+            /// Greatest acceleration of a joint. In deg/s², at least 0. `nlf_max_ar` on the wire.
             max_joint_acceleration: f64,
-            /// Greatest jerk of a joint. In deg/s³, at least 0.
-            ///
-            /// `nlf_max_jr` on the wire.
-            #[doc(alias = "nlf_max_jr")]
+            /// Greatest jerk of a joint. In deg/s³, at least 0. `nlf_max_jr` on the wire.
             max_joint_jerk: f64,
         },
         /// Multi-stage mean filter on the joints.
         #[non_exhaustive]
         JointMean {
-            /// Width of the filter's window. At least 0. A wider one smooths more and is less accurate.
+            /// Width of the filter's window. At least 0. A wider one smooths more and is less accurate. `mmf_max_buf` on the wire.
             ///
             /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's manual).
-            ///
-            /// `mmf_max_buf` on the wire.
-            #[doc(alias = "mmf_max_buf")]
             window_width: i64,
-            /// How closely the position is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter.
-            ///
-            /// `mmf_kp` on the wire.
-            #[doc(alias = "mmf_kp")]
+            /// How closely the position is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kp` on the wire.
             position_coefficient: f64,
-            /// How closely the speed is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter.
-            ///
-            /// `mmf_kv` on the wire.
-            #[doc(alias = "mmf_kv")]
+            /// How closely the speed is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kv` on the wire.
             speed_coefficient: f64,
             /// How closely the acceleration is followed. A smaller one smooths more; a greater one is more accurate, but may cause
-            /// jitter.
-            ///
-            /// `mmf_ka` on the wire.
-            #[doc(alias = "mmf_ka")]
+            /// jitter. `mmf_ka` on the wire.
             acceleration_coefficient: f64,
         },
         /// Nonlinear filter in Cartesian space.
         #[non_exhaustive]
         CartesianNonlinear {
-            /// Greatest speed at which the orientation changes. In deg/s (printed as %/s), at least 0.
-            ///
-            /// `nlf_max_vr` on the wire.
-            #[doc(alias = "nlf_max_vr")]
+            /// Greatest speed at which the orientation changes. In deg/s (printed as %/s), at least 0. `nlf_max_vr` on the wire.
             max_rotation_speed: f64,
-            /// Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²), at least 0.
-            ///
-            /// `nlf_max_ar` on the wire.
-            #[doc(alias = "nlf_max_ar")]
+            /// Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²), at least 0. `nlf_max_ar` on the wire.
             max_rotation_acceleration: f64,
-            /// Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³), at least 0.
-            ///
-            /// `nlf_max_jr` on the wire.
-            #[doc(alias = "nlf_max_jr")]
+            /// Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³), at least 0. `nlf_max_jr` on the wire.
             max_rotation_jerk: f64,
-            /// Greatest speed of the commanded translation in Cartesian space. In mm/s, at least 0.
-            ///
-            /// `nlf_max_vp` on the wire.
-            #[doc(alias = "nlf_max_vp")]
+            /// Greatest speed of the commanded translation in Cartesian space. In mm/s, at least 0. `nlf_max_vp` on the wire.
             max_translation_speed: f64,
-            /// Greatest acceleration of the commanded translation in Cartesian space. In mm/s², at least 0.
-            ///
-            /// `nlf_max_ap` on the wire.
-            #[doc(alias = "nlf_max_ap")]
+            /// Greatest acceleration of the commanded translation in Cartesian space. In mm/s², at least 0. `nlf_max_ap` on the wire.
             max_translation_acceleration: f64,
-            /// Greatest jerk of the commanded translation in Cartesian space. In mm/s³, at least 0.
-            ///
-            /// `nlf_max_jp` on the wire.
-            #[doc(alias = "nlf_max_jp")]
+            /// Greatest jerk of the commanded translation in Cartesian space. In mm/s³, at least 0. `nlf_max_jp` on the wire.
             max_translation_jerk: f64,
         },
         /// Speed look-ahead.
         #[non_exhaustive]
         SpeedLookahead {
-            /// Size of the mean filter's buffer. At least 0.
+            /// Size of the mean filter's buffer. At least 0. `mmf_max_buf` on the wire.
             ///
             /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's manual).
-            ///
-            /// `mmf_max_buf` on the wire.
-            #[doc(alias = "mmf_max_buf")]
             buffer_size: i64,
-            /// How closely the position is followed. The document calls it a coefficient of the acceleration here.
-            ///
-            /// `mmf_kp` on the wire.
-            #[doc(alias = "mmf_kp")]
+            /// How closely the position is followed. The document calls it a coefficient of the acceleration here. `mmf_kp` on the wire.
             position_coefficient: f64,
         },
     }
@@ -367,8 +280,5 @@ pub mod servo {
             buffer_size: i64,
             position_coefficient: f64,
         ) -> Self {}
-    }
-    impl proto::Command for SetServoMoveFilter {
-        type Reply = ();
     }
 }

@@ -1,10 +1,10 @@
-/// The connection.
-///
-/// Port 10001 serves one client. A second client is refused or takes the first one's place, depending on the firmware. The
-/// replies come in the order of the requests.
-///
-/// Closing the connection leaves power and enabling as they are.
 pub mod session {
+    //! The connection.
+    //!
+    //! Port 10001 serves one client. A second client is refused or takes the first one's place, depending on the firmware. The
+    //! replies come in the order of the requests.
+    //!
+    //! Closing the connection leaves power and enabling as they are.
     /// Ends the connection.
     ///
     /// The controller answers as usual, and the client closes the connection then. Closing it without this command leaves power
@@ -18,8 +18,5 @@ pub mod session {
         /// Without any optional field.
         #[must_use]
         pub const fn new() -> Self {}
-    }
-    impl proto::Command for Quit {
-        type Reply = ();
     }
 }

@@ -1,28 +1,25 @@
-/// Status packet of port 10000.
-///
-/// What the controller sends on port 10000, again and again, without being asked.
-///
-/// The packets follow each other without anything between them: about every 30 ms on firmware 1.5.14, every 50 or 100 ms
-/// elsewhere (field notes). Keys may be missing, newer firmware adds some, and lengths of arrays differ.
-///
-/// The document explains the keys up to `current_user_id`, and prints only a value or a length of those after it: a page is probably lost in
-/// the copy at hand. The vendor's English page, which a public client has copied, explains more of them.
-///
-/// Controllers write a blank after each comma and colon, and `len` counts the blanks: so do all 312 packets that were captured.
 pub mod status {
+    //! Status packet of port 10000.
+    //!
+    //! What the controller sends on port 10000, again and again, without being asked.
+    //!
+    //! The packets follow each other without anything between them: about every 30 ms on firmware 1.5.14, every 50 or 100 ms
+    //! elsewhere (field notes). Keys may be missing, newer firmware adds some, and lengths of arrays differ.
+    //!
+    //! The document explains the keys up to `current_user_id`, and prints only a value or a length of those after it: a page is probably lost in
+    //! the copy at hand. The vendor's English page, which a public client has copied, explains more of them.
+    //!
+    //! Controllers write a blank after each comma and colon, and `len` counts the blanks: so do all 312 packets that were captured.
     /// State of the robot, as one packet of port 10000 gives it.
     ///
     /// Any key may be absent. A refused command on port 10001 does not show here.
     #[derive(Debug, Clone, PartialEq, Default)]
     #[non_exhaustive]
     pub struct RobotStatus {
-        /// Length of the packet, itself included. In bytes.
+        /// Length of the packet, itself included. In bytes. `len` on the wire.
         ///
         /// The document says that packets are at most 5000 bytes as a rule; 9 KB have been seen, and newer firmware is said to send
         /// up to 15 KB (field notes).
-        ///
-        /// `len` on the wire.
-        #[doc(alias = "len")]
         pub length: Option<i64>,
         /// Whether the robot is in drag mode.
         pub drag_status: Option<bool>,
@@ -30,68 +27,38 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub extio: Option<wire::Typed<ExtioReport>>,
-        /// Code of the controller's event, which is not always an error: a hexadecimal number such as `0x0`, which says that there is none.
+        /// Code of the controller's event, which is not always an error: a hexadecimal number such as `0x0`, which says that there is none. `errcode` on the wire.
         ///
         /// `0x10f0005`, say, is the information that the robot is disabled, and may be of an event that is over. `ControllerEvent` of the
         /// Rust crates reads the code and knows the severity.
-        ///
-        /// `errcode` on the wire.
-        #[doc(alias = "errcode")]
         pub error_code: Option<String>,
-        /// Message of the controller for `error_code`.
-        ///
-        /// `errmsg` on the wire.
-        #[doc(alias = "errmsg")]
+        /// Message of the controller for `error_code`. `errmsg` on the wire.
         pub error_message: Option<String>,
         /// Measurements in the cabinet and the joints, for diagnosis.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub monitor_data: Option<wire::Typed<MonitorData>>,
-        /// Settings and state of the torque sensor.
+        /// Settings and state of the torque sensor. `torqsensor` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `torqsensor` on the wire.
-        #[doc(alias = "torqsensor")]
         pub torque_sensor: Option<wire::Typed<TorqueSensorReport>>,
-        /// Actual positions of the six joints.
+        /// Actual positions of the six joints. In deg.
         pub joint_actual_position: Option<super::types::JointPosition>,
         /// Actual pose of the tool centre point in Cartesian space.
         pub actual_position: Option<super::types::Pose>,
-        /// All digital inputs. 135 on firmware 1.5.14, 199 on newer firmware (captures); 136, 144 and 200 are seen too.
-        ///
-        /// `din` on the wire.
-        #[doc(alias = "din")]
+        /// All digital inputs. 135 on firmware 1.5.14, 199 on newer firmware (captures); 136, 144 and 200 are seen too. `din` on the wire.
         pub digital_inputs: Option<Vec<bool>>,
-        /// All digital outputs of the cabinet. 135 on firmware 1.5.14, 199 on newer firmware (captures); the document prints 144.
-        ///
-        /// `dout` on the wire.
-        #[doc(alias = "dout")]
+        /// All digital outputs of the cabinet. 135 on firmware 1.5.14, 199 on newer firmware (captures); the document prints 144. `dout` on the wire.
         pub digital_outputs: Option<Vec<bool>>,
-        /// All analog inputs of the cabinet. 64, 66 or 128, depending on the firmware. Unit not stated.
-        ///
-        /// `ain` on the wire.
-        #[doc(alias = "ain")]
+        /// All analog inputs of the cabinet. 64, 66 or 128, depending on the firmware. Unit not stated. `ain` on the wire.
         pub analog_inputs: Option<Vec<f64>>,
-        /// All analog outputs of the cabinet. The document prints 66. Unit not stated.
-        ///
-        /// `aout` on the wire.
-        #[doc(alias = "aout")]
+        /// All analog outputs of the cabinet. The document prints 66. Unit not stated. `aout` on the wire.
         pub analog_outputs: Option<Vec<f64>>,
-        /// All digital inputs of the tool. The document prints 8.
-        ///
-        /// `tio_din` on the wire.
-        #[doc(alias = "tio_din")]
+        /// All digital inputs of the tool. The document prints 8. `tio_din` on the wire.
         pub tool_digital_inputs: Option<Vec<bool>>,
-        /// All digital outputs of the tool. The document prints 8.
-        ///
-        /// `tio_dout` on the wire.
-        #[doc(alias = "tio_dout")]
+        /// All digital outputs of the tool. The document prints 8. `tio_dout` on the wire.
         pub tool_digital_outputs: Option<Vec<bool>>,
-        /// All analog inputs of the tool. 2 on firmware 1.5.14 and newer firmware (captures); the document prints 1. Unit not stated.
-        ///
-        /// `tio_ain` on the wire.
-        #[doc(alias = "tio_ain")]
+        /// All analog inputs of the tool. 2 on firmware 1.5.14 and newer firmware (captures); the document prints 1. Unit not stated. `tio_ain` on the wire.
         pub tool_analog_inputs: Option<Vec<f64>>,
         /// Whether the robot has power and is enabled.
         pub task_state: Option<TaskState>,
@@ -103,26 +70,17 @@ pub mod status {
         pub homed: Option<wire::Typed<Vec<bool>>>,
         /// Task mode of the robot.
         pub task_mode: Option<TaskMode>,
-        /// State of the program.
-        ///
-        /// `interp_state` on the wire.
-        #[doc(alias = "interp_state")]
+        /// State of the program. `interp_state` on the wire.
         pub interpreter_state: Option<InterpreterState>,
         /// Whether the robot is enabled.
         pub enabled: Option<bool>,
         /// Whether the program is paused.
         pub paused: Option<bool>,
-        /// Rate by which motions are scaled; 1 in the document's sample.
-        ///
-        /// `rapidrate` on the wire.
-        #[doc(alias = "rapidrate")]
+        /// Rate by which motions are scaled; 1 in the document's sample. `rapidrate` on the wire.
         pub rapid_rate: Option<f64>,
         /// Index of the present tool frame.
         pub current_tool_id: Option<i64>,
-        /// Index of the present user frame.
-        ///
-        /// `current_user_id` on the wire.
-        #[doc(alias = "current_user_id")]
+        /// Index of the present user frame. `current_user_id` on the wire.
         pub current_user_frame_id: Option<i64>,
         /// Whether a soft limit was hit: 1 if so (vendor's English page); passed on as it is.
         ///
@@ -134,172 +92,103 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub drag_near_limit: Option<wire::Typed<Vec<i64>>>,
-        /// The input of each function.
+        /// The input of each function. `funcdi` on the wire.
         ///
-        /// 15 of them in the captures, \[-1, -1] where none is assigned; 12 and 13 have been seen too. `get_funcdi_status` names the functions.
+        /// 15 of them in the captures, \[-1, -1] where none is assigned; 12 and 13 have been seen too. [`get_funcdi_status`](crate::messages::io::GetFuncdiStatus) names the functions.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `funcdi` on the wire.
-        #[doc(alias = "funcdi")]
         pub function_inputs: Option<wire::Typed<Vec<super::io::FunctionInput>>>,
         /// Whether the robot has power (vendor's English page).
         pub powered_on: Option<bool>,
-        /// Whether the robot is in position (vendor's English page).
+        /// Whether the robot is in position (vendor's English page). `inpos` on the wire.
         ///
         /// It stays true for some 100 ms after a motion is accepted, and a motion of length zero may never drop it (field notes).
-        ///
-        /// `inpos` on the wire.
-        #[doc(alias = "inpos")]
         pub in_position: Option<bool>,
         /// Withdrawn (vendor's English page). The document prints 1.
         pub motion_mode: Option<i64>,
-        /// Speed of the tool centre point (vendor's English page). In mm/s.
-        ///
-        /// `curr_tcp_trans_vel` on the wire.
-        #[doc(alias = "curr_tcp_trans_vel")]
+        /// Speed of the tool centre point (vendor's English page). In mm/s. `curr_tcp_trans_vel` on the wire.
         pub tcp_speed: Option<f64>,
         /// Whether the robot is in a protective stop (vendor's English page).
         ///
-        /// `protective_stop_status` reads the key of the same name.
+        /// [`protective_stop_status`](crate::messages::collision::ProtectiveStopStatus) reads the key of the same name.
         pub protective_stop: Option<bool>,
         /// The button at the arm's end (vendor's English page).
         pub point_key: Option<i64>,
-        /// Withdrawn (vendor's English page). The document prints 1.
-        ///
-        /// `netState` on the wire.
-        #[doc(alias = "netState")]
+        /// Withdrawn (vendor's English page). The document prints 1. `netState` on the wire.
         pub network_state: Option<i64>,
-        /// Commanded positions of the six joints. Sent by newer firmware.
-        ///
-        /// `joint_position` on the wire.
-        #[doc(alias = "joint_position")]
+        /// Commanded positions of the six joints. In deg. Sent by newer firmware. `joint_position` on the wire.
         pub joint_commanded_position: Option<super::types::JointPosition>,
-        /// Commanded pose of the tool centre point. Sent by newer firmware.
-        ///
-        /// `position` on the wire.
-        #[doc(alias = "position")]
+        /// Commanded pose of the tool centre point. Sent by newer firmware. `position` on the wire.
         pub commanded_position: Option<super::types::Pose>,
-        /// Keys at the tool: free, point and pause, in this order (vendor's English page). Sent by newer firmware.
+        /// Keys at the tool: free, point and pause, in this order (vendor's English page). Sent by newer firmware. `tio_key` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `tio_key` on the wire.
-        #[doc(alias = "tio_key")]
         pub tool_keys: Option<wire::Typed<Vec<i64>>>,
-        /// Speeds of the six joints (vendor's English page). Sent by newer firmware. Unit not stated.
+        /// Speeds of the six joints (vendor's English page). Sent by newer firmware. Unit not stated. `instVel` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `instVel` on the wire.
-        #[doc(alias = "instVel")]
         pub joint_velocities: Option<wire::Typed<Vec<f64>>>,
-        /// Relays, by the name; 2 of them. Sent by newer firmware, not explained.
+        /// Relays, by the name; 2 of them. Sent by newer firmware, not explained. `relay_io` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `relay_io` on the wire.
-        #[doc(alias = "relay_io")]
         pub relay_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital inputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        /// Digital inputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_din` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `mb_slave_din` on the wire.
-        #[doc(alias = "mb_slave_din")]
         pub modbus_slave_digital_inputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital outputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        /// Digital outputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_dout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `mb_slave_dout` on the wire.
-        #[doc(alias = "mb_slave_dout")]
         pub modbus_slave_digital_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Analog inputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        /// Analog inputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_ain` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `mb_slave_ain` on the wire.
-        #[doc(alias = "mb_slave_ain")]
         pub modbus_slave_analog_inputs: Option<wire::Typed<Vec<f64>>>,
-        /// Analog outputs of the Modbus slave, by the name. Sent by newer firmware, not explained.
+        /// Analog outputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_aout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `mb_slave_aout` on the wire.
-        #[doc(alias = "mb_slave_aout")]
         pub modbus_slave_analog_outputs: Option<wire::Typed<Vec<f64>>>,
-        /// Digital inputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        /// Digital inputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_din` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `pn_dev_din` on the wire.
-        #[doc(alias = "pn_dev_din")]
         pub profinet_device_digital_inputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital outputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        /// Digital outputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_dout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `pn_dev_dout` on the wire.
-        #[doc(alias = "pn_dev_dout")]
         pub profinet_device_digital_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Analog inputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        /// Analog inputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_ain` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `pn_dev_ain` on the wire.
-        #[doc(alias = "pn_dev_ain")]
         pub profinet_device_analog_inputs: Option<wire::Typed<Vec<f64>>>,
-        /// Analog outputs of the Profinet device, by the name. Sent by newer firmware, not explained.
+        /// Analog outputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_aout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `pn_dev_aout` on the wire.
-        #[doc(alias = "pn_dev_aout")]
         pub profinet_device_analog_outputs: Option<wire::Typed<Vec<f64>>>,
-        /// Digital inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        /// Digital inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_din` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `eip_adpt_din` on the wire.
-        #[doc(alias = "eip_adpt_din")]
         pub ethernet_ip_adapter_digital_inputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        /// Digital outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_dout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `eip_adpt_dout` on the wire.
-        #[doc(alias = "eip_adpt_dout")]
         pub ethernet_ip_adapter_digital_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Analog inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        /// Analog inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_ain` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `eip_adpt_ain` on the wire.
-        #[doc(alias = "eip_adpt_ain")]
         pub ethernet_ip_adapter_analog_inputs: Option<wire::Typed<Vec<f64>>>,
-        /// Analog outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained.
+        /// Analog outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_aout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `eip_adpt_aout` on the wire.
-        #[doc(alias = "eip_adpt_aout")]
         pub ethernet_ip_adapter_analog_outputs: Option<wire::Typed<Vec<f64>>>,
-        /// Serial signals at the tool, by the name; 8 of them. Sent by newer firmware; shape not known.
-        ///
-        /// `tio_rs_signals` on the wire.
-        #[doc(alias = "tio_rs_signals")]
+        /// Serial signals at the tool, by the name; 8 of them. Sent by newer firmware; shape not known. `tio_rs_signals` on the wire.
         pub tool_rs_signals: Option<wire::Value>,
         /// A line that belongs to a motion, by the name. Sent by newer firmware, not explained.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub motion_line: Option<wire::Typed<i64>>,
-        /// A line that belongs to an error, by the name. Sent by newer firmware, not explained.
+        /// A line that belongs to an error, by the name. Sent by newer firmware, not explained. `err_add_line` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        ///
-        /// `err_add_line` on the wire.
-        #[doc(alias = "err_add_line")]
         pub error_add_line: Option<wire::Typed<i64>>,
     }
     /// Whether the robot has power and is enabled.
@@ -312,7 +201,7 @@ pub mod status {
         PoweredOff,
         /// The robot has power.
         ///
-        /// Which of 2 and 3 follows `power_on` directly is not shown. `2` on the wire.
+        /// Which of 2 and 3 follows [`power_on`](crate::messages::power::PowerOn) directly is not shown. `2` on the wire.
         PoweredOn,
         /// The robot has power and is disabled (five clients). The document says enabled, as of 4. `3` on the wire.
         Disabled,
@@ -365,26 +254,17 @@ pub mod status {
     impl ::core::fmt::Display for InterpreterState {}
     /// Configuration and state of the extension I/O modules, as port 10000 gives them.
     ///
-    /// The document describes the parts and prints no sample. `get_extio_status` answers the same in another shape.
+    /// The document describes the parts and prints no sample. [`get_extio_status`](crate::messages::io::GetExtioStatus) answers the same in another shape.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioReport {
-        /// State of all pins of all modules.
-        ///
-        /// `status` on the wire.
-        #[doc(alias = "status")]
+        /// State of all pins of all modules. `status` on the wire.
         pub pin_states: ExtioPinStates,
         /// How each module is connected, and its pins; 8 modules at most.
         pub setup: Vec<ExtioReportSetup>,
-        /// Number of modules.
-        ///
-        /// `num` on the wire.
-        #[doc(alias = "num")]
+        /// Number of modules. `num` on the wire.
         pub count: i64,
-        /// Where the pins of each module start, in the order of `setup`.
-        ///
-        /// `pinmap` on the wire.
-        #[doc(alias = "pinmap")]
+        /// Where the pins of each module start, in the order of `setup`. `pinmap` on the wire.
         pub pin_maps: Vec<ExtioReportPinMap>,
         /// Raw state of the modules. The document contradicts itself on which value says that they run.
         ///
@@ -438,7 +318,7 @@ pub mod status {
     }
     /// The pins of an extension I/O module, as port 10000 gives them.
     ///
-    /// The order is not that of `get_extio_status`, which names the kinds.
+    /// The order is not that of [`get_extio_status`](crate::messages::io::GetExtioStatus), which names the kinds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioReportPins {

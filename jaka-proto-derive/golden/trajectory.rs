@@ -1,35 +1,23 @@
-/// Trajectory recording.
-///
-/// Records the arm's path to a file on the controller, and makes a program of it.
-///
-/// `set_traj_config` says how finely to record and how fast to run the path later, `set_traj_sample_mode` starts and stops
-/// recording, `generate_traj_exe_file` writes the program.
 pub mod trajectory {
+    //! Trajectory recording.
+    //!
+    //! Records the arm's path to a file on the controller, and makes a program of it.
+    //!
+    //! [`set_traj_config`](type@SetTrajConfig) says how finely to record and how fast to run the path later, [`set_traj_sample_mode`](type@SetTrajSampleMode) starts and stops
+    //! recording, [`generate_traj_exe_file`](type@GenerateTrajExeFile) writes the program.
     /// Sets how finely a trajectory is recorded, and how fast it is run later.
     ///
     /// Sends `set_traj_config` (4.52).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTrajConfig {
-        /// Acceleration at which the trajectory is run. In mm/s², at least 0.
-        ///
-        /// `acc` on the wire.
-        #[doc(alias = "acc")]
+        /// Acceleration at which the trajectory is run. In mm/s², at least 0. `acc` on the wire.
         pub acceleration: f64,
-        /// Speed at which the trajectory is run. In mm/s, at least 0.
-        ///
-        /// `vel` on the wire.
-        #[doc(alias = "vel")]
+        /// Speed at which the trajectory is run. In mm/s, at least 0. `vel` on the wire.
         pub speed: f64,
-        /// Interval at which Cartesian displacement is recorded. At least 0. Unit not stated; the sample sends 0.1.
-        ///
-        /// `xyz_interval` on the wire.
-        #[doc(alias = "xyz_interval")]
+        /// Interval at which Cartesian displacement is recorded. At least 0. Unit not stated; the sample sends 0.1. `xyz_interval` on the wire.
         pub position_interval: f64,
-        /// Interval at which Cartesian rotation is recorded. At least 0. Unit not stated; the sample sends 0.1.
-        ///
-        /// `rpy_interval` on the wire.
-        #[doc(alias = "rpy_interval")]
+        /// Interval at which Cartesian rotation is recorded. At least 0. Unit not stated; the sample sends 0.1. `rpy_interval` on the wire.
         pub orientation_interval: f64,
     }
     impl SetTrajConfig {
@@ -47,12 +35,9 @@ pub mod trajectory {
             orientation_interval: f64,
         ) -> Self {}
     }
-    impl proto::Command for SetTrajConfig {
-        type Reply = ();
-    }
     /// Reads how finely a trajectory is recorded, and how fast it is run later.
     ///
-    /// Sends `get_traj_config` (4.53). Changes nothing on the robot.
+    /// Sends `get_traj_config` (4.53). Changes nothing on the robot. The reply is [`GetTrajConfigReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTrajConfig {}
@@ -61,32 +46,17 @@ pub mod trajectory {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTrajConfig {
-        type Reply = GetTrajConfigReply;
-    }
-    /// What the controller answers to [`GetTrajConfig`].
+    /// What the controller answers to [`type@GetTrajConfig`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTrajConfigReply {
-        /// Acceleration at which the trajectory is run. In mm/s².
-        ///
-        /// `acc` on the wire.
-        #[doc(alias = "acc")]
+        /// Acceleration at which the trajectory is run. In mm/s². `acc` on the wire.
         pub acceleration: f64,
-        /// Interval at which Cartesian displacement is recorded. Unit not stated.
-        ///
-        /// `xyz_interval` on the wire.
-        #[doc(alias = "xyz_interval")]
+        /// Interval at which Cartesian displacement is recorded. Unit not stated. `xyz_interval` on the wire.
         pub position_interval: f64,
-        /// Interval at which Cartesian rotation is recorded. Unit not stated.
-        ///
-        /// `rpy_interval` on the wire.
-        #[doc(alias = "rpy_interval")]
+        /// Interval at which Cartesian rotation is recorded. Unit not stated. `rpy_interval` on the wire.
         pub orientation_interval: f64,
-        /// Speed at which the trajectory is run. In mm/s.
-        ///
-        /// `vel` on the wire.
-        #[doc(alias = "vel")]
+        /// Speed at which the trajectory is run. In mm/s. `vel` on the wire.
         pub speed: f64,
     }
     /// Starts or stops the recording of a trajectory to a file.
@@ -101,10 +71,7 @@ pub mod trajectory {
     pub struct SetTrajSampleMode {
         /// Whether to record.
         pub mode: super::types::Switch,
-        /// Name of the trajectory file.
-        ///
-        /// `filename` on the wire.
-        #[doc(alias = "filename")]
+        /// Name of the trajectory file. `filename` on the wire.
         pub file_name: String,
     }
     impl SetTrajSampleMode {
@@ -112,12 +79,9 @@ pub mod trajectory {
         #[must_use]
         pub fn new(mode: super::types::Switch, file_name: impl Into<String>) -> Self {}
     }
-    impl proto::Command for SetTrajSampleMode {
-        type Reply = ();
-    }
     /// Reads whether a trajectory is being recorded.
     ///
-    /// Sends `get_traj_sample_status` (4.55). Changes nothing on the robot.
+    /// Sends `get_traj_sample_status` (4.55). Changes nothing on the robot. The reply is [`GetTrajSampleStatusReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTrajSampleStatus {}
@@ -126,22 +90,16 @@ pub mod trajectory {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetTrajSampleStatus {
-        type Reply = GetTrajSampleStatusReply;
-    }
-    /// What the controller answers to [`GetTrajSampleStatus`].
+    /// What the controller answers to [`type@GetTrajSampleStatus`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTrajSampleStatusReply {
-        /// Whether recording is on.
-        ///
-        /// `sampleStatus` on the wire.
-        #[doc(alias = "sampleStatus")]
+        /// Whether recording is on. `sampleStatus` on the wire.
         pub sampling: bool,
     }
     /// Reads the names of the trajectory files on the controller.
     ///
-    /// Sends `get_exist_traj_file_name` (4.56). Changes nothing on the robot.
+    /// Sends `get_exist_traj_file_name` (4.56). Changes nothing on the robot. The reply is [`GetExistTrajFileNameReply`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetExistTrajFileName {}
@@ -150,17 +108,11 @@ pub mod trajectory {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for GetExistTrajFileName {
-        type Reply = GetExistTrajFileNameReply;
-    }
-    /// What the controller answers to [`GetExistTrajFileName`].
+    /// What the controller answers to [`type@GetExistTrajFileName`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetExistTrajFileNameReply {
-        /// Names of the trajectory files.
-        ///
-        /// `trajTrackFileName` on the wire.
-        #[doc(alias = "trajTrackFileName")]
+        /// Names of the trajectory files. `trajTrackFileName` on the wire.
         pub file_names: Vec<String>,
     }
     /// Renames a trajectory file.
@@ -169,24 +121,15 @@ pub mod trajectory {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct RenameTrajFileName {
-        /// Present name of the trajectory file.
-        ///
-        /// `src` on the wire.
-        #[doc(alias = "src")]
+        /// Present name of the trajectory file. `src` on the wire.
         pub source: String,
-        /// New name of the trajectory file.
-        ///
-        /// `dest` on the wire.
-        #[doc(alias = "dest")]
+        /// New name of the trajectory file. `dest` on the wire.
         pub destination: String,
     }
     impl RenameTrajFileName {
         /// With the required fields alone.
         #[must_use]
         pub fn new(source: impl Into<String>, destination: impl Into<String>) -> Self {}
-    }
-    impl proto::Command for RenameTrajFileName {
-        type Reply = ();
     }
     /// Deletes a trajectory file.
     ///
@@ -198,19 +141,13 @@ pub mod trajectory {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct RemoveTrajFile {
-        /// Name of the trajectory file.
-        ///
-        /// `fileName` on the wire.
-        #[doc(alias = "fileName")]
+        /// Name of the trajectory file. `fileName` on the wire.
         pub file_name: String,
     }
     impl RemoveTrajFile {
         /// With the required fields alone.
         #[must_use]
         pub fn new(file_name: impl Into<String>) -> Self {}
-    }
-    impl proto::Command for RemoveTrajFile {
-        type Reply = ();
     }
     /// Writes a program for the controller from a trajectory file.
     ///
@@ -224,18 +161,12 @@ pub mod trajectory {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GenerateTrajExeFile {
-        /// Name of the trajectory file.
-        ///
-        /// `fileName` on the wire.
-        #[doc(alias = "fileName")]
+        /// Name of the trajectory file. `fileName` on the wire.
         pub file_name: String,
     }
     impl GenerateTrajExeFile {
         /// With the required fields alone.
         #[must_use]
         pub fn new(file_name: impl Into<String>) -> Self {}
-    }
-    impl proto::Command for GenerateTrajExeFile {
-        type Reply = ();
     }
 }

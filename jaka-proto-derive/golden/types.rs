@@ -1,7 +1,7 @@
-/// Types that several topics share.
-///
-/// Angles are degrees and lengths millimetres, as on the wire.
 pub mod types {
+    //! Types that several topics share.
+    //!
+    //! Angles are degrees and lengths millimetres, as on the wire.
     /// Positions, or offsets, of joints 1 to 6. In deg.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct JointPosition(pub [f64; 6]);
@@ -40,7 +40,7 @@ pub mod types {
         Absolute,
         /// The coordinates are an offset.
         ///
-        /// The document does not say from which position it counts, and no source says, for a pose of `move_c` or `servo_p`, along the axes of
+        /// The document does not say from which position it counts, and no source says, for a pose of [`move_c`](crate::messages::motion::MoveC) or [`servo_p`](crate::messages::servo::ServoP), along the axes of
         /// which frame. Try a small one first. `1` on the wire.
         Relative,
         /// A value that the spec does not list.

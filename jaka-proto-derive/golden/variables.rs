@@ -1,12 +1,12 @@
-/// User-defined system variables.
-///
-/// System variables that the user has defined on the controller, each with an id, a name and a number as its value.
-///
-/// Their ids are 5500 to 5599 (field notes).
 pub mod variables {
+    //! User-defined system variables.
+    //!
+    //! System variables that the user has defined on the controller, each with an id, a name and a number as its value.
+    //!
+    //! Their ids are 5500 to 5599 (field notes).
     /// Reads all user-defined system variables.
     ///
-    /// Sends `query_user_defined_variable` (4.38). Changes nothing on the robot.
+    /// Sends `query_user_defined_variable` (4.38). Changes nothing on the robot. The reply is [`QueryUserDefinedVariableReply`].
     ///
     /// # Errata
     ///
@@ -19,17 +19,11 @@ pub mod variables {
         #[must_use]
         pub const fn new() -> Self {}
     }
-    impl proto::Command for QueryUserDefinedVariable {
-        type Reply = QueryUserDefinedVariableReply;
-    }
-    /// What the controller answers to [`QueryUserDefinedVariable`].
+    /// What the controller answers to [`type@QueryUserDefinedVariable`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct QueryUserDefinedVariableReply {
-        /// One entry for each variable.
-        ///
-        /// `var_list` on the wire.
-        #[doc(alias = "var_list")]
+        /// One entry for each variable. `var_list` on the wire.
         pub variables: Vec<UserVariable>,
     }
     /// Sets the name and the value of a user-defined system variable.
@@ -44,20 +38,11 @@ pub mod variables {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct ModifyUserDefinedVariable {
-        /// Id of the variable to change, as `query_user_defined_variable` answers it.
-        ///
-        /// `id_new` on the wire.
-        #[doc(alias = "id_new")]
+        /// Id of the variable to change, as [`query_user_defined_variable`](type@QueryUserDefinedVariable) answers it. `id_new` on the wire.
         pub id: i64,
-        /// Name to set.
-        ///
-        /// `alias_new` on the wire.
-        #[doc(alias = "alias_new")]
+        /// Name to set. `alias_new` on the wire.
         pub alias: String,
-        /// Value to set.
-        ///
-        /// `value_new` on the wire.
-        #[doc(alias = "value_new")]
+        /// Value to set. `value_new` on the wire.
         pub value: f64,
     }
     impl ModifyUserDefinedVariable {
@@ -65,16 +50,13 @@ pub mod variables {
         #[must_use]
         pub fn new(id: i64, alias: impl Into<String>, value: f64) -> Self {}
     }
-    impl proto::Command for ModifyUserDefinedVariable {
-        type Reply = ();
-    }
     /// A user-defined system variable.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct UserVariable {
         /// Name of the variable.
         pub alias: String,
-        /// Id of the variable, by which `modify_user_defined_variable` addresses it.
+        /// Id of the variable, by which [`modify_user_defined_variable`](type@ModifyUserDefinedVariable) addresses it.
         pub id: i64,
         /// Value of the variable.
         pub value: f64,

@@ -4,18 +4,48 @@ use jaka_spec::{Command, Field, Request, Scalar, Spec, Type};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::{Scope, ident};
-use crate::{construct, docs};
+use crate::docs::{self, Docs, Place};
+use crate::scope::{Scope, ident};
+use crate::{construct, topic};
 
-/// An `impl Client` with a method for each command.
+/// The modules of the topics as jaka-sync has them: those of jaka-proto, where each request links to its method.
+pub(crate) fn modules(spec: &Spec) -> TokenStream {
+    let modules = spec.topics.iter().filter(|topic| topic::has_module(topic)).map(|topic| {
+        let name = ident(&topic.name);
+        let docs = Docs::new(spec, Place::Client).topic(topic);
+        let requests = topic.commands.iter().map(|command| {
+            // In front of what the request's own docs say first.
+            let (method, request) = (&command.name, ident(&command.request_type()));
+            let docs = docs::own(&format!("Sent by [`Client::{method}`](crate::Client::{method})."));
+            quote!(#docs #[doc(inline)] pub use ::jaka_proto::messages::#name::#request;)
+        });
+        // By name, since rustdoc would show what a glob has without the docs that stand here.
+        let replies = topic.commands.iter().filter_map(Command::reply_type);
+        let types = spec.types_of(topic).map(|(_, def)| def.name.clone());
+        let others = replies.chain(types).map(|name| ident(&name));
+        quote! {
+            pub mod #name {
+                #docs
+
+                #(#requests)*
+                #[doc(inline)]
+                pub use ::jaka_proto::messages::#name::{#(#others),*};
+            }
+        }
+    });
+    quote!(#(#modules)*)
+}
+
+/// An `impl Client` for each topic, with a method for each of its commands.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
-    let messages = quote!(::jaka_proto::messages);
-    let scope = Scope { spec, topic: None, own: &TokenStream::new(), elsewhere: &messages, wire: &quote!(wire) };
-    let methods = spec.topics.iter().flat_map(|topic| {
+    let docs = Docs::new(spec, Place::Client);
+    let scope =
+        Scope { spec, topic: None, own: &TokenStream::new(), elsewhere: &quote!(self), wire: &quote!(wire), docs };
+    let topics = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).map(|topic| {
         let module = scope.module(topic);
-        topic.commands.iter().map(move |command| {
+        let methods = topic.commands.iter().map(|command| {
             let Method { head, parameter, argument, reply } = Method::new(scope, &module, command);
-            let docs = docs::method(command, "[`call`](Self::call)");
+            let docs = docs.method(command, "[`call`](Self::call)");
             let name = ident(&command.name);
             quote! {
                 #docs
@@ -24,13 +54,16 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
                     self.call(#argument)
                 }
             }
-        })
-    });
-    quote! {
-        impl Client {
-            #(#methods)*
+        });
+        let heading = docs.heading(topic);
+        quote! {
+            #heading
+            impl Client {
+                #(#methods)*
+            }
         }
-    }
+    });
+    quote!(#(#topics)*)
 }
 
 /// The parts of a command's method.

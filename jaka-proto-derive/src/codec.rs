@@ -1,137 +1,10 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Choice, Command, Field, Reply, Scalar, Spec, Topic, Type, TypeId, Variant};
+use jaka_spec::{Field, Scalar, Spec, Type, TypeId};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
-use crate::docs;
-
-/// Where generated code stands, and so how it names types: those of its own topic plainly, others by their topic's module.
-#[derive(Clone, Copy)]
-pub(crate) struct Scope<'s> {
-    pub(crate) spec: &'s Spec,
-    /// The topic whose module it is; none outside of all of them.
-    pub(crate) topic: Option<&'s Topic>,
-    /// What stands before the names of the topic's own types.
-    pub(crate) own: &'s TokenStream,
-    /// The path of the module that has the other topics' modules.
-    pub(crate) elsewhere: &'s TokenStream,
-    /// The path of the module `wire`.
-    pub(crate) wire: &'s TokenStream,
-}
-
-impl<'s> Scope<'s> {
-    /// The scope of a topic's module, where `proto`, `check` and `wire` are jaka-proto and its modules.
-    pub(crate) fn of_module(spec: &'s Spec, topic: &'s Topic, paths: &'s ModulePaths) -> Self {
-        Self { spec, topic: Some(topic), own: &paths.own, elsewhere: &paths.elsewhere, wire: &paths.wire }
-    }
-
-    /// The Rust type, as named from inside the topic's module.
-    pub(crate) fn rust_type(self, ty: &Type) -> TokenStream {
-        match ty {
-            Type::Scalar(Scalar::Bool { .. }) => quote!(bool),
-            Type::Scalar(Scalar::Int) => quote!(i64),
-            Type::Scalar(Scalar::Float) => quote!(f64),
-            Type::Scalar(Scalar::Text) => quote!(String),
-            Type::Scalar(Scalar::Json) => {
-                let wire = self.wire;
-                quote!(#wire::Value)
-            }
-            Type::Python(inner) => self.rust_type(inner),
-            Type::List(element) => {
-                let element = self.rust_type(element);
-                quote!(Vec<#element>)
-            }
-            Type::Array(element, len) => {
-                let (element, len) = (self.rust_type(element), Literal::usize_unsuffixed(*len));
-                quote!([#element; #len])
-            }
-            Type::Named(id) => self.path(*id),
-        }
-    }
-
-    /// The path of a named type.
-    pub(crate) fn path(self, id: TypeId) -> TokenStream {
-        let is_own = self.topic.is_some_and(|topic| topic.types.contains(&id));
-        let topic = self.spec.topic_of(id).filter(|_| !is_own);
-        let module = topic.map_or_else(|| self.own.clone(), |topic| self.module(topic));
-        let name = ident(&self.spec[id].name);
-        quote!(#module #name)
-    }
-
-    /// The type of a command's reply, where `module`, a path that ends in `::` or is empty, has the command's messages.
-    pub(crate) fn reply_type(self, module: &TokenStream, command: &Command) -> TokenStream {
-        match (&command.reply, command.reply_type()) {
-            (Reply::Object(id), _) => self.path(*id),
-            (Reply::Fields(_), Some(name)) => {
-                let name = ident(&name);
-                quote!(#module #name)
-            }
-            (Reply::Fields(_), None) => quote!(()),
-        }
-    }
-
-    /// The path of another topic's module.
-    pub(crate) fn module(self, topic: &Topic) -> TokenStream {
-        let (elsewhere, module) = (self.elsewhere, ident(&topic.name));
-        quote!(#elsewhere::#module::)
-    }
-
-    /// The type of a struct's field.
-    pub(crate) fn field_type(self, field: &Field) -> TokenStream {
-        let ty = self.required_type(field);
-        if field.optional { quote!(Option<#ty>) } else { ty }
-    }
-
-    /// The type of a field's value, where it is there.
-    pub(crate) fn required_type(self, field: &Field) -> TokenStream {
-        let ty = self.rust_type(&field.ty);
-        if !field.or_raw {
-            return ty;
-        }
-        let wire = self.wire;
-        quote!(#wire::Typed<#ty>)
-    }
-
-    /// `name: type` for each field, with docs; `vis` stands before each.
-    pub(crate) fn declare(self, fields: &[Field], vis: &TokenStream) -> TokenStream {
-        let fields = fields.iter().map(|field| {
-            let docs = docs::field(field);
-            let name = ident(&field.name);
-            let ty = self.field_type(field);
-            quote!(#docs #vis #name: #ty)
-        });
-        quote!(#(#fields),*)
-    }
-}
-
-/// The paths that a topic's module uses.
-pub(crate) struct ModulePaths {
-    own: TokenStream,
-    elsewhere: TokenStream,
-    wire: TokenStream,
-}
-
-impl ModulePaths {
-    /// Those of the module itself; `elsewhere` has the other topics' modules.
-    pub(crate) fn new(elsewhere: TokenStream) -> Self {
-        Self { own: TokenStream::new(), elsewhere, wire: quote!(wire) }
-    }
-
-    /// Those of a module inside it.
-    pub(crate) fn inner(elsewhere: TokenStream) -> Self {
-        Self { own: quote!(super::), elsewhere, wire: quote!(super::wire) }
-    }
-}
-
-pub(crate) fn ident(name: &str) -> Ident {
-    format_ident!("{name}")
-}
-
-/// The names of the fields, to destructure or construct with.
-pub(crate) fn names(fields: &[Field]) -> Vec<Ident> {
-    fields.iter().map(|field| ident(&field.name)).collect()
-}
+use crate::scope::{ident, names};
 
 /// Statements that write the fields of an object; `value` turns a field's name into a reference to its value.
 pub(crate) fn write_object(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
@@ -386,20 +259,9 @@ fn end_array(exact: bool) -> TokenStream {
     if exact { quote!(reader.end_exact_array()) } else { quote!(reader.end_array()) }
 }
 
-/// The variants of a choice as they stand in an enum.
-pub(crate) fn declare_variants(scope: Scope<'_>, choice: &Choice) -> TokenStream {
-    let variants = choice.variants.iter().map(|variant| {
-        let docs = docs::attributes(&variant.doc);
-        let name = ident(&variant.name);
-        let fields = scope.declare(&variant.fields, &TokenStream::new());
-        let body = (!variant.fields.is_empty()).then(|| quote!({ #fields }));
-        quote!(#docs #[non_exhaustive] #name #body)
-    });
-    quote!(#(#variants),*)
-}
-
-/// The pattern that takes a variant apart, and the expression that puts it together.
-pub(crate) fn variant_path(variant: &Variant) -> TokenStream {
-    let name = ident(&variant.name);
-    quote!(Self::#name)
+/// The method that reads a value in place.
+pub(crate) fn decode_into(statements: &TokenStream) -> TokenStream {
+    quote! {
+        fn decode_into(&mut self, reader: &mut wire::Reader<'_>) -> Result<(), wire::DecodeError> { #statements }
+    }
 }

@@ -1,17 +1,17 @@
 //! Requests and replies.
 
-use jaka_spec::{Command, Effect, Request, Requirement};
+use jaka_spec::{Command, Request};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::codec::{Scope, ident};
-use crate::{construct, docs, typedef, validate};
+use crate::scope::{Scope, ident, variant};
+use crate::{choice, construct, docs, typedef, validate};
 
 /// The request, its reply where that carries data, and what ties them together.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let name = ident(&command.request_type());
     let alias = (command.wire != command.request_type()).then(|| docs::alias(&command.wire, &command.name));
-    let docs = docs::attributes(&docs::request(command));
+    let docs = scope.docs.request_type(command);
     let docs = quote!(#docs #alias);
     let (request, constructors) = match &command.request {
         Request::Fields(fields) if fields.is_empty() => {
@@ -21,7 +21,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
             (typedef::object(scope, &name, &docs, fields), construct::object(scope, &name, fields))
         }
         Request::Choice(choice) => {
-            (typedef::object_choice(scope, &name, &docs, choice), construct::choice(scope, &name, choice))
+            (choice::object(scope, &name, &docs, choice), construct::choice(scope, &name, choice))
         }
     };
     let checks = validate::request(command, &name);
@@ -63,8 +63,7 @@ fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
 
 fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
     let name = ident(&command.reply_type()?);
-    let request = command.request_type();
-    let docs = docs::own(&format!("What the controller answers to [`{request}`]."));
+    let docs = scope.docs.reply_type(command);
     Some(typedef::object(scope, &name, &docs, command.reply.own_fields()))
 }
 
@@ -72,15 +71,9 @@ fn info(command: &Command) -> TokenStream {
     let name = &command.wire;
     let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
-    let effect = ident(match command.effect {
-        Effect::Query => "Query",
-        Effect::Setting => "Setting",
-        Effect::Motion => "Motion",
-        Effect::Power => "Power",
-        Effect::Session => "Session",
-    });
+    let effect = variant(command.effect);
     let requires = (!command.requires.is_empty()).then(|| {
-        let requires = command.requires.iter().map(|requirement| ident(requirement_name(*requirement)));
+        let requires = command.requires.iter().map(variant);
         quote!(.requires(&[#(proto::Requirement::#requires),*]))
     });
     let deadline = command.deadline.map(|deadline| {
@@ -94,15 +87,6 @@ fn info(command: &Command) -> TokenStream {
     quote! {
         proto::CommandInfo::new(#name, #head, #section, proto::Effect::#effect)
             #requires #deadline #uncertain #ends #bare #firmware
-    }
-}
-
-fn requirement_name(requirement: Requirement) -> &'static str {
-    match requirement {
-        Requirement::Powered => "Powered",
-        Requirement::Enabled => "Enabled",
-        Requirement::ServoMode => "ServoMode",
-        Requirement::NotServoMode => "NotServoMode",
     }
 }
 

@@ -6,8 +6,7 @@ use jaka_spec::{Choice, EnumValue, Field, Scalar, Type, TypeDef, TypeKind, is_fl
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::codec::{Scope, ident};
-use crate::docs;
+use crate::scope::{Scope, ident};
 
 /// Most arguments of a function before clippy asks for fewer.
 const MANY: usize = 7;
@@ -30,7 +29,7 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, fields: &[Field]) -> TokenS
 /// A constructor for each variant of a choice.
 pub(crate) fn choice(scope: Scope<'_>, name: &Ident, choice: &Choice) -> TokenStream {
     let constructors = choice.variants.iter().map(|variant| {
-        let docs = docs::constructor(&variant.doc, &variant.fields);
+        let docs = scope.docs.constructor(&variant.doc, &variant.fields);
         let (function, path) = (function(&variant.name, &[]), ident(&variant.name));
         let Arguments { head, parameters, .. } = Arguments::new(scope, &variant.fields);
         let values = values(scope, &variant.fields);
@@ -50,7 +49,7 @@ fn new(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
     } else {
         "With the required fields alone."
     };
-    let docs = docs::constructor(first, fields);
+    let docs = scope.docs.constructor(first, fields);
     let Arguments { head, parameters, .. } = Arguments::new(scope, fields);
     let values = values(scope, fields);
     quote! {
@@ -75,7 +74,7 @@ fn of_each_value(scope: Scope<'_>, field: &Field, fields: &[Field]) -> TokenStre
     let arguments = fields.iter().filter(|field| !field.optional).map(|field| ident(&field.name));
     let arguments: Vec<_> = arguments.collect();
     let functions = values.into_iter().map(|(value, doc)| {
-        let docs = docs::constructor(doc, &others);
+        let docs = scope.docs.constructor(doc, &others);
         let (function, value) = (function(value, fields), ident(value));
         let arguments = arguments
             .iter()
@@ -105,7 +104,7 @@ fn function(variant: &str, fields: &[Field]) -> Ident {
 const NEW: &str = "new";
 
 fn setter(scope: Scope<'_>, field: &Field) -> TokenStream {
-    let docs = docs::field(field);
+    let docs = scope.docs.setter(field);
     let name = ident(&field.name);
     let function = if field.name == NEW { ident("new_") } else { name.clone() };
     let (ty, value) = argument(scope, field);

@@ -34,7 +34,10 @@ fn specs() {
 }
 
 fn all(spec: &Spec) -> TokenStream {
-    let topics: TokenStream = spec.topics.iter().filter_map(|topic| topic::module(spec, topic)).collect();
+    let topics: TokenStream = {
+        let sent = spec.sent_types();
+        spec.topics.iter().map(|topic| topic::module(spec, topic, &sent)).collect()
+    };
     let (request, error_codes, methods) = (request::render(spec), error_codes::render(spec), client::methods(spec));
     let events = events::render(spec);
     quote!(#topics #request #error_codes #events #methods)

@@ -5,27 +5,22 @@ use jaka_spec::{ErrorCode, Spec, to_screaming};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::ident;
-use crate::docs;
+use crate::docs::{Docs, Place};
+use crate::scope::ident;
 
 /// Constants of `ErrorCode`, and what each means.
 pub(crate) fn render(spec: &Spec) -> TokenStream {
-    let consts = spec.errors().map(|code| {
-        let docs = docs::attributes(&code.doc);
-        let name = ident(&to_screaming(&code.name));
-        let wire = code.wire;
-        quote!(#docs pub const #name: Self = Self(#wire);)
-    });
-    let wires = spec.errors().map(|code| code.wire);
-    let meanings = spec.errors().map(|code| first_sentence(&code.doc).0);
+    let codes: Vec<_> = spec.errors().collect();
+    let consts = consts(Docs::new(spec, Place::Messages(None)), &codes, &quote!(Self));
+    let meanings = meanings(&codes);
     quote! {
         impl ::jaka_proto::ErrorCode {
-            #(#consts)*
+            #consts
 
             /// What sources say about the code, in a sentence; `None` for a code they do not name.
             pub fn meaning(self) -> Option<&'static str> {
                 match self.0 {
-                    #(#wires => Some(#meanings),)*
+                    #meanings
                     _ => None,
                 }
             }
@@ -34,26 +29,37 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
 }
 
 /// Constants for the codes that a pack adds, and a function that knows them beside all others.
-pub(crate) fn in_pack(codes: &[ErrorCode]) -> Option<TokenStream> {
-    let consts = codes.iter().map(|code| {
-        let docs = docs::attributes(&code.doc);
-        let name = ident(&to_screaming(&code.name));
-        let wire = code.wire;
-        quote!(#docs pub const #name: proto::ErrorCode = proto::ErrorCode(#wire);)
-    });
-    let wires = codes.iter().map(|code| code.wire);
-    let meanings = codes.iter().map(|code| first_sentence(&code.doc).0);
+pub(crate) fn in_pack(docs: Docs<'_>, codes: &[ErrorCode]) -> Option<TokenStream> {
+    let codes: Vec<_> = codes.iter().collect();
+    let consts = consts(docs, &codes, &quote!(proto::ErrorCode));
+    let meanings = meanings(&codes);
     (!codes.is_empty()).then(|| {
         quote! {
-            #(#consts)*
+            #consts
 
             /// What sources say about a code, in a sentence; `None` for a code that neither they nor this module name.
             pub fn meaning(code: proto::ErrorCode) -> Option<&'static str> {
                 match code.0 {
-                    #(#wires => Some(#meanings),)*
+                    #meanings
                     _ => code.meaning(),
                 }
             }
         }
     })
+}
+
+fn consts(docs: Docs<'_>, codes: &[&ErrorCode], ty: &TokenStream) -> TokenStream {
+    let consts = codes.iter().map(|code| {
+        let (docs, name, wire) = (docs.attributes(&code.doc), ident(&to_screaming(&code.name)), code.wire);
+        quote!(#docs pub const #name: #ty = #ty(#wire);)
+    });
+    quote!(#(#consts)*)
+}
+
+fn meanings(codes: &[&ErrorCode]) -> TokenStream {
+    let arms = codes.iter().map(|code| {
+        let (wire, meaning) = (code.wire, first_sentence(&code.doc).0);
+        quote!(#wire => Some(#meaning),)
+    });
+    quote!(#(#arms)*)
 }

@@ -3,23 +3,18 @@
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-use jaka_spec::{Event, Severity, Spec};
-use proc_macro2::{Literal, TokenStream};
+use jaka_spec::{Event, Spec};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::codec::ident;
+use crate::scope::variant;
 
 /// The tables in which `ControllerEvent` looks.
 pub(crate) fn render(spec: &Spec) -> TokenStream {
-    let severities = table(spec.events(), |event| Some(event.severity)).into_iter().map(|(codes, severity)| {
-        let (first, last) = (hexadecimal(*codes.start()), hexadecimal(*codes.end()));
-        let severity = variant(severity);
-        quote!((#first, #last, ::jaka_proto::Severity::#severity))
-    });
-    let meanings = table(spec.events(), |event| event.meaning.as_deref()).into_iter().map(|(codes, meaning)| {
-        let (first, last) = (hexadecimal(*codes.start()), hexadecimal(*codes.end()));
-        quote!((#first, #last, #meaning))
-    });
+    let events: Vec<_> = spec.events().collect();
+    let severities =
+        severities(&events, |first, last, severity| quote!((#first, #last, ::jaka_proto::Severity::#severity)));
+    let meanings = meanings(&events, |first, last, meaning| quote!((#first, #last, #meaning)));
     quote! {
         impl ::jaka_proto::ControllerEvent {
             /// Ranges of codes, first and last, in their order.
@@ -33,15 +28,9 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
 
 /// Functions that know the events that a pack adds beside all others.
 pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
-    let severities = table(events.iter(), |event| Some(event.severity)).into_iter().map(|(codes, severity)| {
-        let (first, last) = (hexadecimal(*codes.start()), hexadecimal(*codes.end()));
-        let severity = variant(severity);
-        quote!(#first..=#last => proto::Severity::#severity,)
-    });
-    let meanings = table(events.iter(), |event| event.meaning.as_deref()).into_iter().map(|(codes, meaning)| {
-        let (first, last) = (hexadecimal(*codes.start()), hexadecimal(*codes.end()));
-        quote!(#first..=#last => Some(#meaning),)
-    });
+    let events: Vec<_> = events.iter().collect();
+    let severities = severities(&events, |first, last, severity| quote!(#first..=#last => proto::Severity::#severity,));
+    let meanings = meanings(&events, |first, last, meaning| quote!(#first..=#last => Some(#meaning),));
     (!events.is_empty()).then(|| {
         quote! {
             /// How grave an event of the controller is, also one that only this module names.
@@ -63,12 +52,24 @@ pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
     })
 }
 
+/// A row for each range of codes of one severity.
+fn severities(events: &[&Event], row: impl Fn(Literal, Literal, Ident) -> TokenStream) -> Vec<TokenStream> {
+    table(events, |event| Some(event.severity), |first, last, severity| row(first, last, variant(severity)))
+}
+
+/// A row for each range of codes of one meaning.
+fn meanings(events: &[&Event], row: impl Fn(Literal, Literal, &str) -> TokenStream) -> Vec<TokenStream> {
+    table(events, |event| event.meaning.as_deref(), row)
+}
+
 /// What events say of ranges of codes, in the order of the codes. Neighbours of which the same is said are one range.
 fn table<'s, T: PartialEq>(
-    events: impl Iterator<Item = &'s Event>,
+    events: &[&'s Event],
     say: impl Fn(&'s Event) -> Option<T>,
-) -> Vec<(RangeInclusive<u32>, T)> {
-    let mut ranges: Vec<_> = events.flat_map(|event| event.codes.iter().map(move |codes| (codes, event))).collect();
+    row: impl Fn(Literal, Literal, T) -> TokenStream,
+) -> Vec<TokenStream> {
+    let mut ranges: Vec<_> =
+        events.iter().flat_map(|event| event.codes.iter().map(move |codes| (codes, event))).collect();
     ranges.sort_by_key(|(codes, _)| *codes.start());
     let mut table: Vec<(RangeInclusive<u32>, T)> = Vec::new();
     for (codes, event) in ranges {
@@ -80,15 +81,8 @@ fn table<'s, T: PartialEq>(
             _ => table.push((codes.clone(), said)),
         }
     }
-    table
-}
-
-fn variant(severity: Severity) -> proc_macro2::Ident {
-    ident(match severity {
-        Severity::Error => "Error",
-        Severity::Warning => "Warning",
-        Severity::Information => "Information",
-    })
+    let rows = table.into_iter().map(|(codes, said)| row(hexadecimal(*codes.start()), hexadecimal(*codes.end()), said));
+    rows.collect()
 }
 
 /// The code as the vendor's table has it, so that the expansion can be compared with it.

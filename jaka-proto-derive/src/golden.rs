@@ -2,16 +2,14 @@
 
 mod interface;
 
-use std::collections::BTreeSet;
-
 use expect_test::{expect, expect_file};
-use jaka_spec::{Command, Module, Request, Source, Spec};
+use jaka_spec::{Module, Source, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::{ModulePaths, Scope};
+use crate::scope::{ModulePaths, Scope};
 use crate::{client, compile_errors, error_codes, pack, request, topic};
-use interface::{interface, interface_without};
+use interface::{interface, interface_without, signatures};
 
 fn pretty(tokens: TokenStream) -> String {
     let file = syn::parse2(tokens).expect("the expansion is valid Rust");
@@ -25,57 +23,21 @@ fn builtin() -> Spec {
 #[test]
 fn the_interface_of_all_messages() {
     let spec = builtin();
-    for topic in &spec.topics {
-        if let Some(module) = topic::module(&spec, topic) {
-            expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&interface(module));
-        }
+    for topic in spec.topics.iter().filter(|topic| topic::has_module(topic)) {
+        let module = topic::module(&spec, topic, &spec.sent_types());
+        expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&interface(module));
     }
     expect_file!["../golden/request.rs"].assert_eq(&interface(request::render(&spec)));
     expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
-    expect_file!["../golden/client.rs"].assert_eq(&interface(client::methods(&spec)));
+    expect_file!["../golden/client.rs"].assert_eq(&signatures(client::methods(&spec)));
 }
-
-/// A command of each shape: bare, with a reply, with required and optional fields, one argument, a choice.
-const COMMANDS: &[&str] = &[
-    "power_off",
-    "get_robot_state",
-    "joint_move",
-    "rapid_rate",
-    "get_extio_status",
-    "set_servo_move_filter",
-    "set_vel_compliant_ctrl",
-    "get_program_state",
-];
 
 #[test]
 fn the_full_expansion_for_each_shape() {
-    let spec = shapes(builtin());
-    let (messages, methods) = (topic::messages(&spec), client::methods(&spec));
-    expect_file!["../golden/shapes.rs"].assert_eq(&pretty(quote!(#messages #methods)));
-}
-
-/// The part of the spec that has one command of each shape, with the types that it needs.
-fn shapes(mut spec: Spec) -> Spec {
-    let commands = spec.commands().filter(|command| COMMANDS.contains(&&*command.wire));
-    let mut open: Vec<_> = commands.flat_map(Command::parts).collect();
-    let mut used = BTreeSet::new();
-    while let Some(id) = open.pop() {
-        if used.insert(id) {
-            open.extend(spec[id].kind.parts());
-        }
-    }
-    for topic in &mut spec.topics {
-        topic.commands.retain(|command| COMMANDS.contains(&&*command.wire));
-        topic.types.retain(|id| used.contains(id));
-        for command in &mut topic.commands {
-            if let Request::Choice(choice) = &mut command.request {
-                choice.variants.truncate(2);
-            }
-        }
-        topic.errors.truncate(2);
-        topic.events.truncate(3);
-    }
-    spec
+    let text = include_str!("../golden/shapes.toml");
+    let spec = jaka_spec::load(&[Source { path: "shapes.toml", text }]).expect("the spec is correct");
+    let (messages, modules, methods) = (topic::messages(&spec), client::modules(&spec), client::methods(&spec));
+    expect_file!["../golden/shapes.rs"].assert_eq(&pretty(quote!(#messages #modules #methods)));
 }
 
 #[test]
@@ -208,7 +170,7 @@ fn module(source: Source<'_>) -> Module {
 #[test]
 fn packs() {
     let sync = quote!(::jaka_sync);
-    expect_file!["../golden/pack_newer.rs"].assert_eq(&pretty(pack::module(&module(NEWER), &sync)));
+    expect_file!["../golden/pack_newer.rs"].assert_eq(&interface(pack::module(&module(NEWER), &sync)));
     // Of the status packet, which is long and as it was, only what the pack adds.
     let spec = builtin();
     let before: Vec<_> = spec.status_fields().iter().map(|field| field.name.as_str()).collect();
@@ -222,11 +184,11 @@ fn commands_in_the_spec_and_in_a_pack_are_the_same() {
     let spec = jaka_spec::load(&sources).expect("the spec is correct");
     let topic = spec.topics.last().expect("the spec has topics");
     let paths = ModulePaths::new(quote!(super));
-    let items = topic::items(Scope::of_module(&spec, topic, &paths), topic);
+    let items = topic::items(Scope::of_module(&spec, topic, &paths), topic, &spec.sent_types());
     let own = module(NEWER);
-    let in_pack = topic::items(Scope::of_module(&own.spec, &own.topic, &paths), &own.topic);
+    let in_pack = topic::items(Scope::of_module(&own.spec, &own.topic, &paths), &own.topic, &own.spec.sent_types());
     assert_eq!(pretty(items), pretty(in_pack));
-    let methods = pretty(client::methods(&spec)).replace("::jaka_proto::messages::newer::", "").replace("pub fn", "fn");
+    let methods = pretty(client::methods(&spec)).replace("self::newer::", "").replace("pub fn", "fn");
     let in_pack = pretty(pack::module(&own, &quote!(::jaka_sync))).replace("::jaka_sync::Error", "Error");
     for method in ["get_motion_state(", "emergency_stop_status(", "set_status_period("] {
         let signature = |text: &str| {
@@ -246,16 +208,29 @@ fn no_text_of_a_pack_becomes_code() {
     let spec = builtin();
     let pack = jaka_spec::load_pack(&spec, STRANGE).expect("the pack is correct");
     let text = pretty(pack::module(&pack.module(), &quote!(::jaka_sync)));
-    let docs = text.lines().filter_map(|line| line.trim_start().strip_prefix("///"));
-    let mut hostile = 0;
+    let docs = text.lines().filter_map(|line| {
+        let line = line.trim_start();
+        line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))
+    });
+    let (mut hostile, mut is_example) = (0, false);
     for line in docs {
         hostile += usize::from(line.contains("compile_error!"));
-        let content = line.trim_start_matches(|c: char| matches!(c, ' ' | '>' | '-') || c.is_ascii_digit());
-        assert!(!content.starts_with("```") && !content.starts_with("~~~"), "{line}");
-        assert!(!line.contains("    ") || line.starts_with("    ") && !line.starts_with("     "), "{line}");
-        assert!(!line.contains(['\t', '\u{1b}', '\u{202e}', '\r']) && !line.contains(" <script"), "{line}");
+        assert!(!line.contains(['\t', '\u{1b}', '\u{202e}', '\r']), "{line}");
+        match line {
+            " ```text" => is_example = true,
+            " ```" if is_example => is_example = false,
+            _ if is_example => assert!(line.starts_with(" -> ") || line.starts_with(" <- "), "{line}"),
+            _ => assert_is_prose(line),
+        }
     }
     assert!(hostile > 10, "{hostile}");
+}
+
+fn assert_is_prose(line: &str) {
+    let content = line.trim_start_matches(|c: char| matches!(c, ' ' | '>' | '-') || c.is_ascii_digit());
+    assert!(!content.starts_with("```") && !content.starts_with("~~~"), "{line}");
+    assert!(!line.contains("    ") || line.starts_with("    ") && !line.starts_with("     "), "{line}");
+    assert!(!line.contains(" <script"), "{line}");
 }
 
 /// Each line is left out, or has another value: what loads is rendered, and is Rust.

@@ -4,16 +4,19 @@ use proc_macro::TokenStream;
 use quote::quote;
 use syn::parse::Nothing;
 
+mod choice;
 mod client;
 mod codec;
 mod command;
 mod construct;
 mod docs;
+mod enums;
 mod error_codes;
 mod events;
 mod literal;
 mod pack;
 mod request;
+mod scope;
 mod status_subset;
 mod topic;
 mod typedef;
@@ -32,12 +35,16 @@ pub fn messages(input: TokenStream) -> TokenStream {
     expand(input, topic::messages)
 }
 
-/// An `impl Client` with a method for each command of the built-in spec.
+/// An `impl Client` for each topic of the built-in spec, with a method for each command, and the topic's module, in which requests
+/// link to their methods.
 ///
-/// For use in `jaka-sync`, beside a type `Client` with a method `call`.
+/// For use in `jaka-sync`, where the type `Client` has a method `call`, and whose root has these modules.
 #[proc_macro]
 pub fn client_methods(input: TokenStream) -> TokenStream {
-    expand(input, client::methods)
+    expand(input, |spec| {
+        let (modules, methods) = (client::modules(spec), client::methods(spec));
+        quote!(#modules #methods)
+    })
 }
 
 /// The module of a pack, for `jaka_sync::pack!`.

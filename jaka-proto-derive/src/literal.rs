@@ -4,8 +4,8 @@ use jaka_spec::{Spec, Topic, TypeDef, TypeKind};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::codec::{ModulePaths, Scope, ident, names};
 use crate::construct;
+use crate::scope::{ModulePaths, Scope, ident, names};
 
 /// The module with the twins of a topic; nothing where there are none. `elsewhere` has the modules of the other topics.
 pub(crate) fn module(spec: &Spec, topic: &Topic, elsewhere: TokenStream) -> Option<TokenStream> {

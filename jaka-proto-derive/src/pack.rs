@@ -9,8 +9,9 @@ use syn::parse::{Parse, ParseStream};
 use syn::{LitStr, parenthesized};
 
 use crate::client::Method;
-use crate::codec::{ModulePaths, Scope, ident};
-use crate::{docs, error_codes, events, literal, topic};
+use crate::docs::{self, Docs, Place};
+use crate::scope::{ModulePaths, Scope, ident};
+use crate::{error_codes, events, literal, topic};
 
 /// What `jaka_sync::pack!` hands over: the path of jaka-sync, and that of the TOML file.
 pub(crate) struct Input {
@@ -87,19 +88,21 @@ fn notes(pack: &Pack, span: Span) -> TokenStream {
 pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
     let topic = &module.topic;
     let name = ident(&topic.name);
-    let docs = docs::topic(topic);
+    let docs = Docs::new(&module.spec, Place::Pack(module));
     let paths = ModulePaths::new(sync.clone());
-    let scope = Scope::of_module(&module.spec, topic, &paths);
-    let items = topic::items(scope, topic);
+    let scope = Scope { docs, ..Scope::of_module(&module.spec, topic, &paths) };
+    let items = topic::items(scope, topic, &module.spec.sent_types());
     let literals = literal::module(&module.spec, topic, sync.clone());
     let repeated = repeated(module, scope);
     let methods = methods(module, scope, sync);
-    let codes = error_codes::in_pack(&topic.errors);
+    let codes = error_codes::in_pack(docs, &topic.errors);
     let events = events::in_pack(&topic.events);
+    let docs = docs.topic(topic);
     quote! {
-        #docs
         #[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
         pub mod #name {
+            #docs
+
             #[allow(unused_imports)]
             use #sync::proto::{self as proto, check, wire};
 
@@ -142,7 +145,7 @@ fn methods(module: &Module, scope: Scope<'_>, sync: &TokenStream) -> Option<Toke
     }
     let methods = commands.iter().map(|command| {
         let Method { head, parameter, argument, reply } = Method::new(scope, &TokenStream::new(), command);
-        let docs = docs::method(command, "`Call::call`");
+        let docs = scope.docs.method(command, "`Call::call`");
         let name = ident(&module.method(command));
         quote! {
             #docs

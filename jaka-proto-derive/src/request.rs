@@ -4,7 +4,7 @@ use jaka_spec::Spec;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codec::ident;
+use crate::scope::ident;
 
 /// `Request`, with a variant for each command.
 pub(crate) fn render(spec: &Spec) -> TokenStream {

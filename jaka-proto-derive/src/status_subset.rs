@@ -7,7 +7,9 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Token, braced, bracketed, parenthesized};
 
-use crate::codec::{Manner, Scope, read_object_in_place};
+use crate::codec::{Manner, read_object_in_place};
+use crate::docs::{Docs, Place};
+use crate::scope::Scope;
 
 /// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the fields.
 pub(crate) struct Input {
@@ -34,7 +36,8 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let fields = fields(&spec, input)?;
     let Input { sync, head, name, .. } = input;
     let wire = quote!(#sync::proto::wire);
-    let scope = Scope { spec: &spec, topic: None, own: &TokenStream::new(), elsewhere: sync, wire: &wire };
+    let docs = Docs::new(&spec, Place::User);
+    let scope = Scope { spec: &spec, topic: None, own: &TokenStream::new(), elsewhere: sync, wire: &wire, docs };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
     let read = read_object_in_place(&fields, Manner::StatusSubset);

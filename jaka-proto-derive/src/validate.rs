@@ -5,7 +5,8 @@ use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, V
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::codec::{ident, names, variant_path};
+use crate::choice::variant_path;
+use crate::scope::{ident, names};
 
 /// The checks of a request.
 pub(crate) fn request(command: &Command, name: &Ident) -> TokenStream {

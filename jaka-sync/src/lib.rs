@@ -31,7 +31,7 @@ pub use jaka_proto as proto;
 #[doc(no_inline)]
 pub use jaka_proto::geometry;
 #[doc(inline)]
-pub use jaka_proto::messages::*;
+pub use jaka_proto::messages::Request;
 #[doc(no_inline)]
 pub use jaka_proto::recording;
 #[doc(no_inline)]
@@ -41,6 +41,7 @@ pub use jaka_proto::{
     check::{AdvisoryRanges, InvalidArgument},
     wire::{DecodeError, Typed},
 };
+pub use methods::*;
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};

@@ -1,4 +1,4 @@
-//! A method for each command, generated from the spec.
+//! The modules of the messages, and a method for each command, generated from the spec.
 
 use crate::{Client, Error};
 

@@ -17,7 +17,18 @@ const MOST_INDENT: usize = 3;
 /// assert_eq!(jaka_spec::prose::prose(hostile), "What `a<b>` is:\n\n\\`\\`\\`\npanic!()\n\\`\\`\\`\n   panic!()");
 /// ```
 pub fn prose(text: &str) -> String {
-    let lines: Vec<_> = text.lines().map(|line| prose_line(&shown(line))).collect();
+    linked_prose(text, |_| None)
+}
+
+/// The text as prose, where a code span is a link if there is a target for what is in it.
+///
+/// ```
+/// let target = |name: &str| (name == "joint_move").then(|| "JointMove".to_owned());
+/// let text = jaka_spec::prose::linked_prose("As `joint_move`, not `jog`.", target);
+/// assert_eq!(text, "As [`joint_move`](JointMove), not `jog`.");
+/// ```
+pub fn linked_prose(text: &str, target: impl Fn(&str) -> Option<String>) -> String {
+    let lines: Vec<_> = text.lines().map(|line| prose_line(&shown(line), &target)).collect();
     lines.join("\n")
 }
 
@@ -34,8 +45,8 @@ pub fn code_span(text: &str) -> String {
     }
 }
 
-/// The characters of a line, with escapes for those that nobody sees. Tabs count as blanks.
-pub(crate) fn shown(line: &str) -> String {
+/// The text in one line, with escapes for the characters that nobody sees, ends of lines among them. Tabs count as blanks.
+pub fn shown(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     for c in line.chars() {
         match c {
@@ -65,7 +76,7 @@ pub(crate) fn is_hidden(c: char) -> bool {
     c.is_control() || HIDDEN.iter().any(|range| range.contains(&c))
 }
 
-fn prose_line(line: &str) -> String {
+fn prose_line(line: &str, target: &impl Fn(&str) -> Option<String>) -> String {
     let mut rest = line.trim_start_matches(' ');
     if rest.is_empty() {
         return String::new();
@@ -73,7 +84,7 @@ fn prose_line(line: &str) -> String {
     let mut out = " ".repeat((line.len() - rest.len()).min(MOST_INDENT));
     while let Some(first) = rest.chars().next() {
         rest = match first {
-            '`' => push_backticks(&mut out, rest),
+            '`' => push_backticks(&mut out, rest, target),
             '~' => push_run(&mut out, rest, '~', 2),
             '\\' => push_escaped(&mut out, rest),
             ' ' => {
@@ -93,15 +104,17 @@ fn prose_line(line: &str) -> String {
     out
 }
 
-/// A code span as it is, or backticks that are none of one. Gives what follows.
-fn push_backticks<'t>(out: &mut String, text: &'t str) -> &'t str {
+/// A code span as it is or as a link, or backticks that are not part of one. Gives what follows.
+fn push_backticks<'t>(out: &mut String, text: &'t str, target: &impl Fn(&str) -> Option<String>) -> &'t str {
     let len = run(text, '`');
     let behind = &text[len..];
     // A span that ends in another line would have other partners there.
     let end = (len < 3).then(|| closing(behind, len)).flatten();
     let Some(end) = end else { return push_run(out, text, '`', 0) };
     let (span, rest) = text.split_at(len + end);
-    out.push_str(span);
+    // After an exclamation mark a link would be an image.
+    let target = (!out.ends_with('!')).then(|| target(span.trim_matches('`'))).flatten();
+    *out += &target.map_or_else(|| span.to_owned(), |target| format!("[{span}]({target})"));
     rest
 }
 
@@ -173,6 +186,18 @@ mod tests {
             ("\\\\<b>\\", "\\\\\\<b>\\"),
         ] {
             assert_eq!(prose(text), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_code_span_with_a_target_is_a_link() {
+        let target = |name: &str| (name == "jog").then(|| "Jog".to_owned());
+        for (text, expected) in [
+            ("`jog`, `Jog` and ``jog``.", "[`jog`](Jog), `Jog` and [``jog``](Jog)."),
+            ("[`jog`](x) !`jog`", "\\[[`jog`](Jog)](x) !`jog`"),
+            ("a ` jog` `jog", "a ` jog` \\`jog"),
+        ] {
+            assert_eq!(linked_prose(text, target), expected, "{text:?}");
         }
     }
 

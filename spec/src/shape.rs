@@ -90,11 +90,11 @@ impl Spec {
 impl Spec {
     /// True if requests have the type, also inside other types: the client checks it, and programs make values of it.
     pub fn is_sent(&self, id: TypeId) -> bool {
-        self.sent().contains(&id)
+        self.sent_types().contains(&id)
     }
 
     /// The types that requests have, also inside other types.
-    fn sent(&self) -> BTreeSet<TypeId> {
+    pub fn sent_types(&self) -> BTreeSet<TypeId> {
         let mut sent = BTreeSet::new();
         let fields = self.commands().flat_map(|command| command.request.fields());
         let mut open: Vec<_> = fields.filter_map(|field| field.ty.named()).collect();

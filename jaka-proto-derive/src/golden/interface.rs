@@ -4,17 +4,48 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Attribute, Fields, File, ImplItem, Item, ItemImpl, TraitItem, Visibility, parse_quote};
 
-/// The public items, with empty bodies. Left out: what is hidden, the codec, and the checks of requests.
+/// The public items, with empty bodies. Left out: what is hidden, the codec, the checks of requests, which reply is whose (the
+/// methods tell), and aliases (the docs tell).
 pub(super) fn interface(tokens: TokenStream) -> String {
     interface_without(tokens, "", &[])
 }
 
 /// The same without these fields of the struct `name`.
 pub(super) fn interface_without(tokens: TokenStream, name: &str, fields: &[&str]) -> String {
+    let mut file = parsed(tokens);
+    remove(&mut file.items, name, fields);
+    printed(&file)
+}
+
+/// The same with the first paragraph of the methods' docs: what follows is mostly as in the docs of their requests.
+pub(super) fn signatures(tokens: TokenStream) -> String {
+    let mut file = parsed(tokens);
+    for item in &mut file.items {
+        let Item::Impl(block) = item else { continue };
+        for item in &mut block.items {
+            if let ImplItem::Fn(method) = item {
+                let mut is_over = false;
+                method.attrs.retain(|attribute| {
+                    let text = attribute.to_token_stream().to_string();
+                    is_over |= text == r#"# [doc = ""]"#;
+                    !is_over || !text.starts_with("# [doc =")
+                });
+            }
+        }
+    }
+    printed(&file)
+}
+
+fn parsed(tokens: TokenStream) -> File {
     let mut file: File = syn::parse2(tokens).expect("the expansion is valid Rust");
     file.items = items(file.items);
-    remove(&mut file.items, name, fields);
-    prettyplease::unparse(&file)
+    file
+}
+
+fn printed(file: &File) -> String {
+    let text = prettyplease::unparse(file);
+    let lines = text.split_inclusive('\n');
+    lines.filter(|line| !line.trim_start().starts_with("#[doc(alias = ")).collect()
 }
 
 fn remove(items: &mut [Item], name: &str, without: &[&str]) {
@@ -69,7 +100,7 @@ fn implementation(mut block: ItemImpl) -> Option<ItemImpl> {
     let is_trait = block.trait_.is_some();
     if block.trait_.as_ref().is_some_and(|(path, _)| {
         let path: Vec<_> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-        path.contains(&"wire".to_owned()) || path.contains(&"check".to_owned())
+        ["wire", "check", "proto"].iter().any(|module| path.iter().any(|segment| segment == module))
     }) {
         return None;
     }

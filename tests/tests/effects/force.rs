@@ -1,9 +1,10 @@
 //! Drag mode and control that yields to forces.
 
+use jaka_proto::messages::force::literal;
 use jaka_sync::Typed;
 use jaka_sync::force::{
     AdmittanceAxis, CartesianAxis, ComplianceType, SetAdmitCtrlConfig, SetComplianceCondition, SetCompliantType,
-    VelocityCompliance, literal,
+    VelocityCompliance,
 };
 use jaka_sync::status::TaskMode;
 use jaka_sync::types::Switch;

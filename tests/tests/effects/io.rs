@@ -1,7 +1,8 @@
 //! Inputs and outputs.
 
+use jaka_proto::messages::io::literal;
 use jaka_sync::io::{
-    DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput, SetTioVoutParam, literal,
+    DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput, SetTioVoutParam,
 };
 use jaka_sync::types::Switch;
 

@@ -1,6 +1,7 @@
 //! User-defined system variables.
 
-use jaka_sync::variables::{ModifyUserDefinedVariable, UserVariable, literal};
+use jaka_proto::messages::variables::literal;
+use jaka_sync::variables::{ModifyUserDefinedVariable, UserVariable};
 
 use super::arm::{Arm, refused};
 
