@@ -24,5 +24,5 @@ pub use examples::{Misfit, misfits};
 pub use jaka_proto::check::AdvisoryRanges;
 pub use notation::notation;
 pub use problem::{Problem, ProblemKind};
-pub use sample::{complete_reply, sample_reply};
+pub use sample::{complete_reply, is_readable, sample_reply, sample_value};
 pub use value::value;

@@ -35,7 +35,8 @@ pub fn complete_reply(spec: &Spec, command: &Command, reply: &mut Map<String, Va
     complete(spec, spec.reply_fields(command), reply);
 }
 
-fn is_readable(spec: &Spec, field: &Field, value: &Value) -> bool {
+/// True if the field's value can be read, if leniently.
+pub fn is_readable(spec: &Spec, field: &Field, value: &Value) -> bool {
     let mut decoder = Decoder::new(spec);
     decoder.object("", slice::from_ref(field), &Map::from_iter([(field.wire.clone(), value.clone())]), &[]);
     decoder.departures.iter().all(|departure| departure.reading == Reading::Lenient)
@@ -43,11 +44,12 @@ fn is_readable(spec: &Spec, field: &Field, value: &Value) -> bool {
 
 fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {
     for field in fields.iter().filter(|field| !field.optional) {
-        object.entry(field.wire.clone()).or_insert_with(|| member(spec, field));
+        object.entry(field.wire.clone()).or_insert_with(|| sample_value(spec, field));
     }
 }
 
-fn member(spec: &Spec, field: &Field) -> Value {
+/// A value for a field, as [`complete_reply`] makes them.
+pub fn sample_value(spec: &Spec, field: &Field) -> Value {
     let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
     let nearest = 0_f64.max(min).min(max);
     if nearest != 0.0 && matches!(&field.ty, Type::Scalar(scalar) if scalar.is_number()) {
@@ -85,7 +87,7 @@ fn literal(value: &Value) -> Value {
 }
 
 fn elements(spec: &Spec, fields: &[Field]) -> impl Iterator<Item = Value> {
-    fields.iter().filter(|field| !field.optional).map(|field| member(spec, field))
+    fields.iter().filter(|field| !field.optional).map(|field| sample_value(spec, field))
 }
 
 fn first<T>(values: &[EnumValue<T>], wire: impl Fn(&EnumValue<T>) -> Value) -> Value {

@@ -25,12 +25,10 @@ use jaka_proto::wire::Writer;
 use jaka_proto::{Command, ErrorCode, Request, RequestError, write_refusal, write_reply};
 use jaka_spec::Effect;
 
-use std::time::Duration;
-
 use serde_json::{Map, Value};
 
 use crate::spec_index::{CommandEntry, SpecIndex, usual_refusal};
-use crate::world::World;
+use crate::world::{Change, Wait, World};
 
 /// What a topic made of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,8 +45,8 @@ enum Outcome {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sequel {
     Nothing,
-    /// The reply waits until the arm is at rest, or until the controller's time is this, if it is given.
-    Rest(Option<Duration>),
+    /// The reply waits.
+    Wait(Wait),
     /// The connection ends with the reply.
     SessionEnd,
     /// Both ports' connections end with the reply.
@@ -104,7 +102,9 @@ pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
 /// None of the commands that have one is ever refused.
 fn sequel(request: &Request, spec_index: &SpecIndex, world: &World) -> Sequel {
     match request {
-        Request::WaitComplete(_) => Sequel::Rest(None),
+        Request::WaitComplete(_) => after(Wait::Rest(None), world),
+        Request::PowerOn(_) if world.habits.late_power => after(Wait::Change(Change::PoweredOn), world),
+        Request::EnableRobot(_) if world.habits.late_power => after(Wait::Change(Change::Enabled), world),
         Request::Quit(_) => Sequel::SessionEnd,
         Request::Shutdown(_) => Sequel::Shutdown,
         _ => spec_index.entry(request.info().name).map_or(Sequel::Nothing, |entry| usual_sequel(entry, world)),
@@ -114,11 +114,14 @@ fn sequel(request: &Request, spec_index: &SpecIndex, world: &World) -> Sequel {
 /// Queries may be answered late while the arm moves.
 fn usual_sequel(entry: &CommandEntry, world: &World) -> Sequel {
     match world.habits.late_queries {
-        Some(time) if entry.command.effect == Effect::Query && !world.is_at_rest() => {
-            Sequel::Rest(world.now().checked_add(time))
-        }
+        Some(time) if entry.command.effect == Effect::Query => after(Wait::Rest(world.now().checked_add(time)), world),
         _ => Sequel::Nothing,
     }
+}
+
+/// The reply comes after the wait, and at once where there is nothing to wait for.
+fn after(wait: Wait, world: &World) -> Sequel {
+    if world.is_over(wait) { Sequel::Nothing } else { Sequel::Wait(wait) }
 }
 
 /// Writes the reply to something that is not a request.

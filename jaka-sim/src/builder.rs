@@ -23,7 +23,7 @@ pub struct Builder {
     pub(crate) status_port: u16,
     pub(crate) model: Model,
     pub(crate) delays: Delays,
-    pub(crate) habits: Habits,
+    habits: Option<Habits>,
     pub(crate) stepped: bool,
     folders: Vec<PathBuf>,
     pub(crate) packs: Vec<PathBuf>,
@@ -45,14 +45,14 @@ impl Builder {
             status_port: 0,
             model: Model::default(),
             delays: Delays::REAL,
-            habits: Habits::none(),
+            habits: None,
             stepped: false,
             folders: Vec::new(),
             packs: Vec::new(),
             programs: programs::built_in(),
             takeover: Takeover::Replace,
             faults: FaultPlan::new(),
-            firmware: Firmware::Document,
+            firmware: Firmware::default(),
             reply_style: None,
             status_period: None,
             replay: None,
@@ -89,10 +89,10 @@ impl Builder {
         self
     }
 
-    /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: none if not set.
+    /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: those of the firmware if not set.
     #[must_use]
     pub fn habits(mut self, habits: impl Into<Habits>) -> Self {
-        self.habits = habits.into();
+        self.habits = Some(habits.into());
         self
     }
 
@@ -154,7 +154,7 @@ impl Builder {
         self
     }
 
-    /// Sets the firmware that the controller looks like: [`Firmware::Document`] if not set.
+    /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
     #[must_use]
     pub fn firmware(mut self, firmware: Firmware) -> Self {
         self.firmware = firmware;
@@ -168,7 +168,7 @@ impl Builder {
         self
     }
 
-    /// Sets the time between two status packets: that of the firmware if not set, which is 50 ms as a rule.
+    /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
     ///
     /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
     /// [`Controller::publish`](crate::Controller::publish).
@@ -220,6 +220,11 @@ impl Builder {
     /// The time between two status packets.
     pub(crate) fn period(&self) -> Duration {
         self.status_period.unwrap_or_else(|| self.firmware.status_period())
+    }
+
+    /// What the controller does that no document describes.
+    pub(crate) fn usual_habits(&self) -> Habits {
+        self.habits.unwrap_or_else(|| self.firmware.habits())
     }
 
     /// How replies are written.

@@ -97,7 +97,7 @@ fn serve(connection: &CommandConnection, shared: &Shared) -> NextStep {
     let mut requests = RequestReader::new(connection.wire());
     let mut reply = Writer::new();
     loop {
-        let mut next = connection.writer().send_due(|by| shared.world().is_at_rest_by(by));
+        let mut next = connection.writer().send_due(|wait| shared.world().is_over(wait));
         if next == NextStep::Continue {
             next = receive(&mut requests, connection, shared, &mut reply);
         }

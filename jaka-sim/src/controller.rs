@@ -16,10 +16,7 @@ pub use self::links::Link;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
 use crate::shared::Shared;
-use crate::{Builder, Deviation, State, command_port, status_port};
-
-/// What a status packet shows as error code after a collision, by the vendor's table of controller events.
-const COLLISION: &str = "0xf0034";
+use crate::{Builder, Deviation, State, command_port, status_port, world};
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///
@@ -90,13 +87,9 @@ impl Controller {
         self.shared.world().now()
     }
 
-    /// Simulates a collision: a protective stop, until `clear_error`.
+    /// Simulates a collision: a protective stop and the error `0xf0034`, until `clear_error`.
     pub fn collide(&self) {
-        self.set_state(|state| {
-            state.protective_stop = true;
-            COLLISION.clone_into(&mut state.error_code);
-            "collision".clone_into(&mut state.error_message);
-        });
+        self.set_state(world::collide);
     }
 
     /// Presses the emergency stop: the arm is not enabled, and cannot be, until it is released.
@@ -126,6 +119,20 @@ impl Controller {
     /// ```
     pub fn set_reply(&self, command: impl Into<String>, fields: impl IntoIterator<Item = (String, Value)>) {
         self.shared.replies().insert(command.into(), fields.into_iter().collect());
+    }
+
+    /// Sets keys of status packets from now on: those that a pack adds, and any other but that of the packet's length. A key
+    /// that the firmware does not send is sent by none of this. Keys that are not set here show the state.
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    ///
+    /// let controller = Controller::start()?;
+    /// controller.set_status([("motion_mode".to_owned(), 2.into())]);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    pub fn set_status(&self, keys: impl IntoIterator<Item = (String, Value)>) {
+        self.shared.status_values().extend(keys);
     }
 
     /// The text of the requests received so far, in order, the last 10,000 of them and of these the last 16 MiB.

@@ -1,4 +1,4 @@
-//! Firmware, by what its messages look like.
+//! Firmware, by what its messages look like and what it does.
 
 mod reply_style;
 mod restyle;
@@ -8,9 +8,11 @@ mod values;
 use std::fmt;
 use std::time::Duration;
 
-pub use self::reply_style::{CodeStyle, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
+pub use self::reply_style::{CodeStyle, EventStyle, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub(crate) use self::restyle::restyle;
-pub(crate) use self::shape::{PacketKeys, Shape};
+pub(crate) use self::shape::{Fieldbus, Keys, Shape};
+pub(crate) use self::values::Values;
+use crate::Habits;
 use crate::json_text::Separators;
 
 /// Makes the enum of a table of firmwares, a row each: a firmware without a [`Shape`] does not compile.
@@ -29,9 +31,9 @@ macro_rules! firmwares {
             /// All of them.
             pub const ALL: &'static [Self] = &[$(Self::$Name),*];
 
-            pub(crate) const fn shape(self) -> Shape {
+            pub(crate) const fn shape(self) -> &'static Shape {
                 match self {
-                    $(Self::$Name => $shape),*
+                    $(Self::$Name => const { &$shape }),*
                 }
             }
         }
@@ -39,83 +41,120 @@ macro_rules! firmwares {
 }
 
 firmwares! {
-    /// The firmware that a controller looks like.
+    /// The firmware that a controller has.
     ///
-    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, and how
-    /// replies are written; [`Builder::status_period`](crate::Builder::status_period) and
-    /// [`Builder::reply_style`](crate::Builder::reply_style) come before it. What commands do is the same with all of them,
-    /// and so is the version in the [`State`](crate::State).
+    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, how replies are
+    /// written, what `get_version` answers, and what the controller does that no document describes.
+    /// [`Builder::status_period`](crate::Builder::status_period), [`Builder::reply_style`](crate::Builder::reply_style) and
+    /// [`Builder::habits`](crate::Builder::habits) come before it.
     ///
-    /// | | `V1_5_14` | `Document` | `Newer` |
+    /// | | `V1_5_14` | `Newer` | `Document` |
     /// |---|---|---|---|
-    /// | digital inputs, digital outputs | 136 | 144 | 200 |
-    /// | analog inputs, analog outputs | 64 | 66 | 128 |
-    /// | analog inputs of the tool | 1 | 1 | 2 |
-    /// | functions with an input | 13 | 15 | 15 |
-    /// | values for each joint in the monitor data | 10 | 10 | 11 |
+    /// | `get_version` | `1.5.14_13_X64` | `1.7.2` | `1.6.5_01_X86` |
+    /// | digital inputs, digital outputs | 135 | 199 | 144 |
+    /// | analog inputs, analog outputs | 64 | 128 | 66 |
+    /// | analog inputs of the tool | 2 | 2 | 1 |
+    /// | values for each joint in the monitor data | 11 | 11 | 10 |
+    /// | elements of the monitor data, readings of the torque sensor | 6, 2 | 10, 3 | 6, 2 |
     /// | extension I/O modules in packets | no | yes | yes |
-    /// | blanks after commas and colons | yes | no | yes |
+    /// | numbers that may have a fraction | `3.0` | `3.0` | `3` |
+    /// | decimals in packets and in replies, at most; monitor data have more | 5, 6 | 5, 6 | any |
+    /// | blanks after commas and colons | yes | yes | no |
+    /// | event in `get_robot_state` | a number | a number | no |
     /// | time between packets | 30 ms | 50 ms | 50 ms |
-    /// | packet, to begin with | 2.4 KB | 2.0 KB | 6.4 KB |
+    /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB |
+    /// | habits | `late-power`, `servo-at-rest`, `events` | `servo-at-rest`, `events` | none |
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum Firmware;
 
-    /// Firmware 1.5.14, as field notes have it.
-    ///
-    /// The separators, the period and the missing key are certain. The lengths of arrays are among those that have been
-    /// seen; which of them belong to this version is not known.
+    /// Firmware 1.5.14, as a packet, transcripts and a timed log of such a controller have it.
+    #[default]
     V1_5_14 => Shape {
         name: "1.5.14",
+        version: "1.5.14_13_X64",
         status_period: Duration::from_millis(30),
         separators: Separators::Spaced,
-        reply_style: ReplyStyle::DOCUMENT.separators(Separators::Spaced),
-        packet_keys: PacketKeys::WithoutExtio,
-        digital: 136,
+        packet_numbers: NumberStyle::Decimals(5),
+        reply_style: ReplyStyle::DOCUMENT
+            .separators(Separators::Spaced)
+            .numbers(NumberStyle::Decimals(6))
+            .event(EventStyle::Number),
+        habits: Habits { late_power: true, servo_at_rest: true, events: true, ..Habits::NONE },
+        keys: &[Keys::Common],
+        digital: 135,
         analog: 64,
         tool_digital: 8,
-        tool_analog: 1,
-        functions: 13,
+        tool_analog: &[474.0, 474.0],
+        functions: 15,
+        fieldbuses: &[],
+        monitor_head: "12338,12593,47.0,0.0,0.0",
+        joint_row: "0.0,48.0,28.0,0.0,0.10000000149011612,30363.5,390097.0,0.0,1.0,0.0,-1.0188410813171915",
+        monitor_tail: "",
+        torque_readings: 2,
+        extio_module_id: None,
     };
 
-    /// What the document prints, version 2.0.4.
-    #[default]
+    /// Firmware that is newer than the document, as a capture of such a controller has its packets: with more than the 5000 bytes
+    /// that the document allows.
+    ///
+    /// `get_robot_state` answers as packets do. Which version sent the packets of the capture is not known.
+    Newer => Shape {
+        name: "newer",
+        version: "1.7.2",
+        status_period: Duration::from_millis(50),
+        separators: Separators::Spaced,
+        packet_numbers: NumberStyle::Decimals(5),
+        reply_style: ReplyStyle::DOCUMENT
+            .separators(Separators::Spaced)
+            .numbers(NumberStyle::Decimals(6))
+            .truth_values(TruthStyle::Packet)
+            .event(EventStyle::Number),
+        habits: Habits { servo_at_rest: true, events: true, ..Habits::NONE },
+        keys: &[Keys::Common, Keys::Extio, Keys::Newer],
+        digital: 199,
+        analog: 128,
+        tool_digital: 8,
+        tool_analog: &[466.0, 469.0],
+        functions: 15,
+        fieldbuses: &[
+            Fieldbus { name: "modbus_slave_", digital: 128, analog: 64 },
+            Fieldbus { name: "profinet_device_", digital: 64, analog: 64 },
+            Fieldbus { name: "ethernet_ip_adapter_", digital: 64, analog: 48 },
+        ],
+        monitor_head: "12338,12593,49.0,26.0,1.0720000267028809",
+        joint_row: "0.06650000065565109,23.0,50.0,0.0,0.10000000149011612,6007.2001953125,2888860.0,2.5999999046325684,110602.0,0.3330000042915344,-0.06700000166893005",
+        monitor_tail: ",0,0,0,23.39",
+        torque_readings: 3,
+        extio_module_id: Some("ext_0f5118ef9a5cb05b"),
+    };
+
+    /// What the document prints, version 2.0.4, without blanks. No controller is known that writes so.
     Document => Shape {
         name: "document",
+        version: "1.6.5_01_X86",
         status_period: Duration::from_millis(50),
         separators: Separators::Compact,
+        packet_numbers: NumberStyle::Plain,
         reply_style: ReplyStyle::DOCUMENT,
-        packet_keys: PacketKeys::Document,
+        habits: Habits::NONE,
+        keys: &[Keys::Common, Keys::Extio],
         digital: 144,
         analog: 66,
         tool_digital: 8,
-        tool_analog: 1,
+        tool_analog: &[0.0],
         functions: 15,
-    };
-
-    /// Firmware that is newer than the document, with packets of more than the 5000 bytes that the document allows.
-    ///
-    /// Packets have all keys of the spec, with the lengths that one such controller sends. `get_robot_state` answers as
-    /// packets do, and reports the controller's error.
-    Newer => Shape {
-        name: "newer",
-        status_period: Duration::from_millis(50),
-        separators: Separators::Spaced,
-        reply_style: ReplyStyle::DOCUMENT
-            .separators(Separators::Spaced)
-            .truth_values(TruthStyle::Packet)
-            .with_robot_error(),
-        packet_keys: PacketKeys::All,
-        digital: 200,
-        analog: 128,
-        tool_digital: 8,
-        tool_analog: 2,
-        functions: 15,
+        fieldbuses: &[],
+        monitor_head: "0,0,0,0,0",
+        joint_row: "0,0,0,0,0,0,0,0,0,0",
+        monitor_tail: "",
+        torque_readings: 2,
+        extio_module_id: None,
     };
 }
 
 impl Firmware {
-    /// A name to be typed: `1.5.14`, `document` or `newer`.
+    /// A name to be typed: `1.5.14`, `newer` or `document`.
     pub fn name(self) -> &'static str {
         self.shape().name
     }
@@ -128,6 +167,11 @@ impl Firmware {
     /// How its replies are written.
     pub fn reply_style(self) -> ReplyStyle {
         self.shape().reply_style
+    }
+
+    /// What it does that no document describes.
+    pub fn habits(self) -> Habits {
+        self.shape().habits
     }
 }
 

@@ -28,6 +28,11 @@ pub enum Habit {
     ///
     /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests are carried out.
     LateQueries(Option<Duration>),
+    /// `power_on` and `enable_robot` are answered when the arm has power and is enabled, as with firmware 1.5.14. `late-power` as a
+    /// text.
+    ///
+    /// Later replies wait until that reply is sent. Without this habit they are answered at once, as by newer firmware.
+    LatePower,
     /// A motion with a tolerance that another one follows does not come to rest: where it is nearer to its end than the tolerance, the
     /// next begins, and the arm rounds the corner. `blend` as a text.
     ///
@@ -51,6 +56,7 @@ impl Habit {
             Self::Pause(Duration::from_millis(100)),
             Self::Lead(Duration::from_millis(16)),
             Self::LateQueries(None),
+            Self::LatePower,
             Self::Blend,
             Self::ServoAtRest,
             Self::Events,
@@ -78,15 +84,26 @@ pub struct Habits {
     pub(crate) lead: Option<Duration>,
     /// The longest time where replies wait for the arm alone.
     pub(crate) late_queries: Option<Duration>,
+    pub(crate) late_power: bool,
     pub(crate) blend: bool,
     pub(crate) servo_at_rest: bool,
     pub(crate) events: bool,
 }
 
 impl Habits {
+    pub(crate) const NONE: Self = Self {
+        pause: None,
+        lead: None,
+        late_queries: None,
+        late_power: false,
+        blend: false,
+        servo_at_rest: false,
+        events: false,
+    };
+
     /// No habits.
     pub fn none() -> Self {
-        Self::default()
+        Self::NONE
     }
 
     /// All habits, as [`Habit::one_of_each`] has them.
@@ -98,8 +115,12 @@ impl Habits {
     pub fn iter(&self) -> impl Iterator<Item = Habit> {
         let late_queries = self.late_queries.map(|time| Some(time).filter(|time| *time < Duration::MAX));
         let timed = [self.pause.map(Habit::Pause), self.lead.map(Habit::Lead), late_queries.map(Habit::LateQueries)];
-        let plain =
-            [(self.blend, Habit::Blend), (self.servo_at_rest, Habit::ServoAtRest), (self.events, Habit::Events)];
+        let plain = [
+            (self.late_power, Habit::LatePower),
+            (self.blend, Habit::Blend),
+            (self.servo_at_rest, Habit::ServoAtRest),
+            (self.events, Habit::Events),
+        ];
         timed.into_iter().flatten().chain(plain.into_iter().filter(|(on, _)| *on).map(|(_, habit)| habit))
     }
 }
@@ -111,6 +132,7 @@ impl Extend<Habit> for Habits {
                 Habit::Pause(time) => self.pause = Some(time),
                 Habit::Lead(time) => self.lead = Some(time),
                 Habit::LateQueries(time) => self.late_queries = Some(time.unwrap_or(Duration::MAX)),
+                Habit::LatePower => self.late_power = true,
                 Habit::Blend => self.blend = true,
                 Habit::ServoAtRest => self.servo_at_rest = true,
                 Habit::Events => self.events = true,

@@ -32,7 +32,7 @@ pub use builder::{Builder, Takeover};
 pub use controller::{Controller, Link};
 pub use delays::Delays;
 pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
-pub use firmware::{CodeStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
+pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub use habits::{Habit, HabitError, Habits};
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;

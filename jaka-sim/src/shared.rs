@@ -39,6 +39,7 @@ pub(crate) struct Shared {
     steps: Mutex<Steps>,
     faults: Mutex<FaultPlan>,
     replies: Mutex<HashMap<String, Map<String, Value>>>,
+    status_values: Mutex<Map<String, Value>>,
 }
 
 /// How far a stepped clock is, and when the last packet went out.
@@ -63,6 +64,7 @@ impl Shared {
             world: Mutex::new(World::new(&options, &spec_index)?),
             spec_index,
             replies: Mutex::default(),
+            status_values: Mutex::default(),
             clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
             faults: Mutex::new(options.faults.clone()),
             steps: Mutex::default(),
@@ -81,7 +83,7 @@ impl Shared {
 
     /// The status packet of the present state.
     pub(crate) fn packet(&self) -> Vec<u8> {
-        status_packet::packet(&self.world().state, self.options.firmware)
+        status_packet::packet(&self.world().state, self.options.firmware, &self.spec_index, &self.status_values())
     }
 
     /// Sends the present state to all status readers; nothing in a replay, which has its own packets.
@@ -118,6 +120,11 @@ impl Shared {
     /// What is wrong with the replies to come.
     pub(crate) fn faults(&self) -> MutexGuard<'_, FaultPlan> {
         lock(&self.faults)
+    }
+
+    /// The values of keys of status packets that a user has set.
+    pub(crate) fn status_values(&self) -> MutexGuard<'_, Map<String, Value>> {
+        lock(&self.status_values)
     }
 
     /// The fields of replies that a user has set, by command.

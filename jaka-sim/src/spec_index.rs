@@ -6,7 +6,8 @@ use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
 use jaka_proto::{Command, Envelope, ErrorCode, read_payload};
-use jaka_spec::{Effect, Requirement, Source, Spec};
+use jaka_spec::{Effect, Field, Requirement, Source, Spec};
+use serde_json::Value;
 
 /// A spec, indexed by `cmdName`.
 #[derive(Debug)]
@@ -14,6 +15,9 @@ pub(crate) struct SpecIndex {
     entries: HashMap<String, CommandEntry>,
     /// All of it.
     pub(crate) spec: Spec,
+    /// The names of the keys of status packets that packs add.
+    pub(crate) added_status_keys: Vec<String>,
+    has_packs: bool,
     /// The controller's message for something that is not a command.
     pub(crate) unknown: String,
 }
@@ -41,7 +45,7 @@ impl SpecIndex {
             return Ok(Arc::clone(index));
         }
         let spec = jaka_spec::builtin().map_err(io::Error::other)?;
-        Ok(Arc::clone(BUILT_IN.get_or_init(|| Arc::new(Self::new(spec, &BTreeSet::new())))))
+        Ok(Arc::clone(BUILT_IN.get_or_init(|| Arc::new(Self::new(spec, None, &BTreeSet::new())))))
     }
 
     /// The index of the built-in spec with packs, each of which adds to those before it.
@@ -61,19 +65,28 @@ impl SpecIndex {
             packed.extend(pack.module().topic.commands.iter().map(|command| command.wire.clone()));
             spec = pack.spec;
         }
-        Ok(Arc::new(Self::new(spec, &packed)))
+        Ok(Arc::new(Self::new(spec, Some(&built_in.spec), &packed)))
     }
 
-    fn new(spec: Spec, packed: &BTreeSet<String>) -> Self {
+    /// The index of a spec that packs have made of another one, and the commands that they add or change.
+    fn new(spec: Spec, base: Option<&Spec>, packed: &BTreeSet<String>) -> Self {
         let entry = |command: &jaka_spec::Command| CommandEntry::new(command, packed.contains(&command.wire));
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
-        Self { entries, spec, unknown }
+        let is_new = |name: &str| base.is_some_and(|base| base.status_fields().iter().all(|field| field.name != name));
+        let names = spec.status_fields().iter().map(|field| field.name.clone());
+        let added_status_keys = names.filter(|name| is_new(name)).collect();
+        Self { entries, spec, added_status_keys, has_packs: base.is_some(), unknown }
     }
 
     pub(crate) fn entry(&self, command: &str) -> Option<&CommandEntry> {
         self.entries.get(command)
+    }
+
+    /// True if a value can stand at a key of status packets, which a pack may have changed.
+    pub(crate) fn fits(&self, field: &Field, value: &Value) -> bool {
+        !self.has_packs || jaka_dynamic::is_readable(&self.spec, field, value)
     }
 
     /// The reply that the spec prints for a command.

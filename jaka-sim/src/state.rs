@@ -40,8 +40,7 @@ pub struct State {
     pub protective_stop: bool,
     /// Whether the robot is in an emergency stop. The arm is not enabled in one.
     pub emergency_stop: bool,
-    /// Whether a soft limit is reached, raw: the document prints 1 for a robot that is in position. Shown in status
-    /// packets alone.
+    /// Whether a soft limit is reached: 1 if it is. Shown in status packets alone, and set by nothing here.
     pub on_soft_limit: i64,
     /// Error code of the controller, a hexadecimal number such as `0x0`.
     pub error_code: String,

@@ -13,6 +13,7 @@ use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use self::events::Reported;
+pub(crate) use self::events::collide;
 use crate::clock::CYCLE;
 use crate::kinematics::{Model, from_pose, to_pose};
 use crate::motion::{Engine, Joints, Transform};
@@ -49,6 +50,15 @@ pub(crate) enum Change {
     ServoMode(bool),
 }
 
+/// What a reply waits for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Wait {
+    /// The arm is at rest, or the controller's time is this, if it is given.
+    Rest(Option<Duration>),
+    /// The change is made or given up.
+    Change(Change),
+}
+
 /// Where the arm has been while trajectory recording was on.
 #[derive(Debug, Default)]
 pub(crate) struct TrajectoryRecorder {
@@ -62,14 +72,14 @@ impl World {
         let mut world = Self {
             state: State::initial(spec_index, &model)?,
             model,
-            engine: Engine::new(options.habits.pause.unwrap_or_default()),
+            engine: Engine::new(options.usual_habits().pause.unwrap_or_default()),
             programs: options.programs()?,
             runner: None,
             recorder: TrajectoryRecorder::default(),
             recordings: HashMap::new(),
             identifying: false,
             delays: options.delays,
-            habits: options.habits,
+            habits: options.usual_habits(),
             seen: Reported::default(),
             changes: Vec::new(),
             now: Duration::ZERO,
@@ -108,9 +118,12 @@ impl World {
         !self.engine.is_busy() && self.runner.is_none()
     }
 
-    /// The same, or that the controller's time is this, if it is given.
-    pub(crate) fn is_at_rest_by(&self, time: Option<Duration>) -> bool {
-        self.is_at_rest() || time.is_some_and(|time| self.now >= time)
+    /// True if there is nothing left to wait for.
+    pub(crate) fn is_over(&self, wait: Wait) -> bool {
+        match wait {
+            Wait::Rest(time) => self.is_at_rest() || time.is_some_and(|time| self.now >= time),
+            Wait::Change(change) => self.changes.iter().all(|(_, pending)| *pending != change),
+        }
     }
 
     fn cycle(&mut self) {

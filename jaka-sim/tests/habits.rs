@@ -261,6 +261,102 @@ fn a_stop_in_the_corner_brakes_and_the_next_motion_begins_there() {
     }
 }
 
+/// A controller of a firmware as it starts, and a client.
+fn real(firmware: Firmware) -> (Controller, Peer) {
+    let builder = Controller::builder().stepped_clock().status_period(Duration::MAX);
+    let controller = builder.firmware(firmware).start().expect("loopback has ports");
+    let peer = Peer::commands(&controller);
+    (controller, peer)
+}
+
+#[test]
+fn power_and_enabling_are_answered_when_the_state_is_there_or_at_once() {
+    for (firmware, is_late) in [(Firmware::V1_5_14, true), (Firmware::Newer, false), (Firmware::Document, false)] {
+        let (controller, mut peer) = real(firmware);
+        for (command, time, count) in [("power_on", 8000, 1), ("enable_robot", 3500, 3)] {
+            let is_there = || match command {
+                "power_on" => controller.state().powered,
+                _ => controller.state().enabled,
+            };
+            peer.send(request(command));
+            // What comes after it waits for its turn, and says what was so when it was asked.
+            peer.send(request("get_robot_state"));
+            assert!(controller.wait_for_requests(count + 1, LIMIT));
+            if !is_late {
+                assert_accepted(&json(&peer.receive()), command);
+                assert_accepted(&json(&peer.receive()), "get_robot_state");
+            }
+            controller.advance(Duration::from_millis(time) - CYCLE);
+            assert!(!is_there(), "{firmware}: {command}");
+            if is_late {
+                assert_silent(&controller, &peer);
+            }
+            controller.advance(CYCLE * 2);
+            assert!(is_there(), "{firmware}: {command}");
+            if is_late {
+                assert_accepted(&json(&peer.receive()), command);
+                assert_accepted(&json(&peer.receive()), "get_robot_state");
+            }
+        }
+        // There already: at once.
+        for command in ["power_on", "enable_robot"] {
+            assert_accepted(&peer.call(command), command);
+        }
+    }
+}
+
+#[test]
+fn a_reply_that_waits_for_power_is_sent_when_power_is_given_up() {
+    let (controller, mut peer) = real(Firmware::V1_5_14);
+    peer.send(request("power_on"));
+    peer.send(request("power_off"));
+    assert_accepted(&json(&peer.receive()), "power_on");
+    assert_accepted(&json(&peer.receive()), "power_off");
+    assert!(!controller.state().powered);
+}
+
+#[test]
+fn real_firmware_enters_servo_mode_at_once_on_an_idle_arm_and_never_while_it_moves() {
+    for firmware in [Firmware::V1_5_14, Firmware::Newer] {
+        let (controller, mut peer) = real(firmware);
+        controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+        let enter = r#"{"cmdName":"servo_move","relFlag":1}"#;
+        assert_accepted(&peer.ask(enter), "servo_move");
+        assert!(controller.state().servo_mode);
+        assert_accepted(&peer.ask(r#"{"cmdName":"servo_move","relFlag":0}"#), "servo_move");
+        assert_accepted(&peer.ask(&turn(10.0, 50.0)), "joint_move");
+        controller.advance(CYCLE * 10);
+        assert_accepted(&peer.ask(enter), "servo_move");
+        until_rest(&controller);
+        assert!(!controller.state().servo_mode, "{firmware}");
+    }
+}
+
+#[test]
+fn a_habit_of_the_firmware_can_be_left_out() {
+    let events = |habits: Habits| {
+        let builder = Controller::builder().delays(Delays::NONE).stepped_clock().habits(habits);
+        let controller = builder.start().expect("loopback has ports");
+        controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+        controller.state().error_code
+    };
+    let usual = Firmware::V1_5_14.habits();
+    assert_eq!(usual, Habits::from([Habit::LatePower, Habit::ServoAtRest, Habit::Events]));
+    assert_eq!(events(usual), "0x10f0004");
+    assert_eq!(events(usual.iter().filter(|habit| *habit != Habit::Events).collect()), "0x0");
+}
+
+#[test]
+fn a_protective_stop_is_information_and_a_collision_is_an_error() {
+    let (controller, mut peer) = with(Habit::Events);
+    controller.set_state(|state| state.protective_stop = true);
+    assert_eq!(controller.state().error_code, "0x10f000b");
+    assert_accepted(&peer.call("clear_error"), "clear_error");
+    assert_eq!(controller.state().error_code, "0x0");
+    controller.collide();
+    assert_eq!(controller.state().error_code, "0xf0034");
+}
+
 #[test]
 fn servo_mode_is_not_entered_while_the_arm_moves() {
     let (controller, mut peer) = with(Habit::ServoAtRest);
@@ -338,7 +434,7 @@ fn an_error_is_not_replaced_by_information() {
     let state = controller.state();
     // Servo mode ends with it.
     assert!(!state.servo_mode);
-    assert_eq!((&*state.error_code, &*state.error_message), ("0xf0034", "collision"));
+    assert_eq!((&*state.error_code, &*state.error_message), ("0xf0034", "a collision was detected"));
     assert_accepted(&peer.call("disable_robot"), "disable_robot");
     assert_eq!(controller.state().error_code, "0xf0034");
 }

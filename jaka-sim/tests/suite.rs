@@ -10,6 +10,7 @@ mod late_replies;
 mod lifecycle;
 mod link_faults;
 mod lost_connections;
+mod real_packets;
 mod reply_style;
 mod sequels;
 mod status;

@@ -11,11 +11,15 @@ use crate::world::{Change, World};
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
     match request {
         Request::PowerOn(command) => {
-            world.later(world.delays.power_on, Change::PoweredOn);
+            if !world.state.powered {
+                world.later(world.delays.power_on, Change::PoweredOn);
+            }
             reply(command, literal::PowerOnReply { powered_on: Some(true) }, out)
         }
         Request::EnableRobot(command) => {
-            world.later(world.delays.enable, Change::Enabled);
+            if !world.state.enabled {
+                world.later(world.delays.enable, Change::Enabled);
+            }
             reply(command, literal::EnableRobotReply { enabled: Some(true) }, out)
         }
         Request::PowerOff(command) => {
@@ -44,7 +48,7 @@ fn switch_off(world: &mut World) {
     world.state.powered = false;
 }
 
-/// As old firmware answers; newer firmware adds the error.
+/// As the document has it; firmware that answers the event too does so by its style.
 fn robot_state(state: &State) -> literal::GetRobotStateReply {
     literal::GetRobotStateReply {
         enabled: state.enabled,

@@ -9,13 +9,14 @@ use super::NextStep;
 use crate::answer::Sequel;
 use crate::fault::Delivery;
 use crate::link::Wire;
+use crate::world::Wait;
 
 /// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
 const MAX_LATE: usize = 10_000;
 const MAX_HELD: usize = 1 << 20;
 
-/// How often to check whether the arm is at rest.
-const REST_CHECK: Duration = Duration::from_millis(2);
+/// How often to check whether the wait for the arm is over.
+const WAIT_CHECK: Duration = Duration::from_millis(2);
 
 /// Replies that have not been written yet.
 #[derive(Debug, Default)]
@@ -40,8 +41,7 @@ struct LateReply {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Due {
     At(Instant),
-    /// When the arm is at rest, or at this controller time if one is given.
-    AtRest(Option<Duration>),
+    After(Wait),
     Never,
 }
 
@@ -67,7 +67,7 @@ impl<'l> ReplyWriter<'l> {
     pub(crate) fn send_reply(&mut self, delivery: Delivery, sequel: Sequel) -> NextStep {
         let due = match (&delivery, sequel) {
             (Delivery::Later(time, _), _) => Some(Due::after(*time)),
-            (_, Sequel::Rest(by)) => Some(Due::AtRest(by)),
+            (_, Sequel::Wait(wait)) => Some(Due::After(wait)),
             _ => (!self.pending.late.is_empty()).then(|| Due::after(Duration::ZERO)),
         };
         let next = match due {
@@ -84,11 +84,11 @@ impl<'l> ReplyWriter<'l> {
         next
     }
 
-    /// Sends the replies that are due; `is_at_rest` says whether the arm is at rest, or the controller's time is the given one.
-    pub(crate) fn send_due(&mut self, is_at_rest: impl Fn(Option<Duration>) -> bool) -> NextStep {
+    /// Sends the replies that are due; `is_over` says whether a wait is over.
+    pub(crate) fn send_due(&mut self, is_over: impl Fn(Wait) -> bool) -> NextStep {
         let is_due = |late: &LateReply| match late.due {
             Due::At(time) => time <= Instant::now(),
-            Due::AtRest(by) => is_at_rest(by),
+            Due::After(wait) => is_over(wait),
             Due::Never => false,
         };
         while self.pending.late.front().is_some_and(is_due) {
@@ -105,7 +105,7 @@ impl<'l> ReplyWriter<'l> {
     pub(crate) fn wait_for_due(&self) -> Option<Duration> {
         match self.pending.late.front()?.due {
             Due::At(time) => Some(time.saturating_duration_since(Instant::now())),
-            Due::AtRest(_) => Some(REST_CHECK),
+            Due::After(_) => Some(WAIT_CHECK),
             Due::Never => None,
         }
     }

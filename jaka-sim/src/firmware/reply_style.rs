@@ -26,7 +26,7 @@ pub struct ReplyStyle {
     pub(super) separators: Separators,
     pub(super) key_order: KeyOrder,
     pub(super) success_message: bool,
-    pub(super) robot_error: bool,
+    pub(super) event: EventStyle,
 }
 
 impl ReplyStyle {
@@ -37,14 +37,14 @@ impl ReplyStyle {
         separators: Separators::Compact,
         key_order: KeyOrder::Usual,
         success_message: true,
-        robot_error: false,
+        event: EventStyle::Absent,
     };
 
     /// The style of a firmware.
     ///
-    /// [`Firmware::Document`] writes replies as the document's examples have them, without blanks;
-    /// [`Firmware::V1_5_14`] puts blanks between the parts; [`Firmware::Newer`] does that too, writes
-    /// truth values as its packets do, and tells the controller's error.
+    /// [`Firmware::Document`] writes replies as the document's examples have them, without blanks. [`Firmware::V1_5_14`] puts
+    /// blanks between the parts, writes numbers with a fraction, and tells the controller's event; [`Firmware::Newer`] does
+    /// that too, and writes truth values as its packets do.
     pub const fn of(firmware: Firmware) -> Self {
         firmware.shape().reply_style
     }
@@ -85,17 +85,17 @@ impl ReplyStyle {
         Self { success_message: false, ..self }
     }
 
-    /// Adds the controller's error to the answer of `get_robot_state`.
+    /// Chooses how `get_robot_state` answers the controller's event.
     #[must_use]
-    pub const fn with_robot_error(self) -> Self {
-        Self { robot_error: true, ..self }
+    pub const fn event(self, event: EventStyle) -> Self {
+        Self { event, ..self }
     }
 }
 
-/// The style of [`Firmware::Document`].
+/// The style of the [`Firmware`] that is the default.
 impl Default for ReplyStyle {
     fn default() -> Self {
-        Self::DOCUMENT
+        Self::of(Firmware::default())
     }
 }
 
@@ -149,6 +149,22 @@ pub enum NumberStyle {
     Fractions,
     /// As strings: `"3"`, `"0.5"`.
     Texts,
+    /// As controllers write them: what may have a fraction has one, of at most so many decimals, and whole numbers have none:
+    /// `3.0`, `-263.405107`, and `3` for a count.
+    Decimals(u8),
+}
+
+/// How `get_robot_state` answers the controller's event, which status packets have in `errcode`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum EventStyle {
+    /// Not at all, as in the document.
+    #[default]
+    Absent,
+    /// As a number, with its message: `17760261`. The vendor's SDK 2.1.14 reads no other form.
+    Number,
+    /// As the text that status packets have, with its message: `"0x10f0005"`.
+    Text,
 }
 
 /// The order of a reply's keys.

@@ -1,12 +1,13 @@
 //! Replies in another style than the one in which they were written.
 
-use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
-use jaka_proto::wire::{Encode, Typed, Writer};
-use jaka_proto::{Command, Envelope, ErrorCode, read_payload, write_reply};
+use jaka_proto::messages::power::GetRobotState;
+use jaka_proto::wire::{Encode, Writer};
+use jaka_proto::{Command, ControllerEvent, Envelope, ErrorCode};
 use jaka_spec::{ERROR_CODE, ERROR_MESSAGE, Field, Spec};
+use serde_json::json;
 
 use super::values::Values;
-use super::{CodeStyle, KeyOrder, ReplyStyle};
+use super::{CodeStyle, EventStyle, KeyOrder, ReplyStyle};
 use crate::State;
 use crate::json_text::{members, respace};
 
@@ -14,32 +15,16 @@ use crate::json_text::{members, respace};
 ///
 /// What is not a JSON object stays as it is.
 pub(crate) fn restyle(style: ReplyStyle, spec: &Spec, state: &State, reply: &mut Writer) {
-    if style == ReplyStyle::default() {
+    if style == ReplyStyle::DOCUMENT {
         return;
     }
-    if style.robot_error {
-        add_robot_error(state, reply);
-    }
-    if let Some(text) = rewritten(style, spec, reply.as_str()) {
+    if let Some(text) = rewritten(style, spec, state, reply.as_str()) {
         reply.clear();
         reply.raw(&text);
     }
 }
 
-/// Adds the controller's error to the answer that has room for it.
-fn add_robot_error(state: &State, reply: &mut Writer) {
-    let Ok(envelope) = Envelope::read(reply.as_str()) else { return };
-    if envelope.command.as_deref() != Some(GetRobotState::INFO.name) || envelope.refusal().is_some() {
-        return;
-    }
-    let Ok(mut answer) = read_payload::<GetRobotStateReply>(GetRobotState::INFO, reply.as_str()) else { return };
-    answer.error_code = Some(Typed::Known(state.error_code.clone()));
-    answer.error_message = Some(state.error_message.clone());
-    reply.clear();
-    write_reply(GetRobotState::INFO, &answer, reply);
-}
-
-fn rewritten(style: ReplyStyle, spec: &Spec, reply: &str) -> Option<String> {
+fn rewritten(style: ReplyStyle, spec: &Spec, state: &State, reply: &str) -> Option<String> {
     let envelope = Envelope::read(reply).ok()?;
     let command = envelope.command.as_deref().and_then(|name| spec.command(name));
     let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
@@ -57,10 +42,29 @@ fn rewritten(style: ReplyStyle, spec: &Spec, reply: &str) -> Option<String> {
         }
         rewritten.push(out.into_string());
     }
+    if envelope.command.as_deref() == Some(GetRobotState::INFO.name) && envelope.refusal().is_none() {
+        rewritten.extend(event(style.event, fields, state));
+    }
     if style.key_order == KeyOrder::Reversed {
         rewritten.reverse();
     }
     Some(respace(&format!("{{{}}}", rewritten.join(",")), style.separators))
+}
+
+/// The members that tell the controller's event, where there is one.
+fn event(style: EventStyle, fields: &[Field], state: &State) -> Vec<String> {
+    let number = || ControllerEvent::from_text(&state.error_code).ok().flatten().map_or(0, ControllerEvent::code);
+    let code = match style {
+        EventStyle::Absent => return Vec::new(),
+        EventStyle::Number => json!(number()),
+        EventStyle::Text => json!(state.error_code),
+    };
+    let values = [("error_code", code), ("error_message", json!(state.error_message))];
+    let member = |(name, value)| {
+        let field = fields.iter().find(|field| field.name == name)?;
+        Some(format!("{}:{value}", json!(field.wire)))
+    };
+    values.into_iter().filter_map(member).collect()
 }
 
 fn write_code(code: ErrorCode, style: CodeStyle, out: &mut Writer) {

@@ -1,51 +1,78 @@
-//! What messages of a firmware look like.
+//! What a firmware's messages look like, and what it does.
 
 use std::time::Duration;
 
-use super::{Firmware, ReplyStyle};
-use crate::State;
+use super::{Firmware, NumberStyle, ReplyStyle};
 use crate::json_text::Separators;
+use crate::{Habits, State};
 
-/// What messages of a firmware look like: one row of the table of [`Firmware`].
-#[derive(Debug, Clone, Copy)]
+/// What a firmware's messages look like, and what it does: one row of the table of [`Firmware`].
+#[derive(Debug)]
 pub(crate) struct Shape {
     pub(crate) name: &'static str,
+    /// What `get_version` answers.
+    pub(crate) version: &'static str,
     pub(crate) status_period: Duration,
     /// What stands between the parts of status packets.
     pub(crate) separators: Separators,
+    /// How numbers in status packets are written.
+    pub(crate) packet_numbers: NumberStyle,
     pub(crate) reply_style: ReplyStyle,
-    pub(crate) packet_keys: PacketKeys,
+    pub(crate) habits: Habits,
+    /// The keys of status packets.
+    pub(crate) keys: &'static [Keys],
     /// Digital inputs, and as many outputs.
     pub(crate) digital: usize,
     /// Analog inputs, and as many outputs.
     pub(crate) analog: usize,
     /// Digital inputs of the tool, and as many outputs.
     pub(crate) tool_digital: usize,
-    /// Analog inputs of the tool.
-    pub(crate) tool_analog: usize,
+    /// Analog inputs of the tool, to begin with.
+    pub(crate) tool_analog: &'static [f64],
     /// Functions that may have an input. The query has two fewer in the document.
     pub(crate) functions: usize,
+    pub(crate) fieldbuses: &'static [Fieldbus],
+    /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where there is one.
+    pub(crate) monitor_head: &'static str,
+    /// The monitor data of each joint.
+    pub(crate) joint_row: &'static str,
+    /// The monitor data after the joints.
+    pub(crate) monitor_tail: &'static str,
+    /// Lists of readings that the torque sensor has.
+    pub(crate) torque_readings: usize,
+    /// What ends the setup of an extension I/O module; its connection then has the Modbus slave's id.
+    pub(crate) extio_module_id: Option<&'static str>,
 }
 
-/// Which keys status packets have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum PacketKeys {
-    /// Those of the document's sample without extension I/O modules.
-    WithoutExtio,
-    /// Those of the document's sample.
-    Document,
-    /// All of the spec.
-    All,
+/// Some of the keys of status packets: see `status_packet/keys.rs`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Keys {
+    /// Those that all firmware sends.
+    Common,
+    /// The extension I/O modules.
+    Extio,
+    /// Those that the document does not have.
+    Newer,
+}
+
+/// The inputs of a fieldbus, and as many outputs.
+#[derive(Debug)]
+pub(crate) struct Fieldbus {
+    /// What the names of its keys begin with.
+    pub(crate) name: &'static str,
+    pub(crate) digital: usize,
+    pub(crate) analog: usize,
 }
 
 impl Firmware {
-    /// Gives a state the inputs that this firmware has.
+    /// Gives a state the version and the inputs of this firmware.
     pub(crate) fn fit(self, state: &mut State) {
         let shape = self.shape();
+        shape.version.clone_into(&mut state.version);
         state.digital_inputs.resize(shape.digital, false);
         state.analog_inputs.resize(shape.analog, 0.0);
         state.tool_digital_inputs.resize(shape.tool_digital, false);
-        state.tool_analog_inputs.resize(shape.tool_analog, 0.0);
+        state.tool_analog_inputs = shape.tool_analog.to_vec();
         state.function_inputs.truncate(shape.functions);
     }
 }

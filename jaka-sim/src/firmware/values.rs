@@ -1,35 +1,34 @@
-//! Values of replies in other forms than the document's, by what the spec says they are.
+//! Values of replies and packets in other forms than the document's, by what the spec says they are.
 
 use jaka_proto::wire::{Decode, Reader, Writer};
-use jaka_spec::{Field, Scalar, Shape, Spec, Type};
+use jaka_spec::{Choice, Field, Scalar, Shape, Spec, Type};
 
 use super::{NumberStyle, ReplyStyle, TruthStyle};
 use crate::json_text::{elements, members};
 
 /// Writes values in a style. What does not fit its type stays as it is.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Values<'s> {
-    pub(super) spec: &'s Spec,
-    pub(super) style: ReplyStyle,
+pub(crate) struct Values<'s> {
+    pub(crate) spec: &'s Spec,
+    pub(crate) style: ReplyStyle,
 }
 
 impl Values<'_> {
     /// Writes the value of a field, given as JSON.
-    pub(super) fn field(self, field: &Field, json: &str, out: &mut Writer) {
+    pub(crate) fn field(self, field: &Field, json: &str, out: &mut Writer) {
         self.value(&field.name, &field.ty, json, out);
     }
 
     fn value(self, name: &str, ty: &Type, json: &str, out: &mut Writer) {
         match self.spec.shape(ty) {
             Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out),
-            Shape::Scalar(Scalar::Int | Scalar::Float) | Shape::IntEnum(_) => self.number(json, out),
+            Shape::Scalar(Scalar::Float) => self.float(json, out),
+            Shape::Scalar(Scalar::Int) | Shape::IntEnum(_) => self.number(json, out),
             Shape::List(element, _) => self.list(name, element, json, out),
             Shape::Object(fields) => self.object(fields, json, out),
             Shape::Tuple { fields, .. } => self.array(fields, json, out),
-            // Choices stand only in Python literals.
-            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) | Shape::Choice(_) => {
-                out.raw(json);
-            }
+            Shape::Choice(choice) => self.choice(choice, json, out),
+            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) => out.raw(json),
         }
     }
 
@@ -58,10 +57,24 @@ impl Values<'_> {
     /// Elements beyond the fields stay as they are.
     fn array(self, fields: &[Field], json: &str, out: &mut Writer) {
         let Some(elements) = elements(json) else { return out.raw(json) };
+        self.elements(fields.iter().map(Some), &elements, out);
+    }
+
+    /// An array that begins with the tag of a variant.
+    fn choice(self, choice: &Choice, json: &str, out: &mut Writer) {
+        let elements = elements(json).unwrap_or_default();
+        let tag = elements.first().copied().unwrap_or_default();
+        match choice.variants.iter().find(|variant| variant.wire.to_string() == tag) {
+            Some(variant) => self.elements([None].into_iter().chain(variant.fields.iter().map(Some)), &elements, out),
+            None => out.raw(json),
+        }
+    }
+
+    fn elements<'f>(self, fields: impl Iterator<Item = Option<&'f Field>>, elements: &[&str], out: &mut Writer) {
         out.raw("[");
-        for (i, json) in elements.into_iter().enumerate() {
+        for (json, field) in elements.iter().zip(fields.chain(std::iter::repeat(None))) {
             out.comma();
-            match fields.get(i) {
+            match field {
                 Some(field) => self.field(field, json, out),
                 None => out.raw(json),
             }
@@ -94,11 +107,26 @@ impl Values<'_> {
             TruthStyle::Words => ["\"False\"", "\"True\""],
         }
     }
+
     /// How status packets write false and true of the value with this name, if they have it.
     fn packet_forms(&self, name: &str) -> Option<[&str; 2]> {
         match &self.spec.status_fields().iter().find(|field| field.name == name)?.ty {
             Type::Scalar(Scalar::Bool { off, on }) => Some([off, on]),
             _ => None,
+        }
+    }
+
+    /// A number that may have a fraction.
+    fn float(self, json: &str, out: &mut Writer) {
+        match (self.style.numbers, json.parse::<f64>()) {
+            (NumberStyle::Plain, Ok(number)) => out.float(number),
+            (NumberStyle::Decimals(most), Ok(number)) => {
+                let text = format!("{number:.0$}", usize::from(most.max(1)));
+                let short = text.trim_end_matches('0');
+                out.raw(short);
+                out.raw(if short.ends_with('.') { "0" } else { "" });
+            }
+            _ => self.number(json, out),
         }
     }
 

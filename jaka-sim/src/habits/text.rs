@@ -33,6 +33,7 @@ impl fmt::Display for Habit {
             Self::Lead(time) => write!(f, "lead {time:?}"),
             Self::LateQueries(None) => f.write_str("late-queries"),
             Self::LateQueries(Some(time)) => write!(f, "late-queries {time:?}"),
+            Self::LatePower => f.write_str("late-power"),
             Self::Blend => f.write_str("blend"),
             Self::ServoAtRest => f.write_str("servo-at-rest"),
             Self::Events => f.write_str("events"),
@@ -71,7 +72,7 @@ impl Habit {
             Self::Pause(_) => Some(Self::Pause(time)),
             Self::Lead(_) => Some(Self::Lead(time)),
             Self::LateQueries(_) => Some(Self::LateQueries(Some(time))),
-            Self::Blend | Self::ServoAtRest | Self::Events => None,
+            Self::LatePower | Self::Blend | Self::ServoAtRest | Self::Events => None,
         }
     }
 }
@@ -129,8 +130,8 @@ mod tests {
         let error = "blend, pauses".parse::<Habits>().expect_err("there is no such habit").to_string();
         assert_eq!(
             error,
-            "`pauses` is not a habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `blend`, `servo-at-rest`, \
-             `events`, and `all`"
+            "`pauses` is not a habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `late-power`, `blend`, \
+             `servo-at-rest`, `events`, and `all`"
         );
     }
 }

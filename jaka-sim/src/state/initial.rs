@@ -18,12 +18,6 @@ use crate::spec_index::SpecIndex;
 
 /// Joint positions at the start: the arm bent, its flange down, and no joint near its end.
 const HOME: [f64; 6] = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0];
-/// Digital inputs in the document's status packet.
-const DIGITAL_INPUTS: usize = 144;
-/// Analog inputs in the document's status packet.
-const ANALOG_INPUTS: usize = 66;
-/// Digital inputs of the tool in the document's status packet.
-const TOOL_DIGITAL_INPUTS: usize = 8;
 
 impl State {
     /// The state in which a controller starts.
@@ -37,10 +31,11 @@ impl State {
             enabled: power.enabled,
             protective_stop: spec_index.example::<collision::ProtectiveStopStatus>()?.protective_stop,
             emergency_stop: false,
-            on_soft_limit: 1,
+            on_soft_limit: 0,
             error_code: NO_ERROR.to_owned(),
             error_message: String::new(),
-            version: spec_index.example::<power::GetVersion>()?.version,
+            // The version and the inputs follow from the firmware.
+            version: String::new(),
             joint_position: HOME.into(),
             // The pose follows from the joints.
             tcp_pose: [0.0; 6].into(),
@@ -56,12 +51,12 @@ impl State {
             rapid_rate: 1.0,
             loaded_program: program.program_name,
             program_state: spec_index.example::<program::GetProgramState>()?.program_state,
-            digital_inputs: vec![false; DIGITAL_INPUTS],
+            digital_inputs: Vec::new(),
             digital_outputs: HashMap::new(),
-            analog_inputs: vec![0.0; ANALOG_INPUTS],
+            analog_inputs: Vec::new(),
             analog_outputs: HashMap::new(),
-            tool_digital_inputs: vec![false; TOOL_DIGITAL_INPUTS],
-            tool_analog_inputs: vec![0.0],
+            tool_digital_inputs: Vec::new(),
+            tool_analog_inputs: Vec::new(),
             tool_voltage: tool_voltage(spec_index)?,
             function_inputs: spec_index.example::<pins::GetFuncdiStatus>()?.function_inputs,
             extio: spec_index.example::<pins::GetExtioStatus>()?.extio_status,

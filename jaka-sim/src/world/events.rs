@@ -1,24 +1,19 @@
 //! Events that are put into the error code.
-//!
-//! Codes and what they are about are those of the vendor's table of controller events; the messages are our own.
 
 use jaka_proto::messages::program::ProgramState;
+use jaka_proto::{ControllerEvent, Severity};
 
 use super::World;
-use crate::state::NO_ERROR;
+use crate::State;
 
-const ENABLED: Event = Event { code: "0x10f0004", message: "the robot is enabled" };
-const DISABLED: Event = Event { code: "0x10f0005", message: "the robot is disabled" };
-const SERVO_ON: Event = Event { code: "0x10f0015", message: "servo mode is on" };
-const SERVO_OFF: Event = Event { code: "0x10f0016", message: "servo mode is off" };
-const PROGRAM_STARTS: Event = Event { code: "0x10f001b", message: "a program starts" };
-
-/// Something that a controller reports and that is not an error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Event {
-    code: &'static str,
-    message: &'static str,
-}
+/// Codes of the vendor's table of controller events.
+const ENABLED: u32 = 0x10f_0004;
+const DISABLED: u32 = 0x10f_0005;
+const PROTECTIVE_STOP: u32 = 0x10f_000b;
+const SERVO_ON: u32 = 0x10f_0015;
+const SERVO_OFF: u32 = 0x10f_0016;
+const PROGRAM_STARTS: u32 = 0x10f_001b;
+const COLLISION: u32 = 0x0f_0034;
 
 /// What was so when events were last reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -26,6 +21,7 @@ pub(super) struct Reported {
     enabled: bool,
     servo_mode: bool,
     program: bool,
+    protective_stop: bool,
 }
 
 impl World {
@@ -35,25 +31,37 @@ impl World {
             enabled: self.state.enabled,
             servo_mode: self.state.servo_mode,
             program: self.state.program_state != ProgramState::Idle,
+            protective_stop: self.state.protective_stop,
         };
         let before = std::mem::replace(&mut self.seen, now);
         let happened = [
             (before.servo_mode, now.servo_mode, SERVO_ON, Some(SERVO_OFF)),
             (before.enabled, now.enabled, ENABLED, Some(DISABLED)),
             (before.program, now.program, PROGRAM_STARTS, None),
+            (before.protective_stop, now.protective_stop, PROTECTIVE_STOP, None),
         ];
         for (before, now, begins, ends) in happened {
             let event = if now { Some(begins) } else { ends };
-            if let Some(event) = event.filter(|_| before != now && self.habits.events && !self.has_error()) {
-                event.code.clone_into(&mut self.state.error_code);
-                event.message.clone_into(&mut self.state.error_message);
+            if let Some(event) = event.filter(|_| before != now && self.habits.events && !has_error(&self.state)) {
+                report(&mut self.state, event);
             }
         }
     }
+}
 
-    /// True where the error code has something else than information.
-    fn has_error(&self) -> bool {
-        let events = [ENABLED, DISABLED, SERVO_ON, SERVO_OFF, PROGRAM_STARTS].map(|event| event.code);
-        self.state.error_code != NO_ERROR && !events.contains(&&*self.state.error_code)
-    }
+/// Puts a collision into the error code, with the protective stop that follows it.
+pub(crate) fn collide(state: &mut State) {
+    state.protective_stop = true;
+    report(state, COLLISION);
+}
+
+fn report(state: &mut State, code: u32) {
+    state.error_code = format!("{code:#x}");
+    state.error_message = ControllerEvent::new(code).and_then(ControllerEvent::meaning).unwrap_or_default().to_owned();
+}
+
+/// True where the error code has something else than information.
+fn has_error(state: &State) -> bool {
+    let event = ControllerEvent::from_text(&state.error_code);
+    event.map_or(true, |event| event.is_some_and(|event| event.severity() != Severity::Information))
 }

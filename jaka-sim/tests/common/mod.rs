@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use jaka_proto::framing::Framer;
 use jaka_proto::wire::Value;
-use jaka_sim::{Controller, Delays};
+use jaka_sim::{Builder, Controller, Delays, Firmware};
 
 /// How long anything may take.
 pub(crate) const LIMIT: Duration = Duration::from_secs(10);
@@ -120,9 +120,15 @@ pub(crate) fn json(text: &str) -> Value {
     text.parse().unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
+/// Options of a controller that changes its state at once and writes as the document does: whole numbers without a fraction, which
+/// compare with those of a test.
+fn document() -> Builder {
+    Controller::builder().delays(Delays::NONE).firmware(Firmware::Document)
+}
+
 /// A controller whose arm is ready to move.
 pub(crate) fn ready() -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has ports");
+    let controller = document().start().expect("loopback has ports");
     controller.set_state(|state| {
         state.powered = true;
         state.enabled = true;
@@ -132,7 +138,7 @@ pub(crate) fn ready() -> Controller {
 
 /// A controller as it starts, without packets but those asked for.
 pub(crate) fn fresh() -> Controller {
-    Controller::builder().delays(Delays::NONE).status_period(Duration::MAX).start().expect("loopback has ports")
+    document().status_period(Duration::MAX).start().expect("loopback has ports")
 }
 
 pub(crate) fn assert_accepted(reply: &Value, command: &str) {
@@ -151,8 +157,7 @@ pub(crate) fn assert_unknown(reply: &Value) {
 
 /// A controller whose arm is enabled, and whose time the test moves on.
 pub(crate) fn stepped() -> Controller {
-    let builder = Controller::builder().delays(Delays::NONE).stepped_clock();
-    let controller = builder.status_period(Duration::MAX).start().expect("loopback has ports");
+    let controller = document().stepped_clock().status_period(Duration::MAX).start().expect("loopback has ports");
     controller.set_state(|state| {
         state.powered = true;
         state.enabled = true;
