@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader};
 use jaka_proto::{Envelope, ErrorCode};
-use jaka_sim::{Controller, Delays, Firmware, ReplyStyle};
+use jaka_sim::{Controller, Delays, Firmware};
 use jaka_spec::words;
 use jaka_tests::{skipped, spec};
 use serde_json::de::IoRead;
@@ -214,8 +214,7 @@ fn next(messages: &mut Messages) -> Map<String, Value> {
 
 /// A controller of the firmware that the pages show, which switches power and enables at once.
 fn controller() -> Controller {
-    let style = ReplyStyle::of(Firmware::V1_5_14).with_robot_error();
-    let builder = Controller::builder().firmware(Firmware::V1_5_14).reply_style(style).delays(Delays::NONE);
+    let builder = Controller::builder().firmware(Firmware::V1_5_14).delays(Delays::NONE);
     builder.start().expect("loopback has free ports")
 }
 
