@@ -204,7 +204,7 @@ mod served {
     #[test]
     fn the_recorded_session_is_served() {
         let (child, out, robot) = serve(&version("serve.jsonl"), &[]);
-        assert_eq!(call("get_version", &robot).text(), "version  1.6.5_01_X86\nexit code 0\n");
+        assert_eq!(call("get_version", &robot).text(), "version  1.5.14_13_X64\nexit code 0\n");
         assert_eq!(finish(child, out), "exit code Some(0)\n");
     }
 

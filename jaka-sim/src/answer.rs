@@ -22,7 +22,7 @@ mod variables;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, ErrorCode, Request, RequestError, write_refusal, write_reply};
+use jaka_proto::{Command, ErrorCode, Request, RequestError, read_payload, write_refusal, write_reply};
 use jaka_spec::Effect;
 
 use serde_json::{Map, Value};
@@ -37,7 +37,7 @@ enum Outcome {
     Replied,
     /// The request cannot be carried out.
     Refused,
-    /// The request is not one of the topic's, or the example is as good a reply as any.
+    /// The request is not one of the topic's, or the sample is as good a reply as any.
     Unhandled,
 }
 
@@ -53,7 +53,14 @@ pub(crate) enum Sequel {
     Shutdown,
 }
 
-type Topic = fn(&Request, &mut World, &mut Writer) -> Outcome;
+/// The reply to a request that is carried out.
+struct Draft<'r> {
+    /// A reply that fits: what a command's handler does not set, it has.
+    sample: &'r str,
+    out: &'r mut Writer,
+}
+
+type Topic = fn(&Request, &mut World, &mut Draft<'_>) -> Outcome;
 
 const TOPICS: [Topic; 14] = [
     power::answer,
@@ -140,13 +147,13 @@ fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut 
     } else {
         request.check(AdvisoryRanges::Ignored).is_ok()
     };
-    let outcome = if is_allowed { ask_topics(request, world, out) } else { Outcome::Refused };
+    let mut draft = Draft { sample: &entry.typed_sample, out };
+    let outcome = if is_allowed { ask_topics(request, world, &mut draft) } else { Outcome::Refused };
     match outcome {
         Outcome::Replied if entry.packed => pack::complete(&spec_index.spec, &entry.command, out),
         Outcome::Replied => {}
         Outcome::Refused => refuse(name, &usual_refusal(name), out),
-        Outcome::Unhandled if entry.packed => pack::sample(&spec_index.spec, &entry.command, out),
-        Outcome::Unhandled => write_example(request, entry, out),
+        Outcome::Unhandled => out.raw(&entry.sample),
     }
     world.make_consistent();
 }
@@ -156,7 +163,7 @@ fn carry_out_packed(text: &str, entry: &CommandEntry, spec_index: &SpecIndex, wo
     let CommandEntry { command, .. } = entry;
     match refusal(entry, world) {
         Some(refusal) => refuse(&command.wire, &refusal, out),
-        None if pack::allows(&spec_index.spec, command, text) => pack::sample(&spec_index.spec, command, out),
+        None if pack::allows(&spec_index.spec, command, text) => out.raw(&entry.sample),
         None => refuse(&command.wire, &usual_refusal(&command.wire), out),
     }
 }
@@ -169,31 +176,26 @@ fn refusal(entry: &CommandEntry, world: &World) -> Option<(ErrorCode, String)> {
     (entry.moves && !world.state.can_move()).then(|| usual_refusal(&entry.command.wire))
 }
 
-fn ask_topics(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+fn ask_topics(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let mut outcomes = TOPICS.iter().map(|topic| topic(request, world, out));
     outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
-}
-
-fn write_example(request: &Request, entry: &CommandEntry, out: &mut Writer) {
-    match entry.example.as_deref() {
-        Some(example) => out.raw(example),
-        None => write_reply(request.info(), &(), out),
-    }
 }
 
 fn refuse(command: &str, (code, message): &(ErrorCode, String), out: &mut Writer) {
     write_refusal(Some(command), *code, message, out);
 }
 
-/// Writes a reply, which can only be of the type that belongs to the command.
-fn reply<C: Command>(_command: &C, reply: impl Into<C::Reply>, out: &mut Writer) -> Outcome {
-    write_reply(C::INFO, &reply.into(), out);
+/// Accepts a command, with what the handler sets in its reply: a field that it does not set is that of the sample.
+fn reply<C: Command>(_command: &C, draft: &mut Draft<'_>, set: impl FnOnce(&mut C::Reply)) -> Outcome {
+    let Ok(mut reply) = read_payload::<C::Reply>(C::INFO, draft.sample) else { return Outcome::Unhandled };
+    set(&mut reply);
+    write_reply(C::INFO, &reply, draft.out);
     Outcome::Replied
 }
 
-/// Accepts a command that answers nothing more.
-fn accept<C: Command<Reply = ()>>(command: &C, out: &mut Writer) -> Outcome {
-    reply(command, (), out)
+/// Accepts a command with nothing to set in its reply.
+fn accept<C: Command>(command: &C, draft: &mut Draft<'_>) -> Outcome {
+    reply(command, draft, |_| {})
 }
 
 /// True for on; anything but on and off has been refused before.

@@ -58,7 +58,7 @@ firmwares! {
     /// | elements of the monitor data, readings of the torque sensor | 6, 2 | 10, 3 | 6, 2 |
     /// | extension I/O modules in packets | no | yes | yes |
     /// | numbers that may have a fraction | `3.0` | `3.0` | `3` |
-    /// | decimals in packets and in replies, at most; monitor data have more | 5, 6 | 5, 6 | any |
+    /// | decimals of positions in packets, in replies | 5, 6 | 5, 6 | any |
     /// | blanks after commas and colons | yes | yes | no |
     /// | event in `get_robot_state` | a number | a number | no |
     /// | time between packets | 30 ms | 50 ms | 50 ms |

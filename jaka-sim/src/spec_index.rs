@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
-use jaka_proto::{Command, Envelope, ErrorCode, read_payload};
+use jaka_proto::wire::Writer;
+use jaka_proto::{Command, Envelope, ErrorCode, read_payload, write_refusal};
 use jaka_spec::{Effect, Field, Requirement, Source, Spec};
 use serde_json::Value;
 
@@ -33,8 +34,10 @@ pub(crate) struct CommandEntry {
     pub(crate) packed: bool,
     /// The code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
-    /// The first successful reply that the spec prints.
-    pub(crate) example: Option<String>,
+    /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes it.
+    pub(crate) sample: String,
+    /// The same by the built-in spec, if it has the command.
+    pub(crate) typed_sample: String,
 }
 
 impl SpecIndex {
@@ -65,16 +68,20 @@ impl SpecIndex {
             packed.extend(pack.module().topic.commands.iter().map(|command| command.wire.clone()));
             spec = pack.spec;
         }
-        Ok(Arc::new(Self::new(spec, Some(&built_in.spec), &packed)))
+        Ok(Arc::new(Self::new(spec, Some(&built_in), &packed)))
     }
 
     /// The index of a spec that packs have made of another one, and the commands that they add or change.
-    fn new(spec: Spec, base: Option<&Spec>, packed: &BTreeSet<String>) -> Self {
-        let entry = |command: &jaka_spec::Command| CommandEntry::new(command, packed.contains(&command.wire));
+    fn new(spec: Spec, base: Option<&Self>, packed: &BTreeSet<String>) -> Self {
+        let entry = |command: &jaka_spec::Command| {
+            let base = base.and_then(|base| base.entry(&command.wire));
+            CommandEntry::new(&spec, command, base, packed.contains(&command.wire))
+        };
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
-        let is_new = |name: &str| base.is_some_and(|base| base.status_fields().iter().all(|field| field.name != name));
+        let is_new =
+            |name: &str| base.is_some_and(|base| base.spec.status_fields().iter().all(|field| field.name != name));
         let names = spec.status_fields().iter().map(|field| field.name.clone());
         let added_status_keys = names.filter(|name| is_new(name)).collect();
         Self { entries, spec, added_status_keys, has_packs: base.is_some(), unknown }
@@ -91,24 +98,37 @@ impl SpecIndex {
 
     /// The reply that the spec prints for a command.
     pub(crate) fn example<C: Command>(&self) -> io::Result<C::Reply> {
-        let text = self.entry(C::INFO.name).and_then(|entry| entry.example.as_deref());
-        let text =
-            text.ok_or_else(|| io::Error::other(format!("the spec has no example reply of `{}`", C::INFO.name)))?;
-        read_payload(C::INFO, text).map_err(io::Error::other)
+        let entry = self.entry(C::INFO.name);
+        let entry = entry.ok_or_else(|| io::Error::other(format!("the spec does not have `{}`", C::INFO.name)))?;
+        read_payload(C::INFO, &entry.typed_sample).map_err(io::Error::other)
     }
 }
 
 impl CommandEntry {
-    fn new(command: &jaka_spec::Command, packed: bool) -> Self {
+    fn new(spec: &Spec, command: &jaka_spec::Command, base: Option<&Self>, packed: bool) -> Self {
         let own = command.refusal.as_ref().map(|refusal| (ErrorCode(refusal.code), refusal.message.clone()));
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
+        let printed = replies.find(|reply| is_success(reply) && !packed).map(str::to_owned);
+        let sample = printed.unwrap_or_else(|| made_up(spec, command));
         Self {
             moves: command.effect == Effect::Motion && command.requires.contains(&Requirement::Enabled),
             packed,
             refusal: own.unwrap_or_else(|| usual_refusal(&command.wire)),
-            example: replies.find(|reply| is_success(reply)).map(str::to_owned),
+            typed_sample: base.map_or_else(|| sample.clone(), |base| base.typed_sample.clone()),
+            sample,
             command: command.clone(),
         }
+    }
+}
+
+/// A reply that fits the spec.
+fn made_up(spec: &Spec, command: &jaka_spec::Command) -> String {
+    let mut out = Writer::new();
+    write_refusal(Some(&command.wire), ErrorCode::SUCCESS, "", &mut out);
+    let fields = Value::Object(jaka_dynamic::sample_reply(spec, command)).to_string();
+    match (out.as_str().strip_suffix('}'), fields.strip_prefix('{')) {
+        (Some(envelope), Some(fields)) if fields != "}" => format!("{envelope},{fields}"),
+        _ => out.into_string(),
     }
 }
 

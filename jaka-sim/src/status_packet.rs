@@ -13,14 +13,11 @@ use crate::json_text::{Separators, respace};
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, ReplyStyle, State};
 
-/// The name of the key whose values are not of the state.
-const MONITOR_DATA: &str = "monitor_data";
-
 /// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the user's value.
 pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> Vec<u8> {
     let shape = firmware.shape();
     let spec = &spec_index.spec;
-    let values = Values { spec, style: ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers) };
+    let values = Values::new(spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
     let named = |name: &str| spec.status_fields().iter().find(|field| field.name == name);
     let added = spec_index.added_status_keys.iter().map(String::as_str);
     let mut fields = keys::keys(shape).chain(added).filter_map(named);
@@ -32,18 +29,11 @@ pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, 
         out.raw(":");
         match set.get(&field.wire) {
             Some(value) => out.json(value),
-            None if field.name == MONITOR_DATA => out.raw(&monitor_data(shape)),
             None => values.field(field, &shown(field, state, shape, spec_index), &mut out),
         }
     }
     out.raw("}");
     with_length(&format!("{{{}:", json(&length.wire)), out.as_str(), shape.separators).into_bytes()
-}
-
-/// Measurements have more decimals than positions, and are written as the shape has them.
-fn monitor_data(shape: &Shape) -> String {
-    let rows = [shape.joint_row; 6].join("],[");
-    format!("[{},[[{rows}]]{}]", shape.monitor_head, shape.monitor_tail)
 }
 
 /// What a packet shows of the state at a key, in JSON.

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::common::{Peer, json};
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::wire::{Decode, Reader, Typed, Value};
+use jaka_proto::wire::{Decode, Reader, Typed};
 use jaka_sim::{Builder, Controller, Delays, Firmware, State};
 
 fn start(firmware: Firmware) -> Controller {

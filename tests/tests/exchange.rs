@@ -121,7 +121,7 @@ fn raw_calls_give_the_whole_reply() {
     let rate = json!({"rate_value": 0.25});
     client.call_raw("rapid_rate", &rate).expect("it answers");
     assert_eq!(controller.requests()[1], r#"{"cmdName":"rapid_rate","rate_value":0.25}"#);
-    assert_eq!(client.last_reply(), Some(r#"{"errorCode":"0","errorMsg":"","cmdName":"rapid_rate"}"#));
+    assert_eq!(client.last_reply(), Some(r#"{"errorCode": "0", "errorMsg": "", "cmdName": "rapid_rate"}"#));
 }
 
 #[test]

@@ -5,7 +5,7 @@
 use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
-use jaka_sim::{Controller, Fault};
+use jaka_sim::{Controller, Fault, Firmware};
 use jaka_sync::{
     Client, Config, Error, ErrorKind, FirmwareVersion, Monitor, Motion, NotInFirmware, Outcome, Robot, Target,
 };
@@ -26,7 +26,8 @@ const DELAYED: SetFan = SetFan { delay: Some(1.0), ..PLAIN };
 
 fn connected() -> (Controller, Client) {
     let pack = concat!(env!("CARGO_MANIFEST_DIR"), "/data/fan.toml");
-    let controller = Controller::builder().pack(pack).start().expect("loopback has free ports");
+    let controller =
+        Controller::builder().firmware(Firmware::Document).pack(pack).start().expect("loopback has free ports");
     let client = Client::connect(controller.command_addr()).expect("the controller listens");
     (controller, client)
 }

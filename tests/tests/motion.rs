@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_sim::{Controller, Delays};
+use jaka_sim::{Controller, Delays, Firmware};
 use jaka_sync::frames::{SetToolOffsets, SetUserOffsets};
 use jaka_sync::kinematics::KineInverse;
 use jaka_sync::motion::{EndMove, Jog, JogFrame, JointMove, LineMode, MoveC, MoveL};
@@ -66,7 +66,8 @@ fn by_joint(mode: MoveMode, position: [f64; 6], speed: f64, acceleration: f64) -
 
 #[test]
 fn power_and_enabling_take_their_time() {
-    let controller = Controller::builder().stepped_clock().start().expect("loopback has free ports");
+    let builder = Controller::builder().firmware(Firmware::Newer).stepped_clock();
+    let controller = builder.start().expect("loopback has free ports");
     let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
     client.power_on().expect("it answers at once");
     assert!(!client.get_robot_state().expect("it answers").powered_on);

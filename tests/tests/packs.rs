@@ -133,15 +133,17 @@ fn a_status_packet_with_the_pack_s_keys() {
     let monitor: Monitor<changed::RobotStatus> =
         config.connect_monitor(controller.status_addr()).expect("the port is open");
     let plain: Monitor<RobotStatus> = config.connect_monitor(controller.status_addr()).expect("the port is open");
+    // The simulator sends the key, with zero until it is set.
     let status = monitor.wait_until(|_| true, Duration::from_secs(5)).expect("a packet comes");
-    assert_eq!(status.status.brake_state, None);
+    assert_eq!(status.status.brake_state, Some(0));
     let plain = plain.wait_until(|_| true, Duration::from_secs(5)).expect("a packet comes");
     assert_eq!(status.status.digital_inputs, plain.status.digital_inputs);
-    controller.send_status(br#"{"len":19,"brake_state":2}"#);
+    controller.set_status([("brake_state".to_owned(), json!(2))]);
     let found = monitor.wait_until(|status| status.brake_state == Some(2), Duration::from_secs(5));
-    found.expect("the packet with the key comes");
+    let packet = found.expect("the packet with the value comes");
+    assert_eq!(packet.status.joint_actual_position, Some(controller.state().joint_position));
     let mut stream = StatusStream::connect(controller.status_addr()).expect("the port is open");
-    assert_eq!(stream.next_packet_as::<changed::RobotStatus>().expect("a packet comes").brake_state, None);
+    assert_eq!(stream.next_packet_as::<changed::RobotStatus>().expect("a packet comes").brake_state, Some(2));
 }
 
 #[test]
@@ -161,10 +163,10 @@ fn a_field_that_this_firmware_does_not_have_is_refused_by_its_pack_s_word() {
     let controller = controller();
     let mut robot = client(&controller);
     robot.check_firmware().expect("the controller says its version");
-    let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("firmware 1.6.5 has no zones");
+    let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("firmware 1.5.14 has no zones");
     assert_eq!(
         error.to_string(),
-        "`joint_move` was not sent: the controller's firmware 1.6.5 does not have its field `zone`; firmware 1.7.1 and \
+        "`joint_move` was not sent: the controller's firmware 1.5.14 does not have its field `zone`; firmware 1.7.1 and \
          later has"
     );
 }

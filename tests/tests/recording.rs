@@ -36,7 +36,7 @@ fn a_recording_tells_the_whole_session() {
         events(&recording)[1..],
         [
             command(Event::Sent(Message::new(r#"{"cmdName":"rapid_rate","rate_value":0.5}"#))),
-            command(Event::Received(Message::new(r#"{"errorCode":"0","errorMsg":"","cmdName":"rapid_rate"}"#))),
+            command(Event::Received(Message::new(r#"{"errorCode": "0", "errorMsg": "", "cmdName": "rapid_rate"}"#))),
             command(Event::Sent(Message::new(r#"{"cmdName":"get_joint_pos"}"#))),
             command(Event::Error { text: "no reply to `get_joint_pos` within 100ms; it may have run".to_owned() }),
             command(Event::Closed { by: Ending::Client, why: "the program has closed it".to_owned() }),

@@ -115,7 +115,7 @@ fn the_python_program_moves_the_arm() {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).replace("\r\n", "\n");
     let (out, errors) = (text(&output.stdout), text(&output.stderr));
     assert!(output.status.success() && errors.is_empty(), "{out}{errors}");
-    assert_eq!(out, "firmware 1.6.5_01_X86\njoint 6 from 0.0 to 5.0 deg\n");
+    assert_eq!(out, "firmware 1.5.14_13_X64\njoint 6 from 0.0 to 5.0 deg\n");
     let names: Vec<_> = controller.requests().iter().map(|request| name(request)).collect();
     let expected = ["get_version", "power_on", "enable_robot", "get_joint_pos", "joint_move", "get_joint_pos", "quit"];
     assert_eq!(names, expected);

@@ -25,8 +25,8 @@ pub(crate) struct Sim {
     /// The arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// Shape of packets and replies: document, 1.5.14 or newer
-    #[arg(long, value_name = "SHAPE", default_value = "document", value_parser = firmware)]
+    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer, or document
+    #[arg(long, value_name = "NAME", default_value_t, value_parser = firmware)]
     firmware: Firmware,
     /// Milliseconds between two status packets [default: that of the firmware]
     #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(1..))]
@@ -40,7 +40,7 @@ pub(crate) struct Sim {
     /// @FILE reads it from a file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
-    /// What real controllers do, such as `pause 100ms, events`, or `all`
+    /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the firmware's]
     #[arg(long, value_name = "LIST")]
     habits: Option<Habits>,
     /// Switch power and enable at once, instead of after some seconds
@@ -93,7 +93,7 @@ fn firmware(name: &str) -> Result<Firmware, String> {
     let found = Firmware::ALL.iter().find(|firmware| firmware.name() == name).copied();
     found.ok_or_else(|| {
         let names: Vec<_> = Firmware::ALL.iter().map(|firmware| firmware.name()).collect();
-        format!("the shapes are {}", names.join(", "))
+        format!("there is {}", names.join(", "))
     })
 }
 

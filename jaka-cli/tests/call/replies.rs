@@ -107,21 +107,21 @@ fn a_reply_is_there_as_it_came() {
     simulated(
         "get_version --json",
         &expect![[r#"
-        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.6.5_01_X86"}
+        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.5.14_13_X64"}
         exit code 0
     "#]],
     );
     simulated(
         "--params {\"cmdName\":\"get_version\"} --raw --json",
         &expect![[r#"
-        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.6.5_01_X86"}
+        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.5.14_13_X64"}
         exit code 0
     "#]],
     );
     simulated(
         "get_version --raw",
         &expect![[r"
-        version  1.6.5_01_X86 (not in the spec)
+        version  1.5.14_13_X64 (not in the spec)
         exit code 0
     "]],
     );
@@ -237,7 +237,7 @@ fn the_firmware_is_asked_first() {
     let file = scratch("gate.toml");
     let text = "title = \"Gate\"\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"zone\"\ntype = \
                 \"float\"\noptional = true\nsince = \"1.7.1\"\ndoc = \"Zone.\"\n[[command]]\nwire = \"new_query\"\neffect = \
-                \"query\"\nuntil = \"1.5\"\ndoc = \"Reads.\"\n";
+                \"query\"\nuntil = \"1.4\"\ndoc = \"Reads.\"\n";
     std::fs::write(&file, text).expect("the folder is there");
     let motion = format!(
         "joint_move --mode relative --joint-position 0,0,0,0,0,0 --speed 1 --zone 1 --check-firmware --yes --pack {}",
@@ -245,11 +245,11 @@ fn the_firmware_is_asked_first() {
     );
     let controller = controller();
     expect![[r"
-        jaka: `joint_move` was not sent: the controller's firmware 1.6.5 does not have its field `zone`; firmware 1.7.1 and later has
+        jaka: `joint_move` was not sent: the controller's firmware 1.5.14 does not have its field `zone`; firmware 1.7.1 and later has
         exit code 2
     "]].assert_eq(&call(&controller, &motion).text());
     expect![[r"
-        jaka: `new_query` was not sent: the controller's firmware 1.6.5 does not have it; firmware up to 1.5 has
+        jaka: `new_query` was not sent: the controller's firmware 1.5.14 does not have it; firmware up to 1.4 has
         exit code 2
     "]]
     .assert_eq(&call(&controller, &format!("new_query --check-firmware --pack {}", file.display())).text());

@@ -2,20 +2,20 @@
 
 use jaka_proto::Request;
 use jaka_proto::messages::force::{AdmittanceAxis, ComplianceType, SetAdmitCtrlConfig, literal};
-use jaka_proto::wire::{Typed, Writer};
+use jaka_proto::wire::Typed;
 
-use super::{Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, accept, is_on, reply};
 use crate::state::AdmittanceControl;
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
         Request::SetTorqueControl(command) => {
             state.drag_mode = is_on(command.enable_flag);
             accept(command, out)
         }
-        Request::DragStatus(command) => reply(command, literal::DragStatusReply { drag_status: state.drag_mode }, out),
+        Request::DragStatus(command) => reply(command, out, |reply| reply.drag_status = state.drag_mode),
         Request::EnableAdmittanceCtrl(command) => {
             state.admittance.enabled = is_on(command.enable_flag);
             accept(command, out)
@@ -30,7 +30,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
     }
 }
 
-fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer) -> Outcome {
+fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::SetAdmitCtrlConfig(command) => {
             set_axis(&mut control.axes, command);
@@ -39,7 +39,7 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer
         Request::GetAdmitCtrlConfig(command) => {
             // One more level than the document's text has, as in its sample.
             let axes = Typed::Known(vec![control.axes.to_vec()]);
-            reply(command, literal::GetAdmitCtrlConfigReply { axes }, out)
+            reply(command, out, |reply| reply.axes = axes)
         }
         Request::SetCompliantType(command) => {
             control.compliance_type = command.compliance_type;
@@ -48,7 +48,9 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Writer
         }
         Request::GetCompliantType(command) => {
             let AdmittanceControl { compliance_type, sensor_compensation, .. } = *control;
-            reply(command, literal::GetCompliantTypeReply { compliance_type, sensor_compensation }, out)
+            reply(command, out, |reply| {
+                (reply.compliance_type, reply.sensor_compensation) = (compliance_type, sensor_compensation);
+            })
         }
         Request::SetComplianceCondition(command) => {
             control.condition = command.condition;

@@ -1,15 +1,13 @@
 //! Tool frames and user frames.
 
 use jaka_proto::Request;
-use jaka_proto::messages::frames::literal;
 use jaka_proto::messages::types::Pose;
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept, reply};
+use super::{Draft, Outcome, accept, reply};
 use crate::state::Frame;
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
         Request::SetToolOffsets(command) => {
@@ -20,9 +18,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             state.tool_frame_id = command.tool_id;
             accept(command, out)
         }
-        Request::GetToolOffsets(command) => {
-            reply(command, literal::GetToolOffsetsReply { offsets: offsets(&state.tool_frames) }, out)
-        }
+        Request::GetToolOffsets(command) => reply(command, out, |reply| reply.offsets = offsets(&state.tool_frames)),
         Request::SetUserOffsets(command) => {
             set(&mut state.user_frames, command.id, command.offset, &command.name);
             accept(command, out)
@@ -31,9 +27,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             state.user_frame_id = command.user_frame_id;
             accept(command, out)
         }
-        Request::GetUserOffsets(command) => {
-            reply(command, literal::GetUserOffsetsReply { offsets: offsets(&state.user_frames) }, out)
-        }
+        Request::GetUserOffsets(command) => reply(command, out, |reply| reply.offsets = offsets(&state.user_frames)),
         _ => Outcome::Unhandled,
     }
 }

@@ -1,10 +1,8 @@
 //! Inputs and outputs.
 
 use jaka_proto::Request;
-use jaka_proto::messages::io::literal;
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, accept, is_on, reply};
 use crate::State;
 use crate::state::ToolVoltage;
 use crate::world::World;
@@ -12,7 +10,7 @@ use crate::world::World;
 /// Outputs with this index and above are refused, so that no client can make the state grow.
 const MAX_OUTPUTS: i64 = 1024;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
         Request::SetDigitalOutput(command) if command.index < MAX_OUTPUTS => {
@@ -32,20 +30,18 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
     }
 }
 
-fn query(request: &Request, state: &State, out: &mut Writer) -> Outcome {
+fn query(request: &Request, state: &State, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::GetDigitalInputStatus(command) => {
-            reply(command, literal::GetDigitalInputStatusReply { digital_inputs: state.digital_inputs.clone() }, out)
+            reply(command, out, |reply| reply.digital_inputs = state.digital_inputs.clone())
         }
         Request::GetFuncdiStatus(command) => {
-            reply(command, literal::GetFuncdiStatusReply { function_inputs: state.function_inputs.clone() }, out)
+            reply(command, out, |reply| reply.function_inputs = state.function_inputs.clone())
         }
-        Request::GetExtioStatus(command) => {
-            reply(command, literal::GetExtioStatusReply { extio_status: state.extio.clone() }, out)
-        }
+        Request::GetExtioStatus(command) => reply(command, out, |reply| reply.extio_status = state.extio.clone()),
         Request::GetTioVoutParam(command) => {
             let ToolVoltage { enable, voltage } = state.tool_voltage;
-            reply(command, literal::GetTioVoutParamReply { output_enable: enable, output_voltage: voltage }, out)
+            reply(command, out, |reply| (reply.output_enable, reply.output_voltage) = (enable, voltage))
         }
         _ => Outcome::Unhandled,
     }

@@ -2,16 +2,15 @@
 
 use jaka_proto::Request;
 use jaka_proto::messages::motion::{Jog, JogFrame};
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept};
+use super::{Draft, Outcome, accept};
 use crate::motion::{Jogging, Path, Planned, Reference, Transform, small};
 use crate::world::World;
 
 /// Acceleration of a jog, in deg/s² and mm/s². What controllers choose is not known.
 const JOG_ACCELERATION: f64 = 180.0;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let accepted = match request {
         Request::Jog(command) => start_jog(command, world).then(|| accept(command, out)),
         Request::JointMove(command) => world.start_motion(request).then(|| accept(command, out)),

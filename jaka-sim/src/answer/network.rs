@@ -1,13 +1,12 @@
 //! Lost network.
 
 use jaka_proto::Request;
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept};
+use super::{Draft, Outcome, accept};
 use crate::state::NetworkException;
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
         Request::SetNetworkExceptionHandle(command) => {

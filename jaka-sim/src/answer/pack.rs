@@ -11,11 +11,6 @@ pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
 }
 
-/// Writes a reply with the spec's example, or with zeros.
-pub(super) fn sample(spec: &Spec, command: &Command, out: &mut Writer) {
-    write(&command.wire, &jaka_dynamic::sample_reply(spec, command), out);
-}
-
 /// Gives a reply the shape that the pack says and the simulator does not know.
 pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
     let Some(mut reply) = accepted(out.as_str()) else { return };
@@ -41,14 +36,6 @@ fn accepted(reply: &str) -> Option<Map<String, Value>> {
 }
 
 fn rewrite(reply: &Map<String, Value>, out: &mut Writer) {
-    let text = Value::Object(reply.clone()).to_string();
     out.clear();
-    out.raw(&text);
-}
-
-fn write(command: &str, fields: &Map<String, Value>, out: &mut Writer) {
-    jaka_proto::write_refusal(Some(command), ErrorCode::SUCCESS, "", out);
-    let mut reply = accepted(out.as_str()).unwrap_or_default();
-    reply.extend(fields.clone());
-    rewrite(&reply, out);
+    out.json(&Value::Object(reply.clone()));
 }

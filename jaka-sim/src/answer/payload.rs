@@ -1,14 +1,12 @@
 //! Payload of the arm.
 
 use jaka_proto::Request;
-use jaka_proto::messages::payload::literal;
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept, reply};
+use super::{Draft, Outcome, accept, reply};
 use crate::state::Payload;
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
         Request::SetPayload(command) => {
@@ -17,7 +15,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         }
         Request::GetPayload(command) => {
             let Payload { mass, centroid } = state.payload;
-            reply(command, literal::GetPayloadReply { centroid, mass }, out)
+            reply(command, out, |reply| (reply.mass, reply.centroid) = (mass, centroid))
         }
         _ => Outcome::Unhandled,
     }

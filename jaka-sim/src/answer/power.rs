@@ -1,26 +1,23 @@
 //! Power, enabling and the controller's state.
 
 use jaka_proto::Request;
-use jaka_proto::messages::power::literal;
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept, reply};
-use crate::State;
+use super::{Draft, Outcome, accept, reply};
 use crate::world::{Change, World};
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::PowerOn(command) => {
             if !world.state.powered {
                 world.later(world.delays.power_on, Change::PoweredOn);
             }
-            reply(command, literal::PowerOnReply { powered_on: Some(true) }, out)
+            reply(command, out, |reply| reply.powered_on = Some(true))
         }
         Request::EnableRobot(command) => {
             if !world.state.enabled {
                 world.later(world.delays.enable, Change::Enabled);
             }
-            reply(command, literal::EnableRobotReply { enabled: Some(true) }, out)
+            reply(command, out, |reply| reply.enabled = Some(true))
         }
         Request::PowerOff(command) => {
             switch_off(world);
@@ -35,10 +32,11 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             world.state.enabled = false;
             accept(command, out)
         }
-        Request::GetRobotState(command) => reply(command, robot_state(&world.state), out),
-        Request::GetVersion(command) => {
-            reply(command, literal::GetVersionReply { version: world.state.version.clone() }, out)
-        }
+        // Firmware that answers the event too does so by its style.
+        Request::GetRobotState(command) => reply(command, out, |reply| {
+            (reply.powered_on, reply.enabled) = (world.state.powered, world.state.enabled);
+        }),
+        Request::GetVersion(command) => reply(command, out, |reply| reply.version = world.state.version.clone()),
         _ => Outcome::Unhandled,
     }
 }
@@ -46,14 +44,4 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
 fn switch_off(world: &mut World) {
     world.cancel_changes(|_| true);
     world.state.powered = false;
-}
-
-/// As the document has it; firmware that answers the event too does so by its style.
-fn robot_state(state: &State) -> literal::GetRobotStateReply {
-    literal::GetRobotStateReply {
-        enabled: state.enabled,
-        powered_on: state.powered,
-        error_code: None,
-        error_message: None,
-    }
 }

@@ -1,14 +1,13 @@
 //! Programs and the speed rate.
 
 use jaka_proto::Request;
-use jaka_proto::messages::program::{ProgramState, literal};
-use jaka_proto::wire::Writer;
+use jaka_proto::messages::program::ProgramState;
 
-use super::{Outcome, accept, reply};
+use super::{Draft, Outcome, accept, reply};
 use crate::programs::Runner;
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::SetRapidRate(command) => {
             world.state.rapid_rate = command.rate;
@@ -20,17 +19,17 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
         }
         Request::LoadProgram(_) => Outcome::Refused,
         Request::GetLoadedProgram(command) => {
-            reply(command, literal::GetLoadedProgramReply { program_name: world.state.loaded_program.clone() }, out)
+            reply(command, out, |reply| reply.program_name = world.state.loaded_program.clone())
         }
         Request::GetProgramState(command) => {
-            reply(command, literal::GetProgramStateReply { program_state: world.state.program_state.clone() }, out)
+            reply(command, out, |reply| reply.program_state = world.state.program_state.clone())
         }
         _ => run(request, world, out),
     }
 }
 
 /// Starts and stops. Where there is nothing to pause, to resume or to stop, nothing is done.
-fn run(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+fn run(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::PlayProgram(command) => match world.programs.get(&world.state.loaded_program) {
             Some(program) if world.runner.is_none() => {

@@ -1,19 +1,15 @@
 //! Servo mode.
 
 use jaka_proto::Request;
-use jaka_proto::messages::servo::literal;
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, accept, is_on, reply};
 use crate::motion::Joints;
 use crate::world::{Change, World};
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
-        Request::IsInServomove(command) => {
-            reply(command, literal::IsInServomoveReply { in_servo_mode: world.state.servo_mode }, out)
-        }
+        Request::IsInServomove(command) => reply(command, out, |reply| reply.in_servo_mode = world.state.servo_mode),
         Request::SetServoMode(command)
             if world.habits.servo_at_rest && world.engine.is_busy() && is_on(command.servo_mode) =>
         {

@@ -1,14 +1,13 @@
 //! The torque sensor and its payload.
 
 use jaka_proto::Request;
-use jaka_proto::messages::force::{IdentifyStatus, StartTorqSensorPayloadIdentify, literal};
-use jaka_proto::wire::Writer;
+use jaka_proto::messages::force::{IdentifyStatus, StartTorqSensorPayloadIdentify};
 
-use super::{Outcome, accept, reply};
+use super::{Draft, Outcome, accept, reply};
 use crate::state::{Payload, TorqueSensor};
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     if let Request::StartTorqSensorPayloadIdentify(command) = request {
         return if identify(command, world) { accept(command, out) } else { Outcome::Refused };
     }
@@ -32,7 +31,7 @@ fn identify(command: &StartTorqSensorPayloadIdentify, world: &mut World) -> bool
     true
 }
 
-fn set(request: &Request, sensor: &mut TorqueSensor, out: &mut Writer) -> Outcome {
+fn set(request: &Request, sensor: &mut TorqueSensor, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::SetTorqueSensorBrand(command) => {
             sensor.brand = command.brand;
@@ -56,25 +55,23 @@ fn set(request: &Request, sensor: &mut TorqueSensor, out: &mut Writer) -> Outcom
     }
 }
 
-fn get(request: &Request, sensor: &TorqueSensor, out: &mut Writer) -> Outcome {
+fn get(request: &Request, sensor: &TorqueSensor, out: &mut Draft<'_>) -> Outcome {
     match request {
-        Request::GetTorqueSensorBrand(command) => {
-            reply(command, literal::GetTorqueSensorBrandReply { brand: sensor.brand }, out)
-        }
-        Request::GetTorqueSensorComm(command) => {
-            let (address, communication, port) = (sensor.address.clone(), sensor.communication, sensor.port);
-            reply(command, literal::GetTorqueSensorCommReply { address, communication, port }, out)
-        }
+        Request::GetTorqueSensorBrand(command) => reply(command, out, |reply| reply.brand = sensor.brand),
+        Request::GetTorqueSensorComm(command) => reply(command, out, |reply| {
+            reply.address.clone_from(&sensor.address);
+            (reply.communication, reply.port) = (sensor.communication, sensor.port);
+        }),
         Request::GetToolPayload(command) => {
             let Payload { mass, centroid } = sensor.payload;
-            reply(command, literal::GetToolPayloadReply { centroid, mass }, out)
+            reply(command, out, |reply| (reply.mass, reply.centroid) = (mass, centroid))
         }
         Request::GetTorqSensorIdentifyStatus(command) => {
-            reply(command, literal::GetTorqSensorIdentifyStatusReply { status: sensor.identify_status }, out)
+            reply(command, out, |reply| reply.status = sensor.identify_status)
         }
         Request::GetTorqSensorPayloadIdentifyResult(command) => {
             let Payload { mass, centroid } = sensor.identified;
-            reply(command, literal::GetTorqSensorPayloadIdentifyResultReply { centroid, mass }, out)
+            reply(command, out, |reply| (reply.mass, reply.centroid) = (mass, centroid))
         }
         _ => Outcome::Unhandled,
     }

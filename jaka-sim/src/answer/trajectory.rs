@@ -1,18 +1,17 @@
 //! Trajectory recording.
 
 use jaka_proto::Request;
-use jaka_proto::messages::trajectory::{SetTrajSampleMode, literal};
-use jaka_proto::wire::Writer;
+use jaka_proto::messages::trajectory::SetTrajSampleMode;
 
-use super::{Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, accept, is_on, reply};
 use crate::programs::replay;
-use crate::state::{Trajectory, TrajectoryConfig};
+use crate::state::TrajectoryConfig;
 use crate::world::{TrajectoryRecorder, World};
 
 /// How many trajectory files a controller keeps.
 const MOST_FILES: usize = 1000;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let trajectory = &mut world.state.trajectory;
     match request {
         Request::SetTrajConfig(command) => {
@@ -24,7 +23,11 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
             };
             accept(command, out)
         }
-        Request::GetTrajConfig(command) => reply(command, config(trajectory), out),
+        Request::GetTrajConfig(command) => reply(command, out, |reply| {
+            let TrajectoryConfig { acceleration, speed, position_interval, orientation_interval } = trajectory.config;
+            (reply.acceleration, reply.speed) = (acceleration, speed);
+            (reply.position_interval, reply.orientation_interval) = (position_interval, orientation_interval);
+        }),
         Request::SetTrajSampleMode(command) => {
             if sample(command, world) {
                 accept(command, out)
@@ -32,11 +35,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> 
                 Outcome::Refused
             }
         }
-        Request::GetTrajSampleStatus(command) => {
-            reply(command, literal::GetTrajSampleStatusReply { sampling: trajectory.sampling }, out)
-        }
+        Request::GetTrajSampleStatus(command) => reply(command, out, |reply| reply.sampling = trajectory.sampling),
         Request::GetExistTrajFileName(command) => {
-            reply(command, literal::GetExistTrajFileNameReply { file_names: trajectory.file_names.clone() }, out)
+            reply(command, out, |reply| reply.file_names = trajectory.file_names.clone())
         }
         _ => files(request, world, out),
     }
@@ -63,7 +64,7 @@ fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
 }
 
 /// Files that there are not are refused.
-fn files(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+fn files(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::RenameTrajFileName(command) if rename(world, &command.source, &command.destination) => {
             accept(command, out)
@@ -108,9 +109,4 @@ fn rename(world: &mut World, source: &str, destination: &str) -> bool {
 /// The program that is made of a trajectory, as `load_program` takes it.
 fn program_name(file_name: &str) -> String {
     format!("track/{file_name}.jks")
-}
-
-fn config(trajectory: &Trajectory) -> literal::GetTrajConfigReply {
-    let TrajectoryConfig { acceleration, speed, position_interval, orientation_interval } = trajectory.config;
-    literal::GetTrajConfigReply { acceleration, position_interval, orientation_interval, speed }
 }

@@ -1,17 +1,15 @@
 //! User-defined system variables.
 
 use jaka_proto::Request;
-use jaka_proto::messages::variables::literal;
-use jaka_proto::wire::Writer;
 
-use super::{Outcome, accept, reply};
+use super::{Draft, Outcome, accept, reply};
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Writer) -> Outcome {
+pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
         Request::QueryUserDefinedVariable(command) => {
-            reply(command, literal::QueryUserDefinedVariableReply { variables: state.variables.clone() }, out)
+            reply(command, out, |reply| reply.variables = state.variables.clone())
         }
         Request::ModifyUserDefinedVariable(command) => {
             let Some(variable) = state.variables.iter_mut().find(|variable| variable.id == command.id) else {

@@ -149,8 +149,8 @@ pub enum NumberStyle {
     Fractions,
     /// As strings: `"3"`, `"0.5"`.
     Texts,
-    /// As controllers write them: what may have a fraction has one, of at most so many decimals, and whole numbers have none:
-    /// `3.0`, `-263.405107`, and `3` for a count.
+    /// As controllers write them: what may have a fraction has one, and counts have none: `3.0` for a mass, `3` for a level.
+    /// Joint positions and poses have at most so many decimals: `-263.405107`.
     Decimals(u8),
 }
 

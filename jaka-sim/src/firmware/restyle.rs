@@ -28,7 +28,7 @@ fn rewritten(style: ReplyStyle, spec: &Spec, state: &State, reply: &str) -> Opti
     let envelope = Envelope::read(reply).ok()?;
     let command = envelope.command.as_deref().and_then(|name| spec.command(name));
     let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
-    let values = Values { spec, style };
+    let values = Values::new(spec, style);
     let mut rewritten = Vec::new();
     for (key, value) in members(reply)? {
         let mut out = Writer::new();

@@ -9,17 +9,26 @@ use crate::json_text::{elements, members};
 /// Writes values in a style. What does not fit its type stays as it is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Values<'s> {
-    pub(crate) spec: &'s Spec,
-    pub(crate) style: ReplyStyle,
+    spec: &'s Spec,
+    style: ReplyStyle,
+    /// True inside joint positions and poses, which have few decimals.
+    is_position: bool,
 }
 
-impl Values<'_> {
+impl<'s> Values<'s> {
+    pub(crate) fn new(spec: &'s Spec, style: ReplyStyle) -> Self {
+        Self { spec, style, is_position: false }
+    }
+
     /// Writes the value of a field, given as JSON.
     pub(crate) fn field(self, field: &Field, json: &str, out: &mut Writer) {
         self.value(&field.name, &field.ty, json, out);
     }
 
     fn value(self, name: &str, ty: &Type, json: &str, out: &mut Writer) {
+        if !self.is_position && is_position(self.spec, ty) {
+            return Self { is_position: true, ..self }.value(name, ty, json, out);
+        }
         match self.spec.shape(ty) {
             Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out),
             Shape::Scalar(Scalar::Float) => self.float(json, out),
@@ -120,11 +129,14 @@ impl Values<'_> {
     fn float(self, json: &str, out: &mut Writer) {
         match (self.style.numbers, json.parse::<f64>()) {
             (NumberStyle::Plain, Ok(number)) => out.float(number),
-            (NumberStyle::Decimals(most), Ok(number)) => {
+            (NumberStyle::Decimals(most), Ok(number)) if self.is_position => {
                 let text = format!("{number:.0$}", usize::from(most.max(1)));
                 let short = text.trim_end_matches('0');
                 out.raw(short);
                 out.raw(if short.ends_with('.') { "0" } else { "" });
+            }
+            (NumberStyle::Decimals(_), _) => {
+                Self { style: self.style.numbers(NumberStyle::Fractions), ..self }.number(json, out)
             }
             _ => self.number(json, out),
         }
@@ -141,4 +153,9 @@ impl Values<'_> {
             _ => out.raw(json),
         }
     }
+}
+
+/// True for joint positions and poses.
+fn is_position(spec: &Spec, ty: &Type) -> bool {
+    matches!(ty, Type::Named(id) if matches!(&*spec[*id].name, "JointPosition" | "Pose"))
 }

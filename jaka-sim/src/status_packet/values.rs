@@ -71,6 +71,11 @@ fn task_state(state: &State) -> TaskState {
 
 fn inputs_and_outputs(name: &str, state: &State, shape: &Shape) -> Option<Value> {
     Some(match name {
+        "monitor_data" => {
+            let rows = [shape.joint_row; 6].join("],[");
+            let text = format!("[{},[[{rows}]]{}]", shape.monitor_head, shape.monitor_tail);
+            serde_json::from_str(&text).unwrap_or_default()
+        }
         "torque_sensor" => torque_sensor(&state.torque_sensor, shape.torque_readings),
         "digital_inputs" => json!(state.digital_inputs),
         "digital_outputs" => digital_outputs(state, DigitalOutputKind::Cabinet, shape.digital),

@@ -34,7 +34,10 @@ fn the_arm_leaves_a_protective_stop(arm: &mut Arm) {
     arm.controller.collide();
     refused(arm.client.joint_move(&turn(1.0)));
     let status = arm.status();
-    assert_eq!((status.protective_stop, status.error_message.as_deref()), (Some(true), Some("collision")));
+    assert_eq!(
+        (status.protective_stop, status.error_message.as_deref()),
+        (Some(true), Some("a collision was detected"))
+    );
     arm.client.clear_error().expect("it answers");
     let status = arm.status();
     assert_eq!((status.protective_stop, status.error_code.as_deref()), (Some(false), Some("0x0")));
