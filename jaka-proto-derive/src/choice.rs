@@ -4,9 +4,7 @@ use jaka_spec::{Choice, Variant};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::codec::{
-    Manner, decode_into, read_array, read_array_in_place, read_object, write_further_elements, write_further_fields,
-};
+use crate::codec::{Manner, decode_into, read_array, read_array_in_place, read_object, write_further};
 use crate::scope::{Scope, ident, names};
 
 /// A choice written as an array that begins with its tag.
@@ -14,7 +12,7 @@ pub(crate) fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: 
     let variants = declare_variants(scope, choice);
     let write = choice.variants.iter().map(|variant| {
         let (path, names, begin) = (variant_path(variant), names(&variant.fields), format!("[{}", variant.wire));
-        let write = write_further_elements(&variant.fields, |name| quote!(#name));
+        let write = write_further(&variant.fields, |name| quote!(#name));
         quote!(#path { #(#names),* } => { out.raw(#begin); #write out.raw("]"); })
     });
     let read = choice.variants.iter().map(|variant| {
@@ -88,7 +86,7 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice:
     let key = choice.key();
     let write = choice.variants.iter().map(|variant| {
         let (path, names, tag) = (variant_path(variant), names(&variant.fields), format!("{key}{}", variant.wire));
-        let write = write_further_fields(&variant.fields, |name| quote!(#name));
+        let write = write_further(&variant.fields, |name| quote!(#name));
         quote!(#path { #(#names),* } => { out.key(#tag); #write })
     });
     let read = choice.variants.iter().map(|variant| {

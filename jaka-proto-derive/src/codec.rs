@@ -6,43 +6,31 @@ use quote::quote;
 
 use crate::scope::{ident, names};
 
-/// Statements that write the fields of an object; `value` turns a field's name into a reference to its value.
-pub(crate) fn write_object(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    // Behind a field that is always there, a comma is always due, and is one text with the key.
-    let behind = fields.iter().position(|field| !field.optional).map_or(fields.len(), |first| first + 1);
-    let (first, rest) = fields.split_at(behind);
-    let first = first.iter().map(|field| {
+/// Statements that write the fields of an object, or the elements of an array, without its brackets; `value` turns a name into a
+/// reference to its value.
+pub(crate) fn write_all(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    // After a field that is always there, a comma is always due, and is one text with the key.
+    let always = fields.iter().position(|field| !field.optional).map_or(fields.len(), |first| first + 1);
+    let (first, rest) = fields.split_at(always);
+    let first = first.iter().enumerate().map(|(at, field)| {
         let key = field.key();
-        write_field(field, &quote!(out.key(#key);), &value(&ident(&field.name)))
+        let before = match (at, field.wire.is_empty()) {
+            (_, false) => quote!(out.key(#key);),
+            (0, true) => TokenStream::new(),
+            (_, true) => quote!(out.comma();),
+        };
+        write_field(field, &before, &value(&ident(&field.name)))
     });
-    let rest = write_further_fields(rest, &value);
+    let rest = write_further(rest, &value);
     quote!(#(#first)* #rest)
 }
 
-/// Statements that write fields of an object behind another one.
-pub(crate) fn write_further_fields(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+/// Statements that write the fields or elements after another one.
+pub(crate) fn write_further(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     let fields = fields.iter().map(|field| {
-        let key = format!(",{}", field.key());
+        let key = if field.wire.is_empty() { ",".to_owned() } else { format!(",{}", field.key()) };
         write_field(field, &quote!(out.raw(#key);), &value(&ident(&field.name)))
     });
-    quote!(#(#fields)*)
-}
-
-/// Statements that write the elements of an array, without its brackets.
-pub(crate) fn write_array(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    let [first, rest @ ..] = fields else { return TokenStream::new() };
-    let write = write_field(first, &TokenStream::new(), &value(&ident(&first.name)));
-    if !first.optional {
-        let rest = write_further_elements(rest, value);
-        return quote!(#write #rest);
-    }
-    let rest = rest.iter().map(|field| write_field(field, &quote!(out.comma();), &value(&ident(&field.name))));
-    quote!(#write #(#rest)*)
-}
-
-/// Statements that write elements of an array behind another one.
-pub(crate) fn write_further_elements(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
-    let fields = fields.iter().map(|field| write_field(field, &quote!(out.raw(",");), &value(&ident(&field.name))));
     quote!(#(#fields)*)
 }
 

@@ -29,35 +29,21 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, fields: &[Field]) -> TokenS
 /// A constructor for each variant of a choice.
 pub(crate) fn choice(scope: Scope<'_>, name: &Ident, choice: &Choice) -> TokenStream {
     let constructors = choice.variants.iter().map(|variant| {
-        let docs = scope.docs.constructor(&variant.doc, &variant.fields);
-        let (function, path) = (function(&variant.name, &[]), ident(&variant.name));
-        let Arguments { head, parameters, .. } = Arguments::new(scope, &variant.fields);
-        let values = values(scope, &variant.fields);
-        quote! {
-            #docs
-            #head fn #function(#parameters) -> Self {
-                Self::#path { #values }
-            }
-        }
+        let (path, values) = (ident(&variant.name), values(scope, &variant.fields));
+        let name = function_name(&variant.name, &[]);
+        function(scope, &variant.doc, &name, &variant.fields, &quote!(Self::#path { #values }))
     });
     quote!(impl #name { #(#constructors)* })
 }
 
 fn new(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
-    let first = if fields.iter().all(|field| field.optional) {
+    let doc = if fields.iter().all(|field| field.optional) {
         "Without any optional field."
     } else {
         "With the required fields alone."
     };
-    let docs = scope.docs.constructor(first, fields);
-    let Arguments { head, parameters, .. } = Arguments::new(scope, fields);
     let values = values(scope, fields);
-    quote! {
-        #docs
-        #head fn new(#parameters) -> Self {
-            Self { #values }
-        }
-    }
+    function(scope, doc, &ident(NEW), fields, &quote!(Self { #values }))
 }
 
 /// Constructors for what `field`, an enum, selects.
@@ -70,21 +56,13 @@ fn of_each_value(scope: Scope<'_>, field: &Field, fields: &[Field]) -> TokenStre
     };
     let (ty, selected) = (scope.path(*id), ident(&field.name));
     let others: Vec<_> = fields.iter().filter(|other| other.name != field.name).cloned().collect();
-    let Arguments { head, parameters, .. } = Arguments::new(scope, &others);
-    let arguments = fields.iter().filter(|field| !field.optional).map(|field| ident(&field.name));
-    let arguments: Vec<_> = arguments.collect();
+    let arguments: Vec<_> = fields.iter().filter(|field| !field.optional).map(|field| ident(&field.name)).collect();
     let functions = values.into_iter().map(|(value, doc)| {
-        let docs = scope.docs.constructor(doc, &others);
-        let (function, value) = (function(value, fields), ident(value));
+        let (name, value) = (function_name(value, fields), ident(value));
         let arguments = arguments
             .iter()
             .map(|argument| if *argument == selected { quote!(#ty::#value) } else { quote!(#argument) });
-        quote! {
-            #docs
-            #head fn #function(#parameters) -> Self {
-                Self::new(#(#arguments),*)
-            }
-        }
+        function(scope, doc, &name, &others, &quote!(Self::new(#(#arguments),*)))
     });
     quote!(#(#functions)*)
 }
@@ -94,7 +72,7 @@ fn names_and_docs<T>(values: &[EnumValue<T>]) -> Vec<(&str, &str)> {
 }
 
 /// The name of the constructor for a variant. An underscore follows where Rust or another function has the name.
-fn function(variant: &str, fields: &[Field]) -> Ident {
+fn function_name(variant: &str, fields: &[Field]) -> Ident {
     let name = to_snake(variant);
     let is_taken = name == NEW || fields.iter().any(|field| field.optional && field.name == name);
     if is_taken || !jaka_spec::is_snake(&name) { ident(&format!("{name}_")) } else { ident(&name) }
@@ -118,24 +96,21 @@ fn setter(scope: Scope<'_>, field: &Field) -> TokenStream {
     }
 }
 
-/// What a function takes for the required fields.
-struct Arguments {
-    /// What stands before `fn`.
-    head: TokenStream,
-    parameters: TokenStream,
-}
-
-impl Arguments {
-    fn new(scope: Scope<'_>, fields: &[Field]) -> Self {
-        let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
-        let parameters = required.iter().map(|field| {
-            let (name, (ty, _)) = (ident(&field.name), argument(scope, field));
-            quote!(#name: #ty)
-        });
-        let many = (required.len() > MANY).then(|| quote!(#[allow(clippy::too_many_arguments)]));
-        let is_const = required.iter().all(|field| !is_converted(scope, field));
-        let constant = is_const.then(|| quote!(const));
-        Self { head: quote!(#[must_use] #many pub #constant), parameters: quote!(#(#parameters),*) }
+/// A constructor of the required fields.
+fn function(scope: Scope<'_>, doc: &str, name: &Ident, fields: &[Field], body: &TokenStream) -> TokenStream {
+    let docs = scope.docs.constructor(doc, fields);
+    let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
+    let parameters = required.iter().map(|field| {
+        let (name, (ty, _)) = (ident(&field.name), argument(scope, field));
+        quote!(#name: #ty)
+    });
+    let many = (required.len() > MANY).then(|| quote!(#[allow(clippy::too_many_arguments)]));
+    let constant = required.iter().all(|field| !is_converted(scope, field)).then(|| quote!(const));
+    quote! {
+        #docs
+        #[must_use]
+        #many
+        pub #constant fn #name(#(#parameters),*) -> Self { #body }
     }
 }
 

@@ -8,8 +8,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::codec::{
-    Manner, decode_into, in_place, read_array, read_array_in_place, read_object, read_object_in_place, write_array,
-    write_object, write_type,
+    Manner, decode_into, in_place, read_array, read_array_in_place, read_object, read_object_in_place, write_all,
+    write_type,
 };
 use crate::scope::{Scope, ident, names};
 use crate::{choice, construct, enums, validate};
@@ -108,7 +108,7 @@ fn object_with(
 ) -> TokenStream {
     let derives = derives(scope, fields);
     let declared = scope.declare(fields, &quote!(pub));
-    let write = write_object(fields, |name| quote!(&self.#name));
+    let write = write_all(fields, |name| quote!(&self.#name));
     quote! {
         #docs
         #derives
@@ -128,7 +128,7 @@ fn object_with(
 fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], exact: bool) -> TokenStream {
     let derives = derives(scope, fields);
     let declared = scope.declare(fields, &quote!(pub));
-    let write = write_array(fields, |name| quote!(&self.#name));
+    let write = write_all(fields, |name| quote!(&self.#name));
     let read = read_array(fields, exact, &quote!(Self));
     let in_place = (!scope.spec.all_copy(fields)).then(|| {
         let read = read_array_in_place(fields, exact, |name| quote!(&mut self.#name));
