@@ -1,4 +1,4 @@
-//! When set-points go out: sessions that sleep until the beat, sessions that spin before it, and a bare loop, in turn.
+//! When set-points go out: sessions that sleep until the cycle, sessions that spin before it, and a bare loop, in turn.
 //!
 //! Options: `--seconds N` for each turn (1), `--rounds N` (10), `--spin MICROSECONDS` (200).
 
@@ -27,7 +27,7 @@ struct Way {
     name: &'static str,
     /// By how much each set-point was late.
     late: Vec<f64>,
-    /// By how much the beat moved away from the clock, as a share, session by session.
+    /// By how much the cycles drifted from the clock, as a share, session by session.
     drift: Vec<f64>,
     passed_over: u64,
     most_outstanding: usize,
@@ -70,19 +70,19 @@ impl Way {
         stream.set_nonblocking(true)?;
         let mut buffer = vec![0; 8 << 10];
         let (cpu, start) = (process::thread_cpu(), Instant::now());
-        let mut behind = Vec::new();
-        for due in (0..).map(|beat| PERIOD * beat).take_while(|due| *due < time) {
+        let mut lateness = Vec::new();
+        for due in (0..).map(|cycle| PERIOD * cycle).take_while(|due| *due < time) {
             let answers = stream.read(&mut buffer).or_else(|error| match error.kind() {
                 ErrorKind::WouldBlock => Ok(0),
                 _ => Err(error),
             });
             std::thread::sleep((start + due).saturating_duration_since(Instant::now()));
-            behind.push((due, micros(start.elapsed()) - micros(due)));
+            lateness.push((due, micros(start.elapsed()) - micros(due)));
             stream.write_all(SET_POINT)?;
             std::hint::black_box(&buffer[..answers?]);
         }
-        self.ran(start, cpu, &behind);
-        self.late.extend(behind.iter().map(|(_, late)| late));
+        self.ran(start, cpu, &lateness);
+        self.late.extend(lateness.iter().map(|(_, late)| late));
         Ok(())
     }
 
@@ -92,29 +92,30 @@ impl Way {
         let mut session =
             robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
         let (cpu, start) = (process::thread_cpu(), Instant::now());
-        let mut behind = Vec::new();
+        let mut lateness = Vec::new();
         while session.time() < time {
             let due = session.time();
             session.send_joint_offset([0.0; 6])?;
-            behind.push((due, micros(start.elapsed()) - micros(due)));
+            lateness.push((due, micros(start.elapsed()) - micros(due)));
         }
-        let beats = session.time();
-        self.ran(start, cpu, &behind);
+        let run_time = session.time();
+        self.ran(start, cpu, &lateness);
         let report = session.finish()?;
         self.late.extend(lateness(&report));
-        self.passed_over += u64::try_from(beats.as_nanos() / PERIOD.as_nanos())? - report.cycles;
+        self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())? - report.cycles;
         self.most_outstanding = self.most_outstanding.max(report.most_outstanding);
         Ok(())
     }
 
-    /// Adds what a session took, and how far behind the clock its beats were.
-    fn ran(&mut self, start: Instant, cpu: Option<Duration>, behind: &[(Duration, f64)]) {
+    /// Adds what a session took, and how late its cycles were.
+    fn ran(&mut self, start: Instant, cpu: Option<Duration>, lateness: &[(Duration, f64)]) {
         self.cpu +=
             process::thread_cpu().zip(cpu).map_or(Duration::ZERO, |(after, before)| after.saturating_sub(before));
         self.wall += start.elapsed();
-        let third = behind.len() / 3;
-        let middle = |part: &[(Duration, f64)]| median(&mut part.iter().map(|(_, behind)| *behind).collect::<Vec<_>>());
-        let (first, last) = (&behind[..third], &behind[behind.len() - third..]);
+        let third = lateness.len() / 3;
+        let middle =
+            |part: &[(Duration, f64)]| median(&mut part.iter().map(|(_, lateness)| *lateness).collect::<Vec<_>>());
+        let (first, last) = (&lateness[..third], &lateness[lateness.len() - third..]);
         if let Some(((begin, _), (end, _))) = first.first().zip(last.first()) {
             self.drift.push((middle(last) - middle(first)) / (micros(*end) - micros(*begin)));
         }
@@ -149,10 +150,13 @@ fn print(ways: &mut [Way; 4], run: &str) {
     let [bare, sleeping, spinning, late] = ways;
     let ratio = |share| (spinning.percentile(share), sleeping.percentile(share));
     let [p50, p90] = [0.5, 0.9].map(ratio).map(|(spinning, sleeping)| spinning / sleeping);
-    report::figure("p50 of sleeping sessions beside the bare loop", sleeping.percentile(0.5) / bare.percentile(0.5));
-    report::figure("CPU of sleeping sessions beside the bare loop", sleeping.cpu_percent() / bare.cpu_percent());
-    report::verdict("p50 of lateness, spinning beside sleeping", p50, Target::AtMost(0.05));
-    report::verdict("p90 of lateness, spinning beside sleeping", p90, Target::AtMost(0.25));
+    report::figure(
+        "p50 of sleeping sessions relative to the bare loop",
+        sleeping.percentile(0.5) / bare.percentile(0.5),
+    );
+    report::figure("CPU of sleeping sessions relative to the bare loop", sleeping.cpu_percent() / bare.cpu_percent());
+    report::verdict("p50 of lateness, spinning relative to sleeping", p50, Target::AtMost(0.05));
+    report::verdict("p90 of lateness, spinning relative to sleeping", p90, Target::AtMost(0.25));
     report::verdict("CPU, spinning, percent of a core", spinning.cpu_percent(), Target::AtMost(2.5));
     for way in [sleeping, spinning] {
         let drift = 100.0 * median(&mut way.drift);
@@ -160,8 +164,8 @@ fn print(ways: &mut [Way; 4], run: &str) {
     }
     println!("  {LATE} answers late: at most {} were outstanding", late.most_outstanding);
     #[expect(clippy::cast_precision_loss)]
-    report::figure("  beats passed over, answers late", late.passed_over as f64);
-    report::figure("  p90 beside that with prompt answers", late.percentile(0.9) / ways[2].percentile(0.9));
+    report::figure("  cycles passed over, answers late", late.passed_over as f64);
+    report::figure("  p90 relative to that with prompt answers", late.percentile(0.9) / ways[2].percentile(0.9));
 }
 
 fn micros(time: Duration) -> f64 {

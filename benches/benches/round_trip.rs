@@ -1,4 +1,4 @@
-//! One command and its reply, again and again, on one core: this crate's client beside a bare write and read of the same bytes.
+//! One command and its reply, again and again, on one core: this crate's client compared with a bare write and read of the same bytes.
 
 use std::error::Error;
 use std::io::{Read, Write};
@@ -37,8 +37,8 @@ fn main() -> Result<(), Failure> {
     );
     report::percentiles(&contenders);
     let at = |contender: &Contender<'_>, share| contender.samples.percentile(share) / limit.samples.percentile(share);
-    report::verdict("p50, Client beside bare", at(ours, 0.5), Target::AtMost(1.12));
-    report::verdict("p99, Client beside bare", at(ours, 0.99), Target::AtMost(1.15));
+    report::verdict("p50, Client relative to bare", at(ours, 0.5), Target::AtMost(1.12));
+    report::verdict("p99, Client relative to bare", at(ours, 0.99), Target::AtMost(1.15));
     let rounds = |contender: &Contender<'_>| ratio_of_rounds(&contender.samples, &limit.samples);
     report::figure("median of the rounds' ratios, Client", rounds(ours));
     report::figure("the same, bare with a deadline", rounds(with_deadline));

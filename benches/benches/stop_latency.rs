@@ -50,7 +50,7 @@ const ODD: [&[u8]; 3] = [
 
 fn main() -> Result<(), Box<dyn Error>> {
     let stops = options::number("--stops", 2000)?;
-    report::title("Stops on the wire, loopback", format_args!("{stops} stops beside each load"));
+    report::title("Stops on the wire, loopback", format_args!("{stops} stops with each load"));
     let mut contenders = Vec::new();
     for (name, load) in LOADS {
         let samples = measure(stops, load).map_err(|failure| failure.to_string())?;

@@ -20,7 +20,7 @@ use crate::peers;
 const JOINTS: [f64; 6] =
     [-30.493_253_803_788_52, -50.842_380_480_615_08, 138.309_417_791_358_1, 90.0, -125.668_473_915_200_78, 0.125];
 
-/// At most so many times as long as hand-written code.
+/// At most this many times as long as hand-written code.
 const AT_MOST: f64 = 1.25;
 
 /// Requests of seven kinds.

@@ -42,7 +42,7 @@ impl std::fmt::Debug for Contender<'_> {
 /// What is asked of the time of the first name, as a multiple of that of the second.
 #[derive(Debug, Clone, Copy)]
 pub enum Target {
-    /// At most so many times as long.
+    /// At most this many times as long.
     AtMost(&'static str, f64, &'static str),
     /// At least so many times as long.
     AtLeast(&'static str, f64, &'static str),

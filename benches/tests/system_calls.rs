@@ -30,7 +30,7 @@ fn server() -> [String; 2] {
     addresses
 }
 
-/// What one of `count` times takes beyond none; nothing where there is no strace, or it may not trace.
+/// What one of `count` runs takes more than none; nothing where there is no strace, or it may not trace.
 fn each(what: &str, count: i64) -> Option<Counts> {
     let [commands, status] = server();
     let trace = |count: i64| {
@@ -65,7 +65,7 @@ fn counts(summary: &str) -> Counts {
     summary.lines().filter_map(row).collect()
 }
 
-/// What is wrong with the system calls of so many set-points, if something is.
+/// What is wrong with the system calls of this many set-points, if something is.
 fn problem_of_set_points(counts: &Counts, set_points: i64) -> Option<&'static str> {
     let of = |name: &str| counts.get(name).copied().unwrap_or_default();
     if of("sendto") != set_points {

@@ -2,7 +2,7 @@
 //!
 //! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, a variant of
 //! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
-//! `#[command(flatten)] robot: RobotArgs`, the last so that its options stand below their own heading, and begins with
+//! `#[command(flatten)] robot: RobotArgs`, the last so that its options have a heading of their own, and begins with
 //! `self.robot.target()?`.
 
 mod call;
@@ -34,7 +34,7 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    /// Does it.
+    /// Runs the command.
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
             Self::Status(command) => command.run(),

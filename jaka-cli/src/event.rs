@@ -1,4 +1,4 @@
-//! The controller's events: what is said of a code beside it.
+//! The controller's events: what is printed next to a code.
 
 use jaka_sync::{ControllerEvent, Severity, UnreadableEvent};
 use serde_json::Value;
@@ -6,15 +6,15 @@ use serde_json::Value;
 /// The field of status packets that has the code, by its name in Rust.
 pub(crate) const CODE: &str = "error_code";
 
-/// What a code says.
+/// The event of a code.
 pub(crate) type Reading = Result<Option<ControllerEvent>, UnreadableEvent>;
 
-/// What the value of the field says, which is a text. A packet without the field says of no event.
+/// The event in the value of the field, which is a text. A packet without the field has no event.
 pub(crate) fn read(code: Option<&Value>) -> Reading {
     code.map_or(Ok(None), |code| ControllerEvent::from_text(code.as_str().unwrap_or("not a text")))
 }
 
-/// How grave the event is, if there is one. What cannot be read may be an error, as a code may that no table has.
+/// How severe the event is, if there is one. A code that cannot be read, or that is not in the table, may be an error.
 pub(crate) fn severity(event: &Reading) -> Option<Severity> {
     match event {
         Ok(event) => event.map(ControllerEvent::severity),

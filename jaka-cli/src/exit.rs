@@ -16,12 +16,12 @@ pub(crate) const USAGE: u8 = 2;
 pub(crate) const NO_CONNECTION: u8 = 3;
 /// The command may have run.
 pub(crate) const MAY_HAVE_RUN: u8 = 4;
-/// The connection was lost or is unreadable, and nothing was left under way.
+/// The connection was lost or is unreadable, and no command was outstanding.
 pub(crate) const LOST: u8 = 5;
 /// Something on this machine.
 pub(crate) const LOCAL: u8 = 6;
 
-/// `jaka probe` found what is not as the spec has it, or clients of `jaka replay` did otherwise than the recorded ones.
+/// `jaka probe` found a deviation from the spec, or clients of `jaka replay` deviated from the recording.
 pub(crate) const DEPARTS: u8 = 7;
 
 /// Prints a failure with its causes on standard error, and gives the exit code.
@@ -39,7 +39,7 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
     ExitCode::from(code)
 }
 
-/// The exit code of `jaka spec diff --exit-code` where the gravest change is this.
+/// The exit code of `jaka spec diff --exit-code` where this is the highest impact.
 fn difference(impact: Impact) -> u8 {
     match impact {
         Impact::Patch => 10,
@@ -48,7 +48,7 @@ fn difference(impact: Impact) -> u8 {
     }
 }
 
-/// The exit code that tells what a script can do about an error of the robot's.
+/// The exit code for an error of the robot: it says what a script can do about it.
 fn exit_code(error: &Error) -> u8 {
     if error.may_have_run() {
         MAY_HAVE_RUN
@@ -94,7 +94,7 @@ mod tests {
         controller.inject(Fault::Drop);
         assert_eq!(code(client.get_version()), MAY_HAVE_RUN);
         controller.disconnect();
-        // Whether this one was sent is a matter of chance; the next is not.
+        // Whether this one is sent is a matter of chance; the next is not sent.
         client.get_version().unwrap_err();
         assert_eq!(code(client.get_version()), LOST);
     }

@@ -12,20 +12,20 @@ use jaka_sync::{Explanation, Refusal};
 pub(crate) enum Failure {
     /// The command line, an argument or the config file is wrong.
     Usage(String),
-    /// The robot, or the way to it.
+    /// The robot, or the connection to it.
     Robot(jaka_sync::Error),
     /// The controller refused the command.
     Refused {
-        /// Its own words.
+        /// The controller's own words.
         refusal: Refusal,
         /// What the code means, where the spec knows it.
         meaning: Option<String>,
-        /// Why it did, as far as the robot's status tells.
+        /// Why it did, as far as the robot's status shows.
         explanation: Option<Explanation>,
     },
-    /// What the controller says is not as the spec has it, or what clients do not as it was recorded: how much of it.
+    /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
     Departs(String),
-    /// Two specs differ, so much at most: what the exit code was asked to tell.
+    /// Two specs differ, and the exit code was asked to say by how much: the highest impact.
     Differs(Impact),
     /// Something on this machine.
     Local {
@@ -34,7 +34,7 @@ pub(crate) enum Failure {
         /// Why not.
         source: io::Error,
     },
-    /// Who reads the output has seen enough: no failure to anybody.
+    /// The reader of the output has closed it, which is not a failure.
     OutputClosed,
 }
 
@@ -53,7 +53,7 @@ impl Failure {
     }
 }
 
-/// An error's text, and that of its causes behind it.
+/// An error's text, followed by those of its causes.
 pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
     let errors = std::iter::successors(Some(error), |&error| error.source());
     let texts: Vec<_> = errors.map(ToString::to_string).collect();
@@ -82,7 +82,7 @@ impl fmt::Display for Failure {
 impl StdError for Failure {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
         match self {
-            // Its text is this one's own.
+            // Its text is part of this one.
             Self::Robot(error) => error.source(),
             Self::Local { source, .. } => Some(source),
             _ => None,

@@ -53,7 +53,7 @@ impl Field {
     /// The field at a path of names, in Rust or on the wire, and indices: `joint_actual_position[0]`.
     ///
     /// # Errors
-    /// There is none; says which names are similar.
+    /// No field has this path; the message has similar names.
     pub(crate) fn find(path: &str) -> Result<Self, String> {
         path::find(Self::packet(), path)
     }
@@ -101,7 +101,7 @@ impl Field {
         self.value(packet).is_some_and(|value| !value.is_object() && !value.is_array())
     }
 
-    /// Its value in a packet's JSON with the names of Rust, and truth values as such.
+    /// Its value in a packet's JSON with the names of Rust, and truth values as `true` and `false`.
     pub(crate) fn named_value(&self, packet: &Value) -> Option<Value> {
         let value = self.value(packet)?;
         let members = self.members();

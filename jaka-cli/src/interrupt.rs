@@ -1,4 +1,4 @@
-//! Ctrl-C, and the wish of the system that the program end.
+//! Ctrl-C, and the signals by which a system ends programs.
 
 use std::io::{self, stdout};
 use std::time::Duration;
@@ -10,8 +10,8 @@ use crate::{exit, record};
 /// How long the program may take to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. What it does should end the program soon, which
-/// is ended with success otherwise.
+/// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. It should make the program end soon; otherwise
+/// the program is ended with success.
 pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
     let handler = move || {
         call();
@@ -24,7 +24,7 @@ pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<()
 /// Ends the program with success on Ctrl-C, but not in the middle of what it writes.
 pub(crate) fn end_on_interrupt() -> Result<(), Failure> {
     on_interrupt(|| {
-        // Not here, since who reads the output may never read on.
+        // Not here, since the reader of the output may never continue.
         thread::spawn(|| {
             let _whole = stdout().lock();
             end();

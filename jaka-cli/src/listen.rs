@@ -1,4 +1,4 @@
-//! Where a controller listens that this program serves.
+//! The addresses at which a controller of this program listens.
 
 use std::net::{IpAddr, SocketAddr};
 
@@ -8,7 +8,7 @@ use jaka_sim::{Builder, Controller};
 use crate::failure::Failure;
 use crate::output;
 
-/// The options that say where.
+/// The options that give the addresses.
 #[derive(Debug, Args)]
 pub(crate) struct ListenArgs {
     /// Address to listen at
@@ -23,7 +23,7 @@ pub(crate) struct ListenArgs {
 }
 
 impl ListenArgs {
-    /// Starts a controller there, and prints its addresses.
+    /// Starts a controller at these addresses, and prints them.
     pub(crate) fn start(&self, builder: Builder) -> Result<Controller, Failure> {
         let started = builder.address(self.address).ports(self.commands, self.status).start();
         let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
@@ -32,7 +32,7 @@ impl ListenArgs {
     }
 }
 
-/// Prints where commands are taken and status packets sent.
+/// Prints the addresses of the command port and of the status port.
 pub(crate) fn print(commands: SocketAddr, status: SocketAddr) -> Result<(), Failure> {
     output::line(&format!("commands at {commands}, status at {status}"))
 }

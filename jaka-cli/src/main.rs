@@ -26,7 +26,7 @@ use jaka_sync::proto::text::visible_lines;
 
 use crate::commands::Command;
 
-/// What `jaka --help` says behind the list of commands.
+/// What `jaka --help` says after the list of commands.
 const NOTES: &str = "\
 The robot:
   Commands that talk to a robot take its address from, in this order: --sim, --robot, the environment's
@@ -78,7 +78,7 @@ fn told(error: &clap::Error) -> ExitCode {
         // With colours.
         None => error.print(),
     };
-    // Nobody may be reading: the code tells enough.
+    // The reader may be gone: the exit code says enough.
     told.ok();
     if error.use_stderr() { ExitCode::from(exit::USAGE) } else { ExitCode::SUCCESS }
 }

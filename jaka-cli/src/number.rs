@@ -1,6 +1,6 @@
 //! Numbers for people.
 
-/// A number with so many decimals, and no sign if it is 0 then: noise around 0 would flicker.
+/// A number with this many decimals, without a sign if it rounds to 0: noise around 0 would flicker.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
     let is_zero = text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.'));

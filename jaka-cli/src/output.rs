@@ -1,8 +1,8 @@
 //! Results on standard output, and warnings on standard error.
 //!
-//! What controllers, recordings and packs say may hold what a terminal obeys: see `jaka_sync::proto::text`. Whoever puts such text
-//! into a table or a sentence makes it visible there, so that a line end in it makes no line. What is written through here is made
-//! visible once more; only [`write()`] passes on what its caller answers for.
+//! What controllers, recordings and packs say may contain what a terminal obeys: see `jaka_sync::proto::text`. Code that puts such text
+//! into a table or a sentence makes it visible there, so that a line end in it does not begin a line. What is written through here is made
+//! visible once more; only [`write()`] passes on bytes as they are, for which its caller is responsible.
 
 use std::borrow::Cow;
 use std::io::{Write, stderr, stdout};
@@ -11,10 +11,10 @@ use jaka_sync::proto::text::{visible, visible_json, visible_lines};
 
 use crate::failure::Failure;
 
-/// What stands for a value that a packet does not have, where people read it.
+/// What people read in place of a value that a packet does not have.
 pub(crate) const ABSENT: &str = "–";
 
-/// Writes bytes as they are and at once, so that a reader at the other end of a pipe sees each result when it is there.
+/// Writes bytes as they are and immediately, so that a reader at the other end of a pipe sees each result as soon as there is one.
 pub(crate) fn write(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
     out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::output)
@@ -37,7 +37,7 @@ pub(crate) fn json(text: &str) -> Result<(), Failure> {
 
 /// Writes a line to standard error.
 pub(crate) fn tell(text: &str) {
-    // Nobody may be reading.
+    // The reader may be gone.
     writeln!(stderr(), "jaka: {}", visible_lines(text)).ok();
 }
 

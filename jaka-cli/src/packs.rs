@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::target::usual_packs;
 
-/// The option by which a command learns of packs.
+/// The option that gives packs to a command.
 #[derive(Debug, Default, Args)]
 pub(crate) struct SpecArgs {
     /// The files, in order.
@@ -36,7 +36,7 @@ impl SpecArgs {
         Self { packs }
     }
 
-    /// Loads the protocol with its packs. What a pack has to note goes to standard error.
+    /// Loads the protocol with its packs. The notes of a pack go to standard error.
     ///
     /// # Errors
     /// Everything that is wrong with a pack, a line each.
@@ -52,12 +52,12 @@ pub(crate) fn builtin() -> Spec {
     jaka_spec::builtin().expect("the spec's own tests load it")
 }
 
-/// The text of a file of the command line.
+/// The text of a file that is named on the command line.
 pub(crate) fn read(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))
 }
 
-/// The spec with a pack. What the pack has to note goes to standard error.
+/// The spec with a pack. The notes of the pack go to standard error.
 ///
 /// # Errors
 /// Everything that is wrong with the pack, a line each.

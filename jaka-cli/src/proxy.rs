@@ -22,13 +22,13 @@ use self::recording_queue::{Connection, Passed};
 
 pub(crate) use self::recording_queue::RecordingQueue;
 
-/// How long to wait after a connection that could not be taken, for want of descriptors perhaps.
+/// How long to wait after a connection could not be accepted, perhaps because descriptors had run out.
 const REST: Duration = Duration::from_millis(20);
 
-/// A connection on which nothing comes for so long is asked whether it is still there, as the SDK's own is.
+/// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own connections.
 const IDLE: Duration = Duration::from_secs(5);
 
-/// One port of a proxy, and the robot's port behind it.
+/// One port of a proxy, for one port of the robot.
 #[derive(Debug)]
 pub(crate) struct ProxyPort {
     /// Which of the robot's ports.
@@ -37,11 +37,11 @@ pub(crate) struct ProxyPort {
     pub(crate) robot: String,
     /// How long connecting to it may take.
     pub(crate) timeout: Duration,
-    /// Where all that passes is recorded.
+    /// The recording of all that passes.
     pub(crate) recorder: Recorder,
-    /// Who does it.
+    /// The thread that writes it.
     pub(crate) queue: RecordingQueue,
-    /// Which status packets are.
+    /// Which status packets are recorded.
     pub(crate) sampling: StatusSampling,
 }
 
@@ -103,7 +103,7 @@ impl ProxyPort {
     }
 }
 
-/// Has bytes sent at once, and notices if the other side is no longer there.
+/// Disables Nagle's algorithm, and enables keepalive.
 fn set_options(stream: &TcpStream) -> io::Result<()> {
     stream.set_nodelay(true)?;
     SockRef::from(stream).set_tcp_keepalive(&TcpKeepalive::new().with_time(IDLE).with_interval(IDLE / 3))

@@ -31,13 +31,13 @@ pub(crate) fn finish() -> Result<RecorderReport, Failure> {
     let Some((path, recorder)) = RECORDING.get() else { return Ok(RecorderReport::default()) };
     let report = recorder.finish().map_err(|error| failed(path, error))?;
     if report.connections == 0 {
-        // It may be gone already.
+        // The file may be gone already.
         fs::remove_file(path).ok();
     }
     Ok(report)
 }
 
-/// Writes the lines of a recording in characters that can be seen, for whoever looks at the file. As JSON they are the same.
+/// Writes the lines of a recording in visible characters, for people who read the file. As JSON they are the same.
 #[derive(Debug)]
 struct VisibleJson(File);
 

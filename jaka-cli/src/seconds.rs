@@ -20,7 +20,7 @@ pub(crate) fn from_file<'de, D: serde::Deserializer<'de>>(source: D) -> Result<O
     from_number(number).and_then(not_zero).map(Some).map_err(D::Error::custom)
 }
 
-/// More than thirty years: what is longer is a mistake, and not all that computes with times takes it.
+/// More than thirty years: a longer time is a mistake, and overflows some of the functions that compute with times.
 const LONGEST: f64 = 1e9;
 
 fn from_number(number: f64) -> Result<Duration, String> {

@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::record;
 use crate::seconds::some_seconds;
 
-/// How long connecting may take where nothing else is said.
+/// How long connecting may take by default.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 
 /// The options of a command that talks to a robot.
@@ -73,7 +73,7 @@ pub(crate) struct AddressArgs {
     sim_powered: bool,
 }
 
-/// The arm of this name.
+/// The model of this name.
 pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
     Model::named(name).ok_or_else(|| {
         let names: Vec<_> = Model::published().iter().map(Model::name).collect();
@@ -87,7 +87,7 @@ pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure
 }
 
 impl RobotArgs {
-    /// The config file that is named.
+    /// The config file that the option names.
     pub(crate) fn config(&self) -> Option<&Path> {
         self.address.config.as_deref()
     }
@@ -128,7 +128,7 @@ impl AddressArgs {
     }
 
     fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Target, Failure> {
-        // A controller that lives for one command is not waited for.
+        // A controller for one command has no delays.
         let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
         let builder = packs.iter().fold(builder, Builder::pack);
         let started = builder.start();
@@ -155,7 +155,7 @@ pub(crate) struct Target {
     status: String,
     config: Config,
     connect_timeout: Duration,
-    /// Kept for as long as the command talks to it.
+    /// Kept alive for as long as the command talks to it.
     #[expect(dead_code, reason = "it is dropped with the target")]
     controller: Option<Controller>,
 }
@@ -166,7 +166,7 @@ impl Target {
         &self.title
     }
 
-    /// The same robot, with all recorded that goes over its connections.
+    /// The same robot, with everything recorded that goes over its connections.
     pub(crate) fn recorded(mut self, recorder: Recorder, sampling: StatusSampling) -> Self {
         self.config = self.config.recorder(recorder).status_sampling(sampling);
         self
@@ -181,7 +181,7 @@ impl Target {
         (address, self.connect_timeout)
     }
 
-    /// Connects to the command port, which has one seat.
+    /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
         Ok(self.config.connect_client(&self.commands)?)
     }
@@ -191,7 +191,7 @@ impl Target {
         Ok(self.config.connect_status(&self.status)?)
     }
 
-    /// The same, with a thread that reads and connects anew.
+    /// The same, with a thread that reads and reconnects.
     pub(crate) fn monitor(&self, reconnect: Reconnect) -> Result<Monitor, Failure> {
         Ok(self.config.clone().reconnect(reconnect).connect_monitor(&self.status)?)
     }

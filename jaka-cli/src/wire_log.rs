@@ -6,7 +6,7 @@ use log::{LevelFilter, Log, Metadata, Record};
 
 use crate::output;
 
-/// Prints what the libraries log whose targets begin so.
+/// Prints what is logged under targets that begin with a prefix.
 #[derive(Debug)]
 struct Printer {
     targets: &'static str,
@@ -21,7 +21,7 @@ impl Log for Printer {
 
     fn log(&self, record: &Record<'_>) {
         if self.enabled(record.metadata()) {
-            // Nobody reads it any more: that is no reason to end.
+            // The reader is gone, which is not a reason to end.
             output::line(&record.args().to_string()).ok();
         }
     }
@@ -29,7 +29,7 @@ impl Log for Printer {
     fn flush(&self) {}
 }
 
-/// Prints each message from now on that goes to a target which begins so.
+/// From now on prints each message of a target that begins with this prefix.
 pub(crate) fn print_all(targets: &'static str) {
     // A second call changes nothing: the first logger stays.
     if log::set_logger(PRINTER.get_or_init(|| Printer { targets })).is_ok() {

@@ -58,7 +58,7 @@ impl Peer {
     }
 }
 
-/// True if nothing comes for so long.
+/// True if nothing comes for this long.
 fn is_quiet_for(peer: &Peer, time: Duration) -> bool {
     peer.stream.set_read_timeout(Some(time)).expect("a timeout can be set");
     let peeked = peer.stream.peek(&mut [0]).map_err(|error| error.kind());

@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use crate::common::started;
 use crate::program::{Run, address_of, command, jaka, run, scratch};
 
-/// A character of each kind that a terminal or an editor acts on, and a line that nobody wrote.
+/// A character of each kind that a terminal or an editor acts on, and a forged line.
 const HOSTILE: &str =
     "A\u{1b}[2J\u{7}\u{85}\u{9b}31m\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}\r\nFORGED\tB";
 
@@ -68,7 +68,7 @@ fn replies() -> Vec<(&'static str, Vec<u8>)> {
         ("a code", reply(json!({"errorCode": HOSTILE, "errorMsg": HOSTILE}))),
         ("another command's name", reply(json!({"cmdName": HOSTILE}))),
         ("control characters in JSON, where none may be", raw.into_bytes()),
-        ("no JSON", format!("{{{HOSTILE}}}").into_bytes()),
+        ("not JSON", format!("{{{HOSTILE}}}").into_bytes()),
         ("no message", HOSTILE.as_bytes().to_vec()),
         ("no UTF-8", b"{\"errorCode\":\"\xff\x1b[2J\"}".to_vec()),
         ("a tuple", format!("(0, '{HOSTILE}')").into_bytes()),

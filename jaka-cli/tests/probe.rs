@@ -244,10 +244,10 @@ fn without_a_controller_there_is_nothing_to_report() {
 }
 
 #[test]
-fn the_probe_takes_the_one_seat_of_the_command_port() {
+fn the_probe_takes_over_the_command_port() {
     let controller = controller(Firmware::Document);
     let mut client = Client::connect(controller.command_addr()).expect("the port is open");
     client.get_version().expect("it is answered");
     assert_eq!(probe(&controller, &[]).code, Some(0));
-    assert!(client.get_version().expect_err("the seat is gone").is_disconnected());
+    assert!(client.get_version().expect_err("another client has taken its place").is_disconnected());
 }

@@ -26,7 +26,7 @@ fn controller() -> Controller {
 }
 
 /// The path of a recording that does not exist yet.
-fn tape(name: &str) -> PathBuf {
+fn recording_path(name: &str) -> PathBuf {
     let path = scratch(name);
     fs::remove_file(&path).ok();
     path
@@ -62,7 +62,7 @@ struct Proxy {
 impl Proxy {
     /// One that records to this file, before the robot that the options name.
     fn start(name: &str, options: &[String]) -> Self {
-        let path = tape(name);
+        let path = recording_path(name);
         let mut line = command(["record", &path.display().to_string(), "--listen", "127.0.0.1"]);
         line.args(["--listen-commands", "0", "--listen-status", "0"]).args(options);
         let (child, out, line) = started(&mut line);
@@ -123,7 +123,7 @@ fn session(config: &Config, commands: SocketAddr, status: SocketAddr) -> Result<
 fn a_proxy_records_what_the_client_itself_records() {
     let controller = controller();
     let proxy = Proxy::start("proxy.jsonl", &address_of(&controller));
-    let path = tape("client.jsonl");
+    let path = recording_path("client.jsonl");
     let recorder = Recorder::create(&path).unwrap();
     let packets = session(&Config::new().recorder(recorder.clone()), proxy.commands, proxy.status).unwrap();
     recorder.finish().unwrap();
@@ -184,8 +184,8 @@ fn bytes_pass_unchanged_and_nothing_is_lost_from_the_recording() {
     }
 }
 
-/// How long a stop takes to pass that a client sends behind megabytes of something else.
-fn stop_behind(name: &str, garbage: &[u8], megabytes: usize) -> Duration {
+/// How long a stop takes to pass that a client sends after megabytes of something else.
+fn stop_after(name: &str, garbage: &[u8], megabytes: usize) -> Duration {
     let stop = br#"{"cmdName":"stop_program"}"#;
     let robot = TcpListener::bind("127.0.0.1:0").unwrap();
     let proxy = Proxy::before(name, &robot);
@@ -212,11 +212,11 @@ fn stop_behind(name: &str, garbage: &[u8], megabytes: usize) -> Duration {
 }
 
 #[test]
-fn a_stop_behind_garbage_is_passed_on_at_once() {
+fn a_stop_after_garbage_is_passed_on_immediately() {
     for (name, garbage) in
         [("braces.jsonl", &b"x{}"[..]), ("open.jsonl", b"{"), ("closed.jsonl", b"}"), ("quotes.jsonl", b"{\"")]
     {
-        let took = stop_behind(name, garbage, 10);
+        let took = stop_after(name, garbage, 10);
         println!("{name}: {took:?}");
         // It takes a fraction of a second; some minutes where the bytes wait for their recording.
         assert!(took < Duration::from_secs(20), "{name}: {took:?}");
@@ -303,7 +303,7 @@ fn status_readers_are_served_side_by_side_and_packets_thinned_in_the_recording_a
 }
 
 #[test]
-fn a_robot_that_cannot_be_reached_is_told_and_recorded() {
+fn a_robot_that_cannot_be_reached_is_reported_and_recorded() {
     let robot = TcpListener::bind("127.0.0.1:0").unwrap();
     let mut proxy = Proxy::before("nobody.jsonl", &robot);
     let (client, controller) = connect(&proxy, &robot);
@@ -327,7 +327,7 @@ fn a_robot_that_cannot_be_reached_is_told_and_recorded() {
 #[test]
 fn status_packets_alone_are_recorded_until_there_are_enough() {
     let controller = controller();
-    let path = tape("packets.jsonl");
+    let path = recording_path("packets.jsonl");
     let record = |options: &[&str]| {
         let address = address_of(&controller);
         let start = ["record", path.to_str().unwrap(), "--status-only"];
@@ -351,7 +351,7 @@ fn status_packets_alone_are_recorded_until_there_are_enough() {
     fs::remove_file(&path).unwrap();
     assert_eq!(record(&["--count", "4", "--status-every", "1000"]).code, Some(0));
     assert_eq!(messages(&read(&path), 1).len(), 1);
-    // How many come within a time, nobody knows.
+    // How many come within a time is not known.
     fs::remove_file(&path).unwrap();
     assert_eq!(record(&["--seconds", "0.1"]).code, Some(0));
 }
@@ -359,7 +359,7 @@ fn status_packets_alone_are_recorded_until_there_are_enough() {
 #[test]
 fn a_connection_that_is_lost_ends_the_recording() {
     let controller = controller();
-    let path = tape("lost.jsonl");
+    let path = recording_path("lost.jsonl");
     let mut line = command(["record", path.to_str().unwrap(), "--status-only"]);
     let (child, _out, _) = started(line.args(address_of(&controller)));
     controller.disconnect();
@@ -371,7 +371,7 @@ fn a_connection_that_is_lost_ends_the_recording() {
 
 #[test]
 fn commands_record_their_session() {
-    let path = tape("call.jsonl");
+    let path = recording_path("call.jsonl");
     let record = ["--record", path.to_str().unwrap()];
     assert_eq!(jaka(["call", "get_version", "--sim"].iter().chain(&record)).code, Some(0));
     let recording = read(&path);
@@ -397,7 +397,7 @@ fn a_recording_has_what_open_connections_have_sent_so_far() {
 fn a_recording_of_nothing_is_not_kept() {
     let taken = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = taken.local_addr().unwrap().port().to_string();
-    let path = tape("nothing.jsonl");
+    let path = recording_path("nothing.jsonl");
     let file = path.to_str().unwrap();
     let proxy = jaka(["record", file, "--sim", "--listen", "127.0.0.1", "--listen-commands", &port]);
     assert_eq!((proxy.code, path.exists()), (Some(6), false), "{}", proxy.err);
@@ -412,7 +412,7 @@ fn a_recording_of_nothing_is_not_kept() {
 
 #[test]
 fn an_interrupted_command_leaves_a_whole_recording() {
-    let path = tape("status.jsonl");
+    let path = recording_path("status.jsonl");
     let args = ["status", "--sim", "--watch", "0", "--raw", "--record", path.to_str().unwrap()];
     let (child, out, packet) = started(&mut command(args));
     interrupt(&child);

@@ -144,7 +144,7 @@ fn a_recording_that_is_cut_off_is_used_and_a_damaged_one_is_not() {
         recorded by a test, from 2025-11-21 11:53:20 UTC
             0.001000  command  1  connected to 10.5.5.100:10001
 
-        jaka: warning: session.jsonl: the file ends in the middle of a line: line 3 of the recording cannot be read: no JSON: expected `,` or `}` at byte 11, where the text ends
+        jaka: warning: session.jsonl: the file ends in the middle of a line: line 3 of the recording cannot be read: not JSON: expected `,` or `}` at byte 11, where the text ends
         exit code 0
     "#]].assert_eq(&show("cut.jsonl", &(first.clone() + "{\"time\":0.0"), &[]));
     expect![[r#"
@@ -192,7 +192,7 @@ mod served {
         path
     }
 
-    /// What a replay has printed behind its addresses when it is interrupted.
+    /// What a replay has printed after its addresses when it is interrupted.
     fn finish(mut child: Child, mut out: BufReader<ChildStdout>) -> String {
         interrupt(&child);
         let (mut text, mut errors) = (String::new(), String::new());
@@ -209,7 +209,7 @@ mod served {
     }
 
     #[test]
-    fn another_request_than_the_recorded_one_is_told() {
+    fn another_request_than_the_recorded_one_is_reported() {
         let (child, mut out, robot) = serve(&version("deviates.jsonl"), &["--timing", "immediate"]);
         assert_eq!(call("get_joint_pos", &robot).code, Some(4));
         let mut line = String::new();

@@ -87,10 +87,11 @@ fn packs_that_are_correct_say_what_they_do() {
           minor: command `emergency_stop_status`: added
           minor: command `get_motion_state`: added
           minor: command `set_port10000_delay_ms`: added
-        changed.toml: 4 additions, 5 changes, major
+        changed.toml: 5 additions, 5 changes, major
           major: command `set_tio_vout_param`, request field `tio_vout_vol`: type changed from `int` to `ToolVoltage`
           minor: command `joint_move`, request field `zone`: added
           minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 1.5`
+          minor: command `read_whole_state`: added
           minor: command `set_tio_vout_param`, request field `tio_vout_vol`: range removed, was `0 to 1`
           minor: error code `5`: added
           minor: type `RobotStatus`, field `brake_state`: added
@@ -103,7 +104,7 @@ fn packs_that_are_correct_say_what_they_do() {
 }
 
 #[test]
-fn errors_of_all_packs_are_told_at_their_places() {
+fn errors_of_all_packs_are_reported_at_their_places() {
     let first = file("first.toml", "title = 'T'\n[[override]]\ntarget = 'moveJ'\ndoc = 'D.'\n\n[[extend]]\n");
     let second = file(
         "second.toml",
@@ -171,7 +172,7 @@ fn a_whole_spec_is_checked_with_its_examples() {
 }
 
 #[test]
-fn what_is_no_spec_is_named() {
+fn what_is_not_a_spec_is_named() {
     let empty = scratch("empty_spec");
     fs::create_dir_all(&empty).unwrap();
     expect![[r"

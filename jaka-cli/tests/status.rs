@@ -169,7 +169,7 @@ fn a_name_that_does_not_exist_has_near_ones() {
 }
 
 #[test]
-fn it_ends_in_peace_when_nobody_reads_any_more() {
+fn it_ends_with_success_when_the_reader_is_gone() {
     let (mut child, out, line) = started(&mut jaka(&["status", "--sim", "--watch", "0", "--fields", "enabled"]));
     assert_eq!(line, "enabled  false\n");
     drop(out);
@@ -187,7 +187,7 @@ fn it_ends_in_peace_when_interrupted() {
 }
 
 #[test]
-fn a_lost_connection_is_told() {
+fn a_lost_connection_is_reported() {
     let controller = Controller::start().unwrap();
     let port = controller.status_addr().port().to_string();
     let args = ["status", "--robot", "127.0.0.1", "--status-port", &port, "--watch", "0", "--fields", "enabled"];
@@ -219,7 +219,7 @@ fn raw_is_what_came_also_where_it_does_not_fit() {
 }
 
 #[test]
-fn a_field_that_does_not_fit_is_told_once_and_the_rest_is_printed() {
+fn a_field_that_does_not_fit_is_reported_once_and_the_rest_is_printed() {
     let (controller, args) = quiet_controller();
     let (mut child, mut out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled,protective_stop", "-n3"]));
     for _ in 0..2 {
@@ -236,12 +236,12 @@ fn a_field_that_does_not_fit_is_told_once_and_the_rest_is_printed() {
 }
 
 #[test]
-fn a_packet_that_cannot_be_read_is_told() {
+fn a_packet_that_cannot_be_read_is_reported() {
     let (controller, args) = quiet_controller();
     let (mut child, _out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled"]));
     controller.send_status(br#"{"enabled" true}"#);
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
-    expect!["jaka: a status packet does not fit the spec: no JSON: expected `:` at byte 11, found `true}`"]
+    expect!["jaka: a status packet does not fit the spec: not JSON: expected `:` at byte 11, found `true}`"]
         .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
 }

@@ -71,7 +71,7 @@ fn a_config_file_that_is_wrong_is_named_with_the_line() {
 }
 
 #[test]
-fn nobody_at_the_address() {
+fn nothing_listens_at_the_address() {
     let nobody = ReservedPort::any();
     let port = nobody.address().port().to_string();
     let (_, stderr, code) = output(&mut jaka(&["status", "-r", "127.0.0.1", "--status-port", &port]));

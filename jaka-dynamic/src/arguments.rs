@@ -1,4 +1,4 @@
-//! What a command line offers for a command.
+//! The arguments of a command on a command line.
 
 use serde_json::Value;
 
@@ -90,7 +90,7 @@ fn choice_arguments(spec: &Spec, choice: &Choice) -> Vec<Argument> {
     arguments
 }
 
-/// Adds a variant to an argument. What it says of the field is added if no other variant says it.
+/// Adds a variant to an argument. Its text about the field is added unless another variant has the same.
 fn merge(old: &mut Argument, new: Argument) {
     if !old.help.contains(&new.help) {
         old.help = format!("{} With `{}`: {}", old.help, new.variants.join("`, `"), new.help);

@@ -15,7 +15,7 @@ pub struct Departure {
     pub found: String,
     /// What the spec has there; for an unknown key, the type that the value looks like, in the spec's notation.
     pub expected: String,
-    /// Whether the message decodes all the same.
+    /// Whether the message can still be decoded.
     pub reading: Reading,
     /// True for a number outside a range that newer firmware has widened.
     pub advisory: bool,

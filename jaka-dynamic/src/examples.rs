@@ -19,7 +19,7 @@ pub struct Misfit {
     pub is_request: bool,
     /// What does not fit.
     pub what: String,
-    /// True for a reply that is read all the same, such as a number that is written as a string.
+    /// True for a reply that can still be read, such as one with a number written as a string.
     pub is_lenient: bool,
 }
 
@@ -34,8 +34,8 @@ impl fmt::Display for Misfit {
 
 /// Everything in the examples of a command that does not fit its fields, in their order.
 ///
-/// A request must be one that the client sends, but for ranges that newer firmware has widened. A reply must have no key that the
-/// spec does not know; where it departs from the spec otherwise and can be read all the same, the misfit is lenient.
+/// A request must be one that the client would send, except for ranges that newer firmware has widened. A reply must have no key that the
+/// spec does not know; where it departs from the spec in another way and can still be read, the misfit is lenient.
 pub fn misfits(spec: &Spec, command: &Command) -> Vec<Misfit> {
     command.examples.iter().flat_map(|example| of_example(spec, command, example)).collect()
 }

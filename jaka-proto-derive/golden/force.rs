@@ -90,7 +90,7 @@ pub mod force {
     /// # Errata
     ///
     /// - The wire spells `ftNnormalTrack` with a double N.
-    /// - The sample sends `ftReboundFK` last; the text, and the rows of 4.64, have it right behind `ftUser`.
+    /// - The sample sends `ftReboundFK` last; the text, and the rows of 4.64, have it right after `ftUser`.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetAdmitCtrlConfig {

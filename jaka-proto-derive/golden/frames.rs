@@ -139,7 +139,7 @@ pub mod frames {
     /// # Errata
     ///
     /// - The text is copied from 4.30: it writes the key `tool_offset` and speaks of tool frames.
-    /// - In the sample, frame 1 repeats its positions as angles, down to -439 degrees. It is no measured frame.
+    /// - In the sample, frame 1 repeats its positions as angles, down to -439 degrees. It is not a measured frame.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetUserOffsets {}

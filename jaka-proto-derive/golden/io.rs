@@ -73,7 +73,7 @@ pub mod io {
     ///
     /// Sends `get_digital_input_status` (4.26). Changes nothing on the robot. The reply is [`GetDigitalInputStatusReply`].
     ///
-    /// Reconstructed, since the document's page is lost: The document's page is lost but for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
+    /// Reconstructed, since the document's page is lost: The document's page is lost, except for one sentence about `din_status`. Field notes: request, key and type certain; 64 and 136 entries seen.
     ///
     /// # Errata
     ///
@@ -165,8 +165,8 @@ pub mod io {
     /// - The sample configures eight digital inputs and reports the states of nine.
     /// - Here `state` 0 means that the modules do not run and 1 that they do. Chapter 2 describes `mode` of `extio` on port 10000, also called the modules' state, as 0 for on and 1 for off.
     /// - Chapter 2 describes the same settings with the pins as an array in the order di, do, ai, ao. Here they are a dictionary.
-    /// - No RTU module is shown here. Its settings follow chapter 2, which lists the data bits twice: as data bit length before the slave number, and as data bits behind it.
-    /// - Chapter 2 lists a slave number behind a TCP module's port. The sample here has none.
+    /// - No RTU module is shown here. Its settings follow chapter 2, which lists the data bits twice: as data bit length before the slave number, and as data bits after it.
+    /// - Chapter 2 lists a slave number after a TCP module's port. The sample here has none.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetExtioStatus {}

@@ -11,7 +11,7 @@ pub mod power {
     /// Switches the arm's power on.
     ///
     /// This takes about 8 s. Firmware 1.5.14 replies when the arm has power (three transcripts), newer firmware at once (vendor's SDK). So an
-    /// errorCode of 0 is no proof that the arm has power: poll the state.
+    /// errorCode of 0 is not proof that the arm has power: poll the state.
     ///
     /// Sends `power_on` (4.1). The reply is [`PowerOnReply`].
     ///
@@ -49,7 +49,7 @@ pub mod power {
     /// Enables the arm, so that it can move.
     ///
     /// This takes 3 to 4 s as a rule; 20 s is seen. Firmware 1.5.14 replies when the arm is enabled (transcripts), newer firmware at once
-    /// (vendor's SDK). So an errorCode of 0 is no proof that the arm is enabled: poll the state.
+    /// (vendor's SDK). So an errorCode of 0 is not proof that the arm is enabled: poll the state.
     ///
     /// Sends `enable_robot` (4.3). The robot must be powered. The reply is [`EnableRobotReply`].
     ///

@@ -1027,7 +1027,7 @@ pub mod shapes {
         }
     }
     /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
-    /// to each place where a field is forgotten, and are no part of the interface.
+    /// to each place where a field is forgotten, and are not part of the interface.
     #[doc(hidden)]
     #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
     pub mod literal {

@@ -34,7 +34,7 @@ pub mod variables {
     ///
     /// # Errata
     ///
-    /// - The key `id_new` is no new id. It names the variable to change.
+    /// - The key `id_new` is not a new id. It names the variable to change.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct ModifyUserDefinedVariable {

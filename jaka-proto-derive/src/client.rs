@@ -68,7 +68,7 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
 
 /// The parts of a command's method.
 pub(crate) struct Method {
-    /// The attributes beside the docs.
+    /// The attributes other than the docs.
     pub(crate) head: TokenStream,
     /// What follows `self`, from the comma on.
     pub(crate) parameter: TokenStream,

@@ -26,14 +26,14 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
     }
 }
 
-/// Functions that know the events that a pack adds beside all others.
+/// Functions that know the events that a pack adds, and all others.
 pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
     let events: Vec<_> = events.iter().collect();
     let severities = severities(&events, |first, last, severity| quote!(#first..=#last => proto::Severity::#severity,));
     let meanings = meanings(&events, |first, last, meaning| quote!(#first..=#last => Some(#meaning),));
     (!events.is_empty()).then(|| {
         quote! {
-            /// How grave an event of the controller is, also one that only this module names.
+            /// How severe an event of the controller is, also one that only this module names.
             pub fn event_severity(event: proto::ControllerEvent) -> proto::Severity {
                 match event.code() {
                     #(#severities)*

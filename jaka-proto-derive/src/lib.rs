@@ -63,7 +63,7 @@ pub fn status_subset(input: TokenStream) -> TokenStream {
     expanded.unwrap_or_else(syn::Error::into_compile_error).into()
 }
 
-/// The pattern of the characters that nobody sees and that are no control characters, for `jaka_proto::text`.
+/// The pattern of the invisible characters that are not control characters, for `jaka_proto::text`.
 #[proc_macro]
 pub fn hidden_characters(_input: TokenStream) -> TokenStream {
     let ranges = jaka_spec::prose::HIDDEN.iter().map(|range| {

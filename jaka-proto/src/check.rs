@@ -85,7 +85,7 @@ pub enum AdvisoryRanges {
     Ignored,
 }
 
-/// What a request is checked against, beside the spec.
+/// What a request is checked against, in addition to the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rules {
     /// Whether ranges are enforced that newer firmware has widened.
@@ -239,7 +239,7 @@ impl<'p> Place<'p> {
     pub fn no_gap(&'p self, elements: &[(&'static str, bool)]) -> Result<(), NotSent> {
         let given = elements.iter().rposition(|(_, is_given)| *is_given).unwrap_or_default();
         let Some((name, _)) = elements[..given].iter().find(|(_, is_given)| !is_given) else { return Ok(()) };
-        let allowed = "a value, since there is one behind it";
+        let allowed = "a value, since a later one is given";
         Err(self.inner(PlaceName::Field(name)).invalid("left out", allowed, false))
     }
 

@@ -11,7 +11,7 @@ use crate::wire::{Fields, Writer};
 /// Implemented by the generated requests. A client sends any of them through one method, so code can be generic over
 /// the command.
 pub trait Command: Fields + Validate {
-    /// What the controller answers beside its error code: a struct, or `()` where it answers nothing more.
+    /// What the controller answers in addition to its error code: a struct, or `()` where it answers nothing more.
     type Reply: Fields;
 
     /// What the spec says about the command.

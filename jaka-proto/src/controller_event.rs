@@ -7,7 +7,7 @@ use crate::messages::power::GetRobotStateReply;
 use crate::messages::status::RobotStatus;
 use crate::wire::{Decode as _, Reader, Typed};
 
-/// An event of the controller, told by its code in `errcode`: an error, a warning or information.
+/// An event of the controller, identified by its code in `errcode`: an error, a warning or information.
 ///
 /// A code that is not zero does not by itself mean that something is wrong: `0x10f0005` says that the robot is disabled. It
 /// may also be of an event that is over. The severity is looked up in a table made from the vendor's. The set of codes is open:
@@ -25,12 +25,12 @@ use crate::wire::{Decode as _, Reader, Typed};
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ControllerEvent(NonZeroU32);
 
-/// How grave a controller's event is.
+/// How severe a controller's event is.
 ///
 /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. Whether the arm is
 /// stopped, the other fields of the status packet say. For a program that waits for the end of a motion the rule is: an error
 /// ends the wait; a warning and information are reported and end nothing; an unknown event ends the wait only together with an
-/// arm at rest or a stop that the status packet tells of.
+/// arm at rest or a stop that the status packet shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Severity {
@@ -77,7 +77,7 @@ impl ControllerEvent {
         self.0.get()
     }
 
-    /// How grave the event is; [`Severity::Unknown`] for a code that the table does not have.
+    /// How severe the event is; [`Severity::Unknown`] for a code that the table does not have.
     pub fn severity(self) -> Severity {
         find(Self::SEVERITIES, self.code()).unwrap_or(Severity::Unknown)
     }
@@ -90,7 +90,7 @@ impl ControllerEvent {
     }
 }
 
-/// What the table says of the range that has the code.
+/// The table's entry for the range that has the code.
 fn find<T: Copy>(table: &[(u32, u32, T)], code: u32) -> Option<T> {
     let at = table.partition_point(|(_, last, _)| *last < code);
     let (first, _, found) = table.get(at)?;

@@ -6,7 +6,7 @@
 //! must be closed.
 //!
 //! A request is *sent* ([`Exchange::send`]): a thread waits for its reply, as a [`Waiter`]. Or it is *posted* ([`Exchange::post`]):
-//! nobody waits for its reply in particular, and the outcome is counted. A reply is read once, by the thread that reads the socket,
+//! no thread waits for its reply in particular, and the outcome is counted. A reply is read once, by the thread that reads the socket,
 //! as the type that this thread waits for. If it belongs to another thread, it is pending until that thread asks for it.
 //!
 //! ```
@@ -53,7 +53,7 @@ use self::sent::{Recipient, SentRequest, SentRequests};
 pub use self::waiter::{Failure, ReadReply, TextOnly, TypedReply, Waiter};
 use crate::envelope::Envelope;
 
-/// The requests of one command connection, and what became of them.
+/// The requests of one command connection, and their outcomes.
 ///
 /// No step's time grows with the number of requests that are outstanding.
 #[derive(Debug, Default)]
@@ -138,7 +138,7 @@ impl Exchange {
     /// Requests before the one that is answered have lost their replies, and fail with [`Failure::Lost`].
     ///
     /// # Errors
-    /// The reply belongs to no outstanding request, or it cannot be told to which.
+    /// The reply belongs to no outstanding request, or it is not certain to which.
     pub fn receive(
         &mut self,
         text: &str,
@@ -204,7 +204,7 @@ impl Exchange {
         Ok(())
     }
 
-    /// Nobody wants the reply to a request any more, though there was time for it: it will be discarded, or is if it is pending.
+    /// The reply to a request is no longer wanted, though there was time for it: it will be discarded, or is if it is pending.
     ///
     /// This does not suggest that a reply is lost. Where it is in doubt whose a reply was, that still matters to those whose deadline passes.
     pub fn abandon(&mut self, request: RequestId) {
@@ -223,7 +223,7 @@ impl Exchange {
         count
     }
 
-    /// What became of posted requests since this was last asked.
+    /// The outcomes of posted requests since this was last asked.
     pub fn take_posted_outcomes(&mut self) -> PostedOutcomes {
         self.posted.take_outcomes()
     }

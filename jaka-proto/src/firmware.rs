@@ -8,7 +8,7 @@ use crate::text::Visible;
 /// A version of a controller's firmware: one to four numbers, such as 1.6.5 or 1.7.1.46.
 ///
 /// Versions are ordered by their numbers: 1.5.14 is after 1.5.9, and 1.6 is just before 1.6.0. Read from the text of
-/// `get_version`, such as `1.6.5_01_X86` or `V1.7.0`: a `V` may stand before the numbers, and what stands behind them is
+/// `get_version`, such as `1.6.5_01_X86` or `V1.7.0`: a `V` may come before the numbers, and what comes after them is
 /// passed over.
 ///
 /// ```
@@ -83,7 +83,7 @@ fn numbers(text: &str) -> Option<FirmwareVersion> {
     }
 }
 
-/// A text that is no firmware version.
+/// A text that is not a firmware version.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct InvalidFirmwareVersion {
@@ -93,7 +93,7 @@ pub struct InvalidFirmwareVersion {
 
 impl fmt::Display for InvalidFirmwareVersion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is no firmware version such as 1.6.5_01_X86", Visible(&self.text))
+        write!(f, "`{}` is not a firmware version such as 1.6.5_01_X86", Visible(&self.text))
     }
 }
 

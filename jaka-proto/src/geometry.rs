@@ -31,7 +31,7 @@
 //! intrinsic XYZ.
 //!
 //! The document says "Euler angles" in the order x, y, z (section 4.16) and leaves open which axes these are. The vendor's
-//! SDK settles it: it calls the type `Rpy`, and its examples pair the angles -1.81826, -0.834253, -2.30243 rad with the
+//! SDK decides it: it calls the type `Rpy`, and its examples pair the angles -1.81826, -0.834253, -2.30243 rad with the
 //! quaternion 0.0629, 0.522886, -0.5592, 0.6453 (w first), which fits this order alone.
 //!
 //! # From an orientation to angles

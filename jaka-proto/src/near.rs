@@ -2,7 +2,7 @@
 
 use memchr::{memchr2, memchr3};
 
-/// Up to here eight bytes at a time beat a call of `memchr`.
+/// Up to this length eight bytes at a time are faster than a call of `memchr`.
 const NEAR: usize = 24;
 
 const ONES: u64 = 0x0101_0101_0101_0101;
@@ -27,7 +27,7 @@ pub(crate) fn plain_text(bytes: &[u8]) -> Option<usize> {
     let mut at = 0;
     while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()) {
         let eight = u64::from_le_bytes(*eight);
-        // A byte below 0x20 borrows, as does perhaps the one behind it.
+        // A byte below 0x20 borrows, and so perhaps does the one after it.
         let controls = eight.wrapping_sub(ONES << 5) & !eight & (ONES << 7);
         let found = marks(*b"\"\\", eight) | controls;
         if found != 0 {
@@ -41,7 +41,7 @@ pub(crate) fn plain_text(bytes: &[u8]) -> Option<usize> {
     (bytes[end] == b'"').then_some(end)
 }
 
-/// The highest bit of each of eight bytes that is wanted, and perhaps of some behind the first such.
+/// The highest bit of each of eight bytes that is wanted, and perhaps of some after the first such.
 #[inline]
 fn marks<const N: usize>(wanted: [u8; N], eight: u64) -> u64 {
     let found = wanted.iter().fold(0, |found, wanted| {
@@ -83,7 +83,7 @@ mod tests {
         }
 
         #[test]
-        fn it_is_found_behind_others(before in prop::collection::vec(any::<u8>(), 0..80), wanted in any::<[u8; 2]>()) {
+        fn it_is_found_after_others(before in prop::collection::vec(any::<u8>(), 0..80), wanted in any::<[u8; 2]>()) {
             let bytes: Vec<_> = before.into_iter().filter(|byte| !wanted.contains(byte)).chain([wanted[1]]).collect();
             prop_assert_eq!(first_of(wanted, &bytes), Some(bytes.len() - 1));
         }

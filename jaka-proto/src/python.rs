@@ -375,7 +375,7 @@ impl<'a> Transcoder<'a> {
         }
     }
 
-    /// Copies the point and the digits behind it; false if there is none.
+    /// Copies the point and the digits after it; false if there is none.
     fn fraction(&mut self) -> Result<bool, PythonError> {
         if !self.copy(b".") {
             return Ok(false);

@@ -25,7 +25,7 @@
 //!
 //! | key | meaning |
 //! |---|---|
-//! | `time` | seconds since `started`, with six digits behind the point |
+//! | `time` | seconds since `started`, with six digits after the point |
 //! | `port` | `command` or `status` |
 //! | `connection` | number of the connection, counted from 1 over both ports; 1 if absent |
 //! | `event` | what happened: see below |
@@ -36,7 +36,7 @@
 //! | `sent` | `text` or `hex`: a message to the controller |
 //! | `received` | `text` or `hex`: a message of the controller, or bytes that are none |
 //! | `closed` | `by`: `client`, `controller` or `failure`; `why`: in words |
-//! | `error` | `text`: an error that the program was told, in words |
+//! | `error` | `text`: an error that was reported to the program, as text |
 //! | `dropped` | `count`: how many entries of this connection are missing here, since the file could not be written as fast |
 //!
 //! Messages are kept exactly: as the string `text` where they are UTF-8, otherwise as `hex`, two hexadecimal digits for each
@@ -78,7 +78,7 @@ pub struct Recording {
     pub header: Header,
     /// All others, in the order of the file.
     pub entries: Vec<Entry>,
-    /// What is wrong with the last line, if the file ends within it, as after a crash. It is no entry.
+    /// What is wrong with the last line, if the file ends within it, as after a crash. It is not an entry.
     pub truncated: Option<RecordingError>,
 }
 
@@ -121,7 +121,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// An event on a connection, so long after the start of the recording.
+    /// An event on a connection, this long after the start of the recording.
     pub fn new(time: Duration, port: Port, connection: u32, event: Event) -> Self {
         Self { time: whole_microseconds(time), port, connection, event }
     }
@@ -163,7 +163,7 @@ pub enum Event {
     },
     /// A call failed, or no connection could be made.
     Error {
-        /// What the program was told.
+        /// The error that was reported to the program.
         text: String,
     },
     /// Entries of this connection are missing here, since the file could not be written as fast.

@@ -11,10 +11,10 @@ use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, read_message};
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Reply<'a, R> {
-    /// What the reply says beside its payload; `None` for a bare Python tuple, which says nothing else.
+    /// What the reply has in addition to its payload; `None` for a bare Python tuple, which has nothing else.
     pub envelope: Option<Envelope<'a>>,
     /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it was,
-    /// so that a refusal is never hidden behind a missing field.
+    /// so that a missing field never hides a refusal.
     pub payload: Option<Result<R, DecodeError>>,
 }
 

@@ -11,7 +11,7 @@ impl Request {
     /// Reads a request as it goes over the wire.
     ///
     /// # Errors
-    /// The text is no JSON object, names no command or one that the spec does not know, or a field does not fit.
+    /// The text is not a JSON object, names no command or one that the spec does not know, or a field does not fit.
     pub fn read(json: &str) -> Result<Self, RequestError> {
         let name = name(json).map_err(RequestError::Malformed)?.ok_or(RequestError::Nameless)?;
         let Some(request) = Self::read_named(&name, &mut Reader::new(json)) else {
@@ -87,7 +87,7 @@ fn name(json: &str) -> Result<Option<String>, DecodeError> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RequestError {
-    /// The text is no JSON object.
+    /// The text is not a JSON object.
     Malformed(DecodeError),
     /// The object has no `cmdName`.
     Nameless,
@@ -108,7 +108,7 @@ pub enum RequestError {
 impl fmt::Display for RequestError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Malformed(_) => f.write_str("the request is no JSON object"),
+            Self::Malformed(_) => f.write_str("the request is not a JSON object"),
             Self::Nameless => f.write_str("the request has no `cmdName`"),
             Self::Unknown { command } => write!(f, "the spec has no command `{command}`"),
             Self::Field { command, .. } => write!(f, "the request `{command}` does not fit the spec"),

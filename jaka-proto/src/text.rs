@@ -1,7 +1,7 @@
-//! Text of others, made fit to be shown.
+//! Text from outside, made safe to show.
 //!
-//! What a controller sends may hold anything: escape sequences that a terminal obeys, characters that reverse the text around
-//! them, line ends that forge a line of a log. Fields and raw messages keep such text as it is, since it is data. Whoever shows it
+//! What a controller sends may contain anything: escape sequences that a terminal obeys, characters that reverse the text around
+//! them, line ends that forge a line of a log. Fields and raw messages keep such text as it is, since it is data. Code that shows it
 //! passes it through here; the errors of this crate do so themselves.
 //!
 //! ```
@@ -55,7 +55,7 @@ pub fn visible_lines(text: &str) -> Cow<'_, str> {
 /// JSON in which every character of a string that is not [visible](is_visible) is escaped as JSON does it, so that it reads the
 /// same. White space between its parts stays.
 ///
-/// Also takes what is no JSON, which comes out as no JSON, and visible.
+/// Also takes text that is not JSON, which stays text that is not JSON, and becomes visible.
 pub fn visible_json(text: &str) -> Cow<'_, str> {
     escaped_json(text, |white| white)
 }
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_hidden_is_what_nobody_sees() {
+    fn what_is_hidden_is_what_is_invisible() {
         for c in ('\0'..=char::MAX).filter(|&c| !is_visible(c)) {
             assert!(c.escape_debug().len() > 1, "{c:?}");
         }

@@ -35,7 +35,7 @@ pub trait Fields: Sized {
     /// Reads the whole object. Keys that the type does not know are skipped.
     ///
     /// # Errors
-    /// A field is missing or does not fit its type, or the text is no JSON object.
+    /// A field is missing or does not fit its type, or the text is not a JSON object.
     fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
 
     /// The value without any field; `None` if a field is required.

@@ -89,6 +89,6 @@ fn what_only_newer_firmware_takes_is_let_through_on_request() {
     assert_eq!(output(DigitalOutputKind::Profinet).check(AdvisoryRanges::Ignored), Ok(()));
     assert_eq!(output(DigitalOutputKind::Tool).check(AdvisoryRanges::Enforced), Ok(()));
     assert!(output(DigitalOutputKind::Other(99)).check(AdvisoryRanges::Ignored).is_err());
-    // A range that is no advice holds in any case.
+    // A range that is not advisory holds in any case.
     assert!(SetRapidRate::new(1.5).check(AdvisoryRanges::Ignored).is_err());
 }

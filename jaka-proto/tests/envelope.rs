@@ -20,7 +20,7 @@ fn the_parts_of_an_envelope() {
 }
 
 #[test]
-fn a_name_or_message_that_is_no_text_is_absent() {
+fn a_name_or_message_that_is_not_text_is_absent() {
     let envelope = Envelope::read(r#"{"cmdName": 7, "errorMsg": ["?"], "errorCode": "0"}"#).expect("it is an object");
     assert_eq!((envelope.command, &*envelope.message), (None, ""));
     let envelope = Envelope::read("{}").expect("it is an object");
@@ -28,7 +28,7 @@ fn a_name_or_message_that_is_no_text_is_absent() {
 }
 
 #[test]
-fn what_is_no_object_throughout_has_no_envelope() {
+fn what_is_not_an_object_throughout_has_no_envelope() {
     for json in
         ["", "7", "[]", "{", r#"{"errorCode": 0"#, r#"{"errorCode": 0} x"#, r#"{"x": nope}"#, r#"{"cmdName": x}"#]
     {
@@ -99,7 +99,7 @@ fn keys_that_come_twice_and_say_the_same_are_believed() {
 }
 
 #[test]
-fn two_names_are_none_and_two_messages_are_both_told() {
+fn two_names_are_none_and_two_messages_are_both_reported() {
     let keys = r#""errorCode": "2", "errorMsg": "a", "errorMsg": "b", "cmdName": "jog", "cmdName": "get_joint_pos""#;
     for json in both_ways(keys) {
         let envelope = Envelope::read_odd(&json).expect("it is an object");
@@ -130,7 +130,7 @@ fn an_odd_reply_is_read_as_far_as_its_envelope_can_be() {
 }
 
 #[test]
-fn a_payload_is_read_beside_what_is_odd_and_never_out_of_it() {
+fn a_payload_is_read_next_to_what_is_odd_and_never_out_of_it() {
     let read = |x: &str, joints: &str| {
         let json = format!(r#"{{"x": {x}, "errorCode": "0", "cmdName": "get_joint_pos", "joint_pos": {joints}}}"#);
         read_reply::<GetJointPosReply>(GetJointPos::INFO, &json).expect(&json).payload.expect("it is accepted")
@@ -149,7 +149,7 @@ fn a_payload_is_read_beside_what_is_odd_and_never_out_of_it() {
 }
 
 #[test]
-fn what_is_no_object_by_its_brackets_has_no_envelope() {
+fn what_is_not_an_object_by_its_brackets_has_no_envelope() {
     for json in [
         "",
         "7",

@@ -256,7 +256,7 @@ fn posted_requests_are_given_up_from_the_oldest() {
 }
 
 #[test]
-fn what_is_pending_for_nobody_is_dropped() {
+fn what_is_pending_for_no_waiter_is_dropped() {
     let mut exchange = Exchange::default();
     for drop in [Exchange::abandon, Exchange::discard_pending] {
         let a = send(&mut exchange, "a");

@@ -25,8 +25,8 @@ fn versions_as_controllers_write_them() {
 #[test]
 fn texts_that_are_no_versions() {
     for text in ["", "V", "X64", "_1.7", ".7", "-1.7", "1.7.1.46.2", "1.4294967296", "version 1.7", "１.７"] {
-        let error = text.parse::<FirmwareVersion>().expect_err("it is no version");
-        assert_eq!(error.to_string(), format!("`{text}` is no firmware version such as 1.6.5_01_X86"));
+        let error = text.parse::<FirmwareVersion>().expect_err("it is not a version");
+        assert_eq!(error.to_string(), format!("`{text}` is not a firmware version such as 1.6.5_01_X86"));
     }
 }
 
@@ -160,7 +160,7 @@ fn without_a_known_firmware_all_is_sent() {
     let request = SetFan { curve: Some(FanCurve { quiet: Some(true) }), ..SetFan::default() };
     assert_eq!(request.check(AdvisoryRanges::Enforced), Ok(()));
     assert_eq!(request.check(Rules::default()), Ok(()));
-    // What the spec forbids is refused all the same.
+    // What the spec forbids is still refused.
     let request = SetFan { delay: -1.0, ..request };
     assert!(matches!(request.check(Rules::default()), Err(NotSent::InvalidArgument(_))));
 }

@@ -9,20 +9,23 @@ use jaka_proto::{Command, Envelope, read_payload, read_reply};
 /// Packets each with a field that does not fit, and perhaps `len`, which is 7 or does not fit.
 const UNFIT: [(&str, &str); 21] = [
     (r#"{"len": 7, "din": [0, 2]}"#, "field `digital_inputs[1]`: expected a truth value, found `2`"),
-    (r#"{"din": [0,], "len": 7}"#, "field `digital_inputs`: no JSON: expected a value behind the comma at byte 11"),
-    (r#"{"len": 7, "din": [0 1]}"#, "field `digital_inputs`: no JSON: expected `,` or `]` at byte 21"),
+    (r#"{"din": [0,], "len": 7}"#, "field `digital_inputs`: not JSON: expected a value after the comma at byte 11"),
+    (r#"{"len": 7, "din": [0 1]}"#, "field `digital_inputs`: not JSON: expected `,` or `]` at byte 21"),
     (r#"{"len": 1, "len": 2}"#, "field `length`: the key appears twice"),
     (r#"{"len": 1, "len": null}"#, "field `length`: the key appears twice"),
     (r#"{"len": "?", "len": 7}"#, "field `length`: expected a whole number, found `\"?\"`"),
     (r#"{"len": 7, "len": 7, "len": 7}"#, "field `length`: the key appears twice"),
     (r#"{"errmsg": 7, "len": 7}"#, "field `error_message`: expected a string, found `7`"),
     (r#"{"errmsg": "once", "errmsg": "twice", "len": 7}"#, "field `error_message`: the key appears twice"),
-    (r#"{"errmsg": "\ud83d", "len": 7}"#, "field `error_message`: no JSON: expected valid escapes in a string"),
+    (r#"{"errmsg": "\ud83d", "len": 7}"#, "field `error_message`: not JSON: expected valid escapes in a string"),
     (
         r#"{"actual_position": [1, 2, 3, 4, 5, 6, 7], "len": 7}"#,
         "field `actual_position`: expected the end of the array",
     ),
-    (r#"{"actual_position": [1, 2, 3, NaN, 5, 6], "len": 7}"#, "field `actual_position.rx`: no JSON: expected a value"),
+    (
+        r#"{"actual_position": [1, 2, 3, NaN, 5, 6], "len": 7}"#,
+        "field `actual_position.rx`: not JSON: expected a value",
+    ),
     (r#"{"ain": [1, 2, "three"], "len": 7}"#, "field `analog_inputs[2]`: expected a number, found `\"three\"`"),
     (r#"{"len": 7, "rapidrate": "100%"}"#, "field `rapid_rate`: expected a number, found `\"100%\"`"),
     (r#"{"len": 7, "drag_status": 2}"#, "field `drag_status`: expected a truth value, found `2`"),
@@ -30,11 +33,11 @@ const UNFIT: [(&str, &str); 21] = [
         r#"{"len": 7, "drag_status": {"new": [{}, "}"]}}"#,
         "field `drag_status`: expected a truth value, found `{\"new\"",
     ),
-    (r#"{"protective_stop": 0x1, "len": 7}"#, "field `protective_stop`: no JSON: expected `,` or `}`"),
-    (r#"{"protective_stop": 1x, "len": 7}"#, "field `protective_stop`: no JSON: expected `,` or `}`"),
-    (r#"{"protective_stop": True , "len": 7}"#, "field `protective_stop`: no JSON: expected a value"),
+    (r#"{"protective_stop": 0x1, "len": 7}"#, "field `protective_stop`: not JSON: expected `,` or `}`"),
+    (r#"{"protective_stop": 1x, "len": 7}"#, "field `protective_stop`: not JSON: expected `,` or `}`"),
+    (r#"{"protective_stop": True , "len": 7}"#, "field `protective_stop`: not JSON: expected a value"),
     (r#"{"protective_stop": nullx, "len": 7}"#, "field `protective_stop`: expected a truth value, found `null`"),
-    (r#"{"rapidrate": Infinity, "len": 7}"#, "field `rapid_rate`: no JSON: expected a value"),
+    (r#"{"rapidrate": Infinity, "len": 7}"#, "field `rapid_rate`: not JSON: expected a value"),
 ];
 
 /// Packets that differ in everything that can be used again.
@@ -91,7 +94,7 @@ fn errors_over_a_packet_are_the_same() {
 }
 
 #[test]
-fn a_field_that_does_not_fit_is_absent_and_told_and_the_packet_stays() {
+fn a_field_that_does_not_fit_is_absent_and_reported_and_the_packet_stays() {
     let full = RobotStatus::decode(&mut Reader::new(FULL)).expect("it is one");
     for (packet, expected) in UNFIT {
         for before in [RobotStatus::default(), full.clone()] {
@@ -115,7 +118,7 @@ fn a_field_that_does_not_fit_is_absent_and_told_and_the_packet_stays() {
 const FULL: &str = r#"{"len": 1, "din": [1], "errmsg": "text", "actual_position": [1, 2, 3, 4, 5, 6], "ain": [1, 2],
     "rapidrate": 1, "drag_status": 1, "protective_stop": 0, "extio": {"mode": 1}}"#;
 
-/// What tests say of packets.
+/// What tests say about packets.
 trait WithLength {
     fn with_length(length: Option<i64>) -> Self;
 }
@@ -129,7 +132,7 @@ impl WithLength for RobotStatus {
 }
 
 #[test]
-fn several_fields_that_do_not_fit_are_each_told_once() {
+fn several_fields_that_do_not_fit_are_each_reported_once() {
     let packet = r#"{"rapidrate": "100%", "protective_stop": 1, "drag_status": 2, "unknown": NaN, "drag_status": 1}"#;
     let mut reader = Reader::new(packet);
     let status = RobotStatus::decode(&mut reader).expect("it is an object");

@@ -221,7 +221,7 @@ fn extension_modules_in_both_forms() {
 }
 
 #[test]
-fn text_that_is_no_json_is_told_from_json_of_another_shape() {
+fn text_that_is_not_json_is_distinguished_from_json_of_another_shape() {
     for json in ["", "{", "{\"a\"}", "{\"a\":}", "{\"a\":1,}", "{\"a\":01x}", "{a:1}", "{\"a\":tru}", "{\"a\":\"\\x\"}"]
     {
         assert!(Envelope::read(json).is_err_and(|error| error.is_malformed()), "{json}");
@@ -273,7 +273,7 @@ fn commas_stand_between_elements_and_nowhere_else() {
     }
     for json in ["[1,]", "[1, ]", "[1,  ]", "[1,\n]", "[1, \n]", "[\"1\",]", "[\"1\", ]"] {
         let error = Reader::new(json).skip().expect_err(json).to_string();
-        assert!(error.contains("a value behind the comma"), "{json}: {error}");
+        assert!(error.contains("a value after the comma"), "{json}: {error}");
     }
     for inside in [r#","a":1"#, r#", "a":1"#, r#""a":1,"#, r#""a":1, "#, r#""a":1,,"b":2"#, r#""a":1 "b":2"#] {
         let json = format!("{{{inside}}}");

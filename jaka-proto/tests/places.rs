@@ -83,7 +83,7 @@ fn an_array_with_places_has_neither_fewer_nor_more_elements() {
     assert_eq!(words::<Pose>("[1,2,3,4,5]"), "field `rz`: the element is missing");
     assert_eq!(words::<Pose>("[1,2,3,4,5,null]"), "field `rz`: the element is missing");
     assert_eq!(words::<Pose>("[1,2,3,4,5,6,7]"), "expected the end of the array, found `7`");
-    assert_eq!(words::<Pose>("[1,2,3,4,5,6 7]"), "no JSON: expected `,` or `]` at byte 13, found `7]`");
+    assert_eq!(words::<Pose>("[1,2,3,4,5,6 7]"), "not JSON: expected `,` or `]` at byte 13, found `7]`");
 }
 
 #[test]

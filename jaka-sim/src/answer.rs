@@ -30,7 +30,7 @@ use serde_json::{Map, Value};
 use crate::spec_index::{CommandEntry, SpecIndex, usual_refusal};
 use crate::world::{Change, Wait, World};
 
-/// What a topic made of a request.
+/// How a topic dealt with a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     /// The reply is written.
@@ -41,7 +41,7 @@ enum Outcome {
     Unhandled,
 }
 
-/// What follows a request, other than its reply at once.
+/// What follows a request, other than its immediate reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sequel {
     Nothing,
@@ -49,7 +49,7 @@ pub(crate) enum Sequel {
     Wait(Wait),
     /// The connection ends with the reply.
     SessionEnd,
-    /// Both ports' connections end with the reply.
+    /// The connections of both ports end with the reply.
     Shutdown,
 }
 
@@ -101,12 +101,12 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
     Sequel::Nothing
 }
 
-/// Puts what a user wants to be answered into the reply to an accepted command.
+/// Puts the user's own fields into the reply to an accepted command.
 pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
     pack::put(fields, out);
 }
 
-/// None of the commands that have one is ever refused.
+/// The commands that have one are never refused.
 fn sequel(request: &Request, spec_index: &SpecIndex, world: &World) -> Sequel {
     match request {
         Request::WaitComplete(_) => after(Wait::Rest(None), world),

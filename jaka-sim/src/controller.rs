@@ -32,7 +32,7 @@ impl Controller {
     /// Starts a controller with the usual options.
     ///
     /// # Errors
-    /// A port or a thread cannot be had.
+    /// A port cannot be opened, or a thread cannot be started.
     pub fn start() -> io::Result<Self> {
         Self::builder().start()
     }
@@ -207,10 +207,10 @@ impl Builder {
     /// Starts the controller.
     ///
     /// # Errors
-    /// A port or a thread cannot be had, or a program or a pack cannot be read.
+    /// A port cannot be opened, a thread cannot be started, or a program or a pack cannot be read.
     pub fn start(self) -> io::Result<Controller> {
         let shared = Arc::new(Shared::new(self)?);
-        // If the second thread cannot be had, dropping this ends the first.
+        // If the second thread cannot be started, dropping this ends the first.
         let mut controller = Controller { shared, commands: None, status: None };
         controller.commands = Some(controller.spawn(command_port::run)?);
         controller.status = Some(controller.spawn(status_port::run)?);

@@ -8,7 +8,7 @@ pub use self::text::HabitError;
 
 /// Something that some real controllers do, and that a client must handle.
 ///
-/// [`Builder::habits`](crate::Builder::habits) has a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
+/// [`Builder::habits`](crate::Builder::habits) makes a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
 /// `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time that is left out is that of
 /// [`one_of_each`](Self::one_of_each).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -18,12 +18,12 @@ pub enum Habit {
     ///
     /// What waits for the arm to be in position alone takes the first motion's end for the last one's.
     Pause(Duration),
-    /// `get_joint_pos`, `get_tcp_pos` and the commanded positions of status packets are those that the arm will have so much later.
+    /// `get_joint_pos`, `get_tcp_pos` and the commanded positions of status packets are those that the arm will have this much later.
     /// `lead 16ms` as a text.
     ///
     /// At rest they are where the arm is. At 5 deg/s, 16 ms are 0.08 deg.
     Lead(Duration),
-    /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for so long in the controller's time, whichever
+    /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for this long in the controller's time, whichever
     /// is the sooner. `late-queries` or `late-queries 2s` as a text.
     ///
     /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests are carried out.

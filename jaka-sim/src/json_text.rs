@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn text_that_is_no_json_does_no_harm() {
+    fn text_that_is_not_json_does_no_harm() {
         for text in ["", "\"", "\"\\", "\"\\é", "é,é", "\"é", ",", "(1, 2)", "\\\"", "\u{a0},"] {
             respace(text, Separators::Spaced);
             assert_eq!((members(text), elements(text)), (None, None), "{text}");

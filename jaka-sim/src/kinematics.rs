@@ -16,7 +16,7 @@
 //! Y, then Z, which is what the document's "Euler angles, order XYZ" (section 4.16) means. Evidence: the vendor's SDK
 //! names the type `Rpy` (`jktypes.h`) and its C and C++ examples pair rpy -1.81826, -0.834253, -2.30243 rad with
 //! joints 0.558, 0.872, 0.872, 0.349, 0.191, 0.191 rad and the quaternion 0.0629, 0.522886, -0.5592, 0.6453; both fit
-//! this order alone. `tests::conventions` holds them.
+//! this order alone. `tests::conventions` has both.
 //!
 //! # Invariant
 //! No input makes a function here panic, and [`Model::inverse`] returns nothing that [`Model::forward`] does not

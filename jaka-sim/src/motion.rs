@@ -47,7 +47,7 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// An engine that rests for so long between two motions of the queue.
+    /// An engine that rests for this long between two motions of the queue.
     pub(crate) fn new(pause: Duration) -> Self {
         Self { pause, ..Self::default() }
     }
@@ -101,7 +101,7 @@ impl Engine {
         self.busy
     }
 
-    /// Where the arm will be so much later, in whole cycles, if nothing is commanded meanwhile.
+    /// Where the arm will be this much later, in whole cycles, if nothing is commanded meanwhile.
     pub(crate) fn ahead(&self, joints: Joints, time: Duration, rate: f64, model: &Model) -> Joints {
         if time < CYCLE {
             return joints;

@@ -178,7 +178,7 @@ impl ReplaySession {
         lock(&self.progress).deviations.clone()
     }
 
-    /// Waits until there are so many deviations in all; false where there are not in time.
+    /// Waits until there are this many deviations in all; false where there are not in time.
     pub(crate) fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
         let enough = |progress: &Progress| progress.deviations.len() >= count;
         enough(&wait(&self.deviated, lock(&self.progress), timeout, enough))

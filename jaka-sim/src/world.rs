@@ -36,7 +36,7 @@ pub(crate) struct World {
     pub(crate) identifying: bool,
     pub(crate) delays: Delays,
     pub(crate) habits: Habits,
-    /// What events have been told of.
+    /// The states of which events have been sent.
     seen: Reported,
     changes: Vec<(Duration, Change)>,
     now: Duration,

@@ -215,7 +215,7 @@ fn what_the_controller_cannot_carry_out_is_refused() {
 }
 
 #[test]
-fn what_is_no_command_is_unknown() {
+fn what_is_not_a_command_is_unknown() {
     let controller = fresh();
     let mut peer = Peer::commands(&controller);
     for text in ["{\"cmdName\":\"fly\"}", "{}", "{\"a\":1}", "{\"cmdName\":3}", "{'a'}", "{{}}", "(1,2)"] {

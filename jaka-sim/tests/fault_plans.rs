@@ -97,7 +97,7 @@ fn chance_can_be_repeated() {
 }
 
 #[test]
-fn chance_leaves_what_is_no_fault() {
+fn chance_leaves_what_is_not_a_fault() {
     let (_controller, mut peer) = with(FaultPlan::random(3).one_in(2, [Fault::Pieces(vec![1, 2]), Fault::Twice]));
     let mut replies = 0;
     for _ in 0..50 {

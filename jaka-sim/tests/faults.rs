@@ -147,7 +147,7 @@ fn a_connection_may_end_in_place_of_a_reply_or_in_it() {
         assert_accepted(&peer.call("power_on"), "power_on");
         peer.send(request(PAYLOAD));
         let mut rest = Vec::new();
-        peer.stream.read_to_end(&mut rest).expect("the end is no error");
+        peer.stream.read_to_end(&mut rest).expect("the end is not an error");
         assert_eq!(rest, &reply.as_bytes()[..count]);
         assert_eq!(controller.requests().len(), 2);
         assert_accepted(&Peer::commands(&controller).call(PAYLOAD), PAYLOAD);

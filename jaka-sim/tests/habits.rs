@@ -141,7 +141,7 @@ fn commanded_positions_lead_while_the_arm_moves() {
 
 /// Asserts that no reply comes yet. The controller has had its chance to send one.
 fn assert_silent(controller: &Controller, peer: &Peer) {
-    // This waits for whoever is about to send a reply.
+    // This waits for a thread that is about to send a reply.
     controller.release();
     peer.stream.set_nonblocking(true).expect("an option can be set");
     let peeked = peer.stream.peek(&mut [0]).map_err(|error| error.kind());
@@ -158,7 +158,7 @@ fn queries_are_answered_when_the_arm_is_at_rest() {
     peer.send(request("get_joint_pos") + &request("is_in_servomove"));
     assert!(controller.wait_for_requests(4, LIMIT));
     assert_silent(&controller, &peer);
-    // What is no query is carried out at once, and answered behind.
+    // A request that is not a query is carried out immediately, and answered afterwards.
     peer.send(request("stop_program"));
     assert!(controller.wait_for_requests(5, LIMIT));
     assert_silent(&controller, &peer);
@@ -415,7 +415,7 @@ fn information_is_put_into_the_error_code() {
 }
 
 #[test]
-fn each_start_of_a_program_is_told_also_when_the_one_before_has_ended_by_itself() {
+fn each_start_of_a_program_is_an_event_also_when_the_one_before_has_ended_by_itself() {
     let (controller, mut peer) = with(Habit::Events);
     for _ in 0..2 {
         assert_accepted(&peer.call("play_program"), "play_program");

@@ -171,7 +171,7 @@ fn a_status_reader_that_never_reads() {
     controller.status_fault(StatusFault::None);
     assert_well(&controller, before);
     drop(controller);
-    let all = read.join().expect("nothing fails there").expect("the end is no error");
+    let all = read.join().expect("nothing fails there").expect("the end is not an error");
     assert!(all > 100 << 20);
     assert!(peer.read_to_end().len() < 100 << 20);
 }

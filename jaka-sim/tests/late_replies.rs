@@ -75,7 +75,7 @@ fn a_connection_may_end_late() {
 }
 
 #[test]
-fn nobody_waits_for_a_late_reply() {
+fn no_thread_waits_for_a_late_reply() {
     let ends: [fn(Controller, Peer); 4] = [
         |controller, mut peer| {
             drop(controller);

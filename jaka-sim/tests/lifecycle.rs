@@ -9,7 +9,7 @@ use jaka_sim::{Controller, Fault};
 
 #[test]
 fn dropping_ends_all_and_frees_the_ports() {
-    // A period and a client that nobody could wait for.
+    // A period and a client for which a test could not wait.
     let controller = Controller::builder().status_period(Duration::from_secs(3600)).start().expect("there are ports");
     let addresses = [controller.command_addr(), controller.status_addr()];
     let mut commands = Peer::commands(&controller);

@@ -134,7 +134,7 @@ fn replies_are_held_and_requests_are_carried_out() {
     commands.send(request("power_on"));
     assert!(controller.wait_for_requests(2, LIMIT));
     assert!(controller.state().powered);
-    // Unasked bytes go behind, and a fault of a reply is one on a link, too.
+    // Unsolicited bytes come after it, and a fault of a reply works on a link, too.
     controller.inject(Fault::Nameless);
     commands.send(request("get_version"));
     assert!(controller.wait_for_requests(3, LIMIT));
@@ -286,7 +286,7 @@ fn new_connections_are_held_as_well() {
 }
 
 #[test]
-fn the_end_of_a_connection_is_held_behind_its_last_bytes() {
+fn the_end_of_a_connection_is_held_after_its_last_bytes() {
     let (controller, mut commands, _status) = connected();
     controller.link(Port::Command).to_client().hold();
     commands.send(request("quit"));
@@ -367,7 +367,7 @@ fn a_half_open_connection_obeys_its_link() {
 }
 
 #[test]
-fn nobody_waits_for_a_link() {
+fn no_thread_waits_for_a_link() {
     let faults = [LinkFault::Hold, LinkFault::Cut, LinkFault::Delay(Duration::MAX), LinkFault::Slow(0)];
     let ends: [fn(Controller); 2] = [drop, |controller| controller.disconnect()];
     for fault in faults {

@@ -84,7 +84,7 @@ fn wait_complete_is_answered_when_the_motion_has_ended() {
     peer.send(request("wait_complete"));
     assert!(controller.wait_for_requests(2, LIMIT));
     controller.advance(Duration::from_secs(1));
-    // This waits for whoever is about to send a reply.
+    // This waits for a thread that is about to send a reply.
     controller.release();
     peer.stream.set_nonblocking(true).expect("an option can be set");
     let early = peer.stream.peek(&mut [0]).expect_err("the arm still moves");

@@ -179,7 +179,7 @@ fn packets_come_by_themselves() {
 }
 
 #[test]
-fn a_reader_who_does_not_read_is_dropped_and_delays_nobody() {
+fn a_reader_who_does_not_read_is_dropped_and_delays_no_other() {
     // More than the kernel takes for a reader who does not read.
     const MUCH: usize = 64 << 20;
     let controller = fresh();

@@ -1,4 +1,4 @@
-//! Requests however they come, and clients whoever they are.
+//! Requests in pieces of any size, and clients of any kind.
 
 use std::io::{ErrorKind, Write};
 
@@ -64,7 +64,7 @@ fn a_request_may_wait_for_its_end() {
 }
 
 #[test]
-fn a_newcomer_takes_the_seat() {
+fn a_new_client_replaces_the_active_one() {
     let controller = fresh();
     let mut old = Peer::commands(&controller);
     assert_accepted(&old.call("power_on"), "power_on");
@@ -92,7 +92,7 @@ fn a_newcomer_is_refused() {
 }
 
 #[test]
-fn the_seat_is_free_when_the_client_sees_the_end() {
+fn the_port_is_free_when_the_client_sees_the_end() {
     let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
     for fault in [jaka_sim::Fault::Close, jaka_sim::Fault::CloseAfter(9), jaka_sim::Fault::Reset] {
         for _ in 0..20 {
@@ -106,13 +106,13 @@ fn the_seat_is_free_when_the_client_sees_the_end() {
 }
 
 #[test]
-fn garbage_is_answered_as_what_is_no_command() {
+fn garbage_is_answered_like_an_unknown_command() {
     let controller = fresh();
     for garbage in [&b"hello\n"[..], b"\0\0\0", b"]", b"\xff\xfe", b"\"{\"", b"GET / HTTP/1.1\r\n\r\n"] {
         let mut peer = Peer::commands(&controller);
         peer.send(garbage);
         assert_unknown(&json(&peer.receive()));
-        // The next request is found behind it; what looks like a request in it is for the framer to say.
+        // The next request is found after it; whether something in it looks like a request is up to the framer.
         if !garbage.contains(&b'{') {
             peer.send(request("get_version"));
             assert_accepted(&json(&peer.receive()), "get_version");

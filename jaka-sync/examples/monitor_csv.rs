@@ -16,7 +16,7 @@ use jaka_sync::motion::JointMove;
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{Client, Config, Monitor, Snapshot};
 
-/// A second of packets at the rate of the fastest firmware: standard output may be slow for so long.
+/// A second of packets at the rate of the fastest firmware: standard output may be slow for this long.
 const CAPACITY: usize = 125;
 
 fn main() -> ExitCode {

@@ -26,7 +26,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ports_are_told_from_parts_of_addresses() {
+    fn ports_are_distinguished_from_parts_of_addresses() {
         for (address, expected) in [
             ("10.5.5.100", false),
             ("10.5.5.100:10001", true),

@@ -52,7 +52,7 @@ use crate::{Config, Disconnect, Error};
 #[derive(Debug)]
 pub(crate) struct Link {
     tap: Tap,
-    /// How long a command may take to go out where nobody says how long its reply may take.
+    /// How long a command may take to go out if no time for its reply is given.
     reply_timeout: Duration,
     state: Mutex<State>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
@@ -148,7 +148,7 @@ impl Link {
         Ok(Sent { request, command: outgoing.command, since: outgoing.since, timeout: outgoing.timeout })
     }
 
-    /// Sends some of so many commands of one name in one write, at least one, and says how many, and how many posted commands
+    /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted commands
     /// are outstanding. `write` writes the request with an index.
     pub(crate) fn post(
         &self,
@@ -188,7 +188,7 @@ impl Link {
     pub(crate) fn close(&self) {
         let mut state = self.lock();
         if state.broken.is_none() {
-            // Bytes that nobody has read would turn the end into a reset. A logger's panic must not meet another one here.
+            // Unread bytes would turn the close into a reset. A logger's panic must not meet another one here.
             if !std::thread::panicking() {
                 let _ = self.attribute_arrived(&mut state);
             }

@@ -32,7 +32,7 @@
 /// ```
 ///
 /// A pack can also change what the built-in spec has: `[[extend]]` adds fields to a command or a type, such as keys to the
-/// status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or settles what sources dispute. The
+/// status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or decides what sources dispute. The
 /// module then has messages of its own for each command that is changed by it. Their methods bear the module's name, such as
 /// `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is read by a
 /// `Monitor<newer::RobotStatus>`. The format is described with

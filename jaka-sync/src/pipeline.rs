@@ -66,7 +66,7 @@ impl<'c> Pipeline<'c> {
     /// # Errors
     /// - [`InvalidArgument`](ErrorKind::InvalidArgument), [`NotInFirmware`](ErrorKind::NotInFirmware): as [`Client::call`].
     /// - [`Refused`](ErrorKind::Refused), [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost),
-    ///   [`UnexpectedReply`](ErrorKind::UnexpectedReply): what became of an earlier command, which the error names. Each is reported
+    ///   [`UnexpectedReply`](ErrorKind::UnexpectedReply): the outcome of an earlier command, which the error names. Each is reported
     ///   once.
     /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have run.
     /// - [`NotSentInTime`](ErrorKind::NotSentInTime): the controller accepted or answered too little in time for this command to be sent.
@@ -157,7 +157,7 @@ impl<'c> Pipeline<'c> {
 
 impl Drop for Pipeline<'_> {
     fn drop(&mut self) {
-        // Only `finish` reports what became of the others.
+        // Only `finish` reports the outcomes of the others.
         drop(self.client.link().forget_posted());
     }
 }

@@ -85,7 +85,7 @@ struct Shared {
     thread: Option<JoinHandle<()>>,
 }
 
-/// What became of a recording.
+/// The outcome of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct RecorderReport {
@@ -101,7 +101,7 @@ impl Recorder {
     /// Records to a new file; one that exists is overwritten.
     ///
     /// # Errors
-    /// The file cannot be made, or a thread cannot be had.
+    /// The file cannot be made, or a thread cannot be started.
     pub fn create(path: impl AsRef<Path>) -> io::Result<Self> {
         Self::new(File::create(path)?)
     }
@@ -109,7 +109,7 @@ impl Recorder {
     /// Records to any writer, which is flushed whenever all that has been recorded is written.
     ///
     /// # Errors
-    /// A thread cannot be had.
+    /// A thread cannot be started.
     pub fn new(writer: impl Write + Send + 'static) -> io::Result<Self> {
         let (queue, started) = (Arc::new(Queue::new(LIMIT)), Instant::now());
         let theirs = Arc::clone(&queue);

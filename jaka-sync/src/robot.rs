@@ -33,7 +33,7 @@ use self::wait::{Grace, Wait};
 use crate::ErrorKind;
 use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 
-/// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for what comes of them.
+/// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -184,7 +184,7 @@ impl Robot {
         match sent {
             Ok(()) => self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin),
             Err(error) => {
-                // It can be waited for all the same.
+                // It can still be waited for.
                 if error.may_have_run() {
                     self.accepted(Goal::Unknown, begin);
                 }

@@ -1,4 +1,4 @@
-//! One TOML table being read: typed access to its keys, and an error for each key nobody asked for.
+//! One TOML table being read: typed access to its keys, and an error for each unknown key.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;

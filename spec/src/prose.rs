@@ -1,8 +1,8 @@
 //! Text of a spec or of a pack as prose: Markdown in which nothing becomes code, HTML, a link or a table.
 //!
 //! A pack is somebody else's text, perhaps with a controller's own words in it, and rustdoc runs what it takes for code as a test of
-//! whoever compiles the pack. So paragraphs, headings, lists, emphasis and code spans are kept, and what Markdown could take for more
-//! loses its meaning by a backslash. Nothing is indented so far that it would be code, and characters that nobody sees are escapes.
+//! the user who compiles the pack. So paragraphs, headings, lists, emphasis and code spans are kept, and what Markdown could take for more
+//! loses its meaning by a backslash. Nothing is indented so far that it would be code, and invisible characters are escapes.
 
 use std::fmt::Write;
 use std::ops::RangeInclusive;
@@ -88,7 +88,7 @@ fn prose_line(line: &str, target: &impl Fn(&str) -> Option<String>) -> String {
             '~' => push_run(&mut out, rest, '~', 2),
             '\\' => push_escaped(&mut out, rest),
             ' ' => {
-                // Behind the mark of a list, more of them would begin code.
+                // After the mark of a list, more of them would begin code.
                 out.push(' ');
                 rest.trim_start_matches(' ')
             }
@@ -107,9 +107,9 @@ fn prose_line(line: &str, target: &impl Fn(&str) -> Option<String>) -> String {
 /// A code span as it is or as a link, or backticks that are not part of one. Gives what follows.
 fn push_backticks<'t>(out: &mut String, text: &'t str, target: &impl Fn(&str) -> Option<String>) -> &'t str {
     let len = run(text, '`');
-    let behind = &text[len..];
+    let rest = &text[len..];
     // A span that ends in another line would have other partners there.
-    let end = (len < 3).then(|| closing(behind, len)).flatten();
+    let end = (len < 3).then(|| closing(rest, len)).flatten();
     let Some(end) = end else { return push_run(out, text, '`', 0) };
     let (span, rest) = text.split_at(len + end);
     // After an exclamation mark a link would be an image.
@@ -118,7 +118,7 @@ fn push_backticks<'t>(out: &mut String, text: &'t str, target: &impl Fn(&str) ->
     rest
 }
 
-/// The end of a code span: behind the next run of exactly so many backticks.
+/// The end of a code span: after the next run of exactly that many backticks.
 fn closing(text: &str, len: usize) -> Option<usize> {
     let mut at = 0;
     while let Some(found) = text[at..].find('`') {
@@ -132,7 +132,7 @@ fn closing(text: &str, len: usize) -> Option<usize> {
     None
 }
 
-/// A run of a character, each behind a backslash where there are more than `most`. Gives what follows.
+/// Writes a run of a character, each after a backslash where there are more than `most`. Returns the rest.
 fn push_run<'t>(out: &mut String, text: &'t str, c: char, most: usize) -> &'t str {
     let len = run(text, c);
     for _ in 0..len {
@@ -156,8 +156,8 @@ fn run(text: &str, c: char) -> usize {
     text.len() - text.trim_start_matches(c).len()
 }
 
-fn begins_html(behind: &str) -> bool {
-    behind.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '/' | '!' | '?'))
+fn begins_html(rest: &str) -> bool {
+    rest.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '/' | '!' | '?'))
 }
 
 #[cfg(test)]

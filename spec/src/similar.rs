@@ -4,7 +4,7 @@
 pub fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let most = name.len().div_ceil(3);
     let len = name.chars().count();
-    // No name is nearer than the difference of the lengths: a very long one is told apart at once.
+    // No name is nearer than the difference of the lengths: a very long one is excluded immediately.
     let known = known.filter(|known| known.chars().count().abs_diff(len) <= most);
     let distances = known.map(|known| (distance(name, known), known));
     distances.filter(|(distance, _)| *distance <= most).min().map(|(_, known)| known)

@@ -184,7 +184,7 @@ reply = [{ wire = "errorMsg", name = "message", type = "text", doc = "Message." 
 }
 
 #[test]
-fn truth_values_that_cannot_be_told_apart() {
+fn truth_values_that_cannot_be_distinguished() {
     wrong(
         r#"
 [[command]]

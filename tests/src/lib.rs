@@ -5,16 +5,16 @@ use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
+mod recording_buffer;
 mod reserved_port;
 mod seeds;
 mod skipped;
 pub mod soak;
-mod tape;
 
+pub use recording_buffer::{RecordingBuffer, events, recorded, requests};
 pub use reserved_port::ReservedPort;
 pub use seeds::seeds;
 pub use skipped::skipped;
-pub use tape::{Tape, events, recorded, requests};
 
 /// The project's README, for its example to be compiled.
 #[cfg(doctest)]

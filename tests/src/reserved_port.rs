@@ -4,7 +4,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 
 use socket2::{Domain, Socket, Type};
 
-/// A port of loopback on which nothing listens. Nobody else gets it while this lives, as they could if a listener had been dropped; and a
+/// A port of loopback on which nothing listens. Nothing else gets it while this lives, as it could if a listener had been dropped; and a
 /// dropped listener goes on for as long as a program that is just being started has a copy of it.
 #[derive(Debug)]
 pub struct ReservedPort {

@@ -51,7 +51,7 @@ fn replies() -> Vec<String> {
     of_document.chain(others.map(str::to_owned)).collect()
 }
 
-/// Messages in a row, some with garbage in between, behind the two bytes that say how they are cut.
+/// Messages in a row, some with garbage in between, after the two bytes that say how they are cut.
 fn streams() -> Vec<String> {
     let replies = replies();
     let with_cut = |(index, group): (usize, &[String])| {
@@ -87,7 +87,7 @@ fn packets() -> Vec<String> {
     Firmware::ALL.iter().map(packet).chain(partial.map(str::to_owned)).collect()
 }
 
-/// Replies as literals, and the forms that Python has beside.
+/// Replies as literals, and the other forms that Python has.
 fn literals() -> Vec<String> {
     let others = [
         "(0, [], {'state': 0})",
@@ -159,7 +159,7 @@ fn spec_files() -> Vec<String> {
     files.flat_map(blocks).chain(short).collect()
 }
 
-/// The entries of a file, each behind a title.
+/// The entries of a file, each after a title.
 fn blocks(text: &str) -> Vec<String> {
     let starts = ["\n[[command]]", "\n[[type]]", "\n[[error]]", "\n[[extend]]", "\n[[override]]"];
     let mut places: Vec<_> = starts.iter().flat_map(|start| text.match_indices(start)).map(|(at, _)| at).collect();

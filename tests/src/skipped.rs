@@ -8,7 +8,7 @@ use std::io::Write;
 /// Where the environment has `CI`: a pass there means that every check was made.
 pub fn skipped(check: &str, why: &str) {
     let text = format!("NOT CHECKED: {check}: {why}");
-    // The harness captures what `eprintln!` prints, but not what is written to the stream itself. Nobody may be reading.
+    // The harness captures what `eprintln!` prints, but not what is written to the stream itself. The reader may be gone.
     writeln!(std::io::stderr().lock(), "{text}").ok();
     assert!(!is_ci(), "{text}, and CI does not pass without it");
 }

@@ -7,7 +7,7 @@
 
 mod account;
 mod arm;
-mod beside;
+mod background;
 mod calls;
 mod faults;
 mod held;
@@ -32,7 +32,7 @@ use jaka_sync::program::StopProgram;
 use stats_alloc::StatsAlloc;
 
 use self::arm::{Arm, Done, Place};
-use self::beside::{Findings, Rate};
+use self::background::{Findings, Rate};
 pub use self::host::{Host, serve};
 use self::random::Random;
 use self::resources::Peak;
@@ -59,7 +59,7 @@ pub struct Options {
 /// When a soak ends.
 #[derive(Debug, Clone, Copy)]
 pub enum Length {
-    /// After so many rounds.
+    /// After this many rounds.
     Rounds(u32),
     /// With the round in which the time is up.
     Time(Duration),

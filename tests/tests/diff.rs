@@ -5,7 +5,7 @@ use jaka_spec::tools::{Change, Impact, diff, impact, summary};
 use jaka_spec::{BUILTIN, Source, Spec, load};
 use jaka_tests::spec;
 
-/// A place such as `motion/joint_move/speed`, a text behind it, and what stands there instead.
+/// A place such as `motion/joint_move/speed`, a text after it, and its replacement.
 type Edit<'t> = (&'t str, &'t str, &'t str);
 
 /// The built-in spec with texts replaced.
@@ -15,7 +15,7 @@ fn edited(edits: &[Edit<'_>]) -> Spec {
         let mut steps = place.split('/');
         let path = format!("spec/{}.toml", steps.next().expect("a place begins with a file"));
         let (_, text) = files.iter_mut().find(|(known, _)| *known == path).expect("the file is built in");
-        let start = steps.fold(0, |start, step| start + behind(&text[start..], step));
+        let start = steps.fold(0, |start, step| start + after(&text[start..], step));
         let at = start + text[start..].find(from).unwrap_or_else(|| panic!("{place} has no {from}"));
         text.replace_range(at..at + from.len(), to);
     }
@@ -24,7 +24,7 @@ fn edited(edits: &[Edit<'_>]) -> Spec {
 }
 
 /// Where the line is that begins the item `name`, which is a wire spelling, a number or a Rust name.
-fn behind(text: &str, name: &str) -> usize {
+fn after(text: &str, name: &str) -> usize {
     let lines = [format!("wire = \"{name}\"\n"), format!("wire = {name}\n"), format!("name = \"{name}\"\n")];
     let found = lines.iter().filter_map(|line| text.find(line)).min();
     found.unwrap_or_else(|| panic!("there is no {name}"))

@@ -31,7 +31,7 @@ fn each_request_comes_out_as_it_went_in() {
         let request = Request::read(text).unwrap_or_else(|error| panic!("{section}: {error:?}"));
         let mut out = Writer::new();
         request.write(&mut out);
-        // Equal as text, but for white space: so the values are the same, and the keys in the document's order.
+        // Equal as text, except for white space: so the values are the same, and the keys in the document's order.
         assert_eq!(out.as_str(), compact(text), "{section}");
         assert_eq!(request.info().section, section);
     }
@@ -69,7 +69,7 @@ fn each_reply_decodes_and_comes_out_equal() {
         let again: Value = serde_json::from_str(&request.visit(Again(text))).expect("a reply is JSON");
         let printed: Value = serde_json::from_str(text).expect("the document prints JSON");
         if is_exception(section) {
-            assert!(!same(&again, &printed), "{section} is no exception any more");
+            assert!(!same(&again, &printed), "{section} is not an exception any more");
             excepted.insert(section.as_str());
         } else {
             assert!(same(&again, &printed), "{section}: {again} is not {printed}");

@@ -107,7 +107,7 @@ fn a_request_is_sent_as_it_stands() {
     assert!(reply.contains("\"rapid_rate\""), "{reply}");
     assert_eq!(controller.requests(), [request]);
     for wrong in ["", "[]", "{}", "{\"cmdName\": \"\"}"] {
-        let error = client.call_text(wrong, Duration::from_secs(5)).expect_err("it is no request");
+        let error = client.call_text(wrong, Duration::from_secs(5)).expect_err("it is not a request");
         assert!(error.is_invalid_argument(), "{wrong}: {error:?}");
     }
     assert_eq!(controller.requests(), [request]);
@@ -192,7 +192,7 @@ fn a_call_whose_reply_is_lost_learns_it_from_the_stop() {
 }
 
 #[test]
-fn stop_handles_work_while_no_call_waits_and_beside_each_other() {
+fn stop_handles_work_while_no_call_waits_and_concurrently() {
     let (controller, client) = ready();
     let stop = client.stop_handle();
     let threads: Vec<_> = (0..8)
@@ -209,7 +209,7 @@ fn stop_handles_work_while_no_call_waits_and_beside_each_other() {
 }
 
 #[test]
-fn stops_beside_calls_each_get_their_own_reply() {
+fn stops_during_calls_each_get_their_own_reply() {
     let (controller, mut client) = ready();
     let stop = client.stop_handle();
     let stopping = thread::spawn(move || (0..300).try_for_each(|_| stop.stop()));
@@ -261,8 +261,8 @@ fn handles_can_move_and_be_shared_between_threads() {
     assert_sync::<Error>();
 }
 
-/// A client whose query was answered while a stop was given up: what comes behind the answer has been read with it.
-fn read_ahead(behind: &str) -> (TcpStream, Client, StopHandle) {
+/// A client whose query was answered while a stop was given up: what comes after the answer has been read with it.
+fn read_ahead(after: &str) -> (TcpStream, Client, StopHandle) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
     let hasty = Config::new().reply_timeout(Duration::from_millis(20));
@@ -275,7 +275,7 @@ fn read_ahead(behind: &str) -> (TcpStream, Client, StopHandle) {
         thread::spawn(move || client.call_text(&query, Duration::from_secs(60)).map(str::to_owned).map(|_| client));
     server.read_exact(&mut vec![0; length]).expect("the query is sent");
     assert!(stop.stop().expect_err("nobody answers").is_timeout());
-    server.write_all(format!("{}{behind}", reply_to(GetJointPos::INFO)).as_bytes()).expect("the client reads");
+    server.write_all(format!("{}{after}", reply_to(GetJointPos::INFO)).as_bytes()).expect("the client reads");
     let client = waiting.join().expect("the thread does not panic").expect("it is answered");
     (server, client, stop)
 }
@@ -299,7 +299,7 @@ fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_it
 }
 
 #[test]
-fn whoever_reads_tells_the_others_that_their_replies_are_lost() {
+fn the_thread_that_reads_tells_the_others_that_their_replies_are_lost() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let patient = Config::new().reply_timeout(Duration::from_secs(60));
     let mut client = patient.connect_client(listener.local_addr().expect("it is bound")).expect("it listens");
@@ -320,7 +320,7 @@ fn whoever_reads_tells_the_others_that_their_replies_are_lost() {
 }
 
 #[test]
-fn a_listener_that_closes_at_once() {
+fn a_listener_that_closes_immediately() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
     let mut client = Client::connect(address).expect("it listens");
@@ -347,7 +347,7 @@ fn a_client_that_is_dropped_closes_its_connection_and_its_stop_handle_says_so() 
 }
 
 #[test]
-fn a_new_client_has_its_seat_although_a_stop_handle_of_the_last_one_lives() {
+fn a_new_client_connects_although_a_stop_handle_of_the_last_one_lives() {
     let (controller, client) = connected();
     let stop = client.stop_handle();
     drop(client);
@@ -381,7 +381,7 @@ fn a_call_ends_at_its_deadline_although_the_peer_reads_slowly() {
 }
 
 #[test]
-fn status_packets_on_the_command_connection_are_told_from_replies() {
+fn status_packets_on_the_command_connection_are_distinguished_from_replies() {
     let controller = jaka_tests::controller();
     let mut client = Client::connect(controller.status_addr()).expect("the controller listens");
     let error = client.get_version().expect_err("it is the status port");
@@ -393,12 +393,12 @@ fn status_packets_on_the_command_connection_are_told_from_replies() {
 }
 
 #[test]
-fn replies_on_the_status_connection_are_told_from_packets() {
+fn replies_on_the_status_connection_are_distinguished_from_packets() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let mut status = StatusStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
     let (mut server, _) = listener.accept().expect("the client waits");
     server.write_all(reply_to(GetJointPos::INFO).as_bytes()).expect("the stream reads");
-    let error = status.newest_packet().expect_err("it is no status port");
+    let error = status.newest_packet().expect_err("it is not a status port");
     let source = std::error::Error::source(&error).expect("the cause is told");
     assert_eq!(
         source.to_string(),

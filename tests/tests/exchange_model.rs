@@ -13,7 +13,7 @@ const NAMES: [&str; 3] = ["a", "b", "c"];
 /// How many runs for each premise, times `JAKA_RELIABILITY`.
 const RUNS: u32 = 34_000;
 
-/// What a run may do beside sending, answering late, losing replies, giving up and dropping what is outstanding.
+/// What a run may do other than sending, answering late, losing replies, giving up and dropping what is outstanding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Premise {
     /// Of each name, one command is waited for at a time: a client and its stop handles.
@@ -37,7 +37,7 @@ enum Step {
     Lose,
     /// It arrives as a refusal without a name.
     DeliverNameless,
-    /// It arrives without a name and is no refusal.
+    /// It arrives without a name and is not a refusal.
     DeliverAnonymous,
     /// A reply to no outstanding request, under this name.
     Surplus(usize),
@@ -106,7 +106,7 @@ struct World {
     arrivals: usize,
     sent: Vec<Sent>,
     on_their_way: VecDeque<usize>,
-    /// Names of which a reply was given to nobody.
+    /// Names of which a reply was given to no waiter.
     dropped: HashSet<usize>,
     /// Names of which a reply was lost.
     lost: HashSet<usize>,
@@ -253,7 +253,7 @@ impl World {
         }
     }
 
-    /// A reply arrives, and is read by one of those who wait, or by nobody. Then all ask what became of their commands.
+    /// A reply arrives, and is read by one of the waiters, or by none. Then all ask for the outcomes of their commands.
     fn arrive(&mut self, text: &str) -> Result<Arrival, OutOfSync> {
         self.arrivals += 1;
         let reader = self.waiting(self.arrivals % 3).map(|place| self.sent[place].request);
@@ -320,7 +320,7 @@ impl World {
         holds(serial == Some(taker) || mistakable, || format!("the reply to {serial:?} was given to {taker}"))
     }
 
-    /// A command before the one that was answered: its reply must be lost, and whoever waits for it must learn it.
+    /// A command before the one that was answered: its reply must be lost, and its waiter must learn that.
     fn write_off(&mut self, place: usize, arrival: &Arrival) -> Progress {
         let mistakable = self.is_mistakable(self.sent[place].name);
         let sent = &mut self.sent[place];
@@ -344,7 +344,7 @@ impl World {
         one_of_several_is_lost || self.mistakable.contains(&name)
     }
 
-    /// All that is on its way arrives; then nobody may wait without reason.
+    /// All that is on its way arrives; then there must be no wait without a reason.
     fn finish(&mut self) -> Progress {
         while !self.on_their_way.is_empty() {
             self.deliver(|name| named(NAMES[name]))?;

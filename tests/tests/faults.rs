@@ -116,7 +116,7 @@ fn no_reply() {
 }
 
 #[test]
-fn late_reply_goes_to_nobody() {
+fn late_reply_is_discarded() {
     let (controller, mut client) = faulty(Fault::Hold);
     assert!(client.get_joint_pos().expect_err("the reply is held back").is_timeout());
     // The late reply holds the old position; the new call must not get it.
@@ -125,7 +125,7 @@ fn late_reply_goes_to_nobody() {
 }
 
 #[test]
-fn late_reply_behind_a_call_of_another_name() {
+fn late_reply_after_a_call_of_another_name() {
     let (controller, mut client) = faulty(Fault::Hold);
     assert!(client.get_joint_pos().expect_err("the reply is held back").is_timeout());
     // It goes out before the next reply.
@@ -137,7 +137,7 @@ fn late_reply_behind_a_call_of_another_name() {
 fn lost_reply_and_a_call_of_the_same_name() {
     let (controller, mut client) = faulty(Fault::Drop);
     assert!(client.get_joint_pos().expect_err("no reply comes").is_timeout());
-    // Its own reply settles the older debt, and none comes for itself: which was lost cannot be told.
+    // Its own reply completes the older request, and none comes for itself: which was lost cannot be told.
     let error = client.get_joint_pos().expect_err("the reply is taken for the late one");
     assert!(error.may_have_run());
     assert!(cause_of(error).contains("Ambiguous"));
@@ -178,7 +178,7 @@ fn refusal_without_a_name() {
 }
 
 #[test]
-fn refusal_without_a_name_while_two_replies_are_owed() {
+fn refusal_without_a_name_while_two_requests_are_outstanding() {
     let (controller, mut client) = faulty(Fault::Drop);
     assert!(client.get_version().expect_err("no reply comes").is_timeout());
     let error = client.call_raw("no_such_command", &json!({})).expect_err("whose is the refusal?");
@@ -224,7 +224,7 @@ fn reply_that_comes_twice() {
 #[test]
 fn garbage_instead_of_a_reply() {
     let (controller, mut client) = patient(Fault::Instead(b"HTTP/1.1 400 Bad Request\r\n".to_vec()));
-    let error = client.get_joint_pos().expect_err("that is no reply");
+    let error = client.get_joint_pos().expect_err("that is not a reply");
     let ErrorKind::Disconnected { cause, .. } = error.kind() else { panic!("it breaks the connection: {error:?}") };
     assert!(matches!(&**cause, Disconnect::Frame(FrameError::Garbage { .. })));
     assert!(cause.to_string().contains("HTTP/1.1 400 Bad Request"), "{cause}");
@@ -241,8 +241,8 @@ fn nul_bytes() {
 #[test]
 fn braces_that_hold_no_json() {
     let (controller, mut client) = patient(Fault::Instead(b"{errorCode: 0}".to_vec()));
-    assert!(cause_of(client.get_joint_pos().expect_err("that is no JSON")).contains("NotJson"));
-    assert_broken(&controller, &mut client, "no JSON");
+    assert!(cause_of(client.get_joint_pos().expect_err("that is not JSON")).contains("NotJson"));
+    assert_broken(&controller, &mut client, "not JSON");
 }
 
 #[test]
@@ -353,7 +353,7 @@ fn nothing_is_sent_of_a_request_that_the_spec_forbids() {
 
 #[test]
 fn a_controller_that_never_reads() {
-    // Nobody accepts: the kernel takes some bytes, and then no more.
+    // The connection is not accepted: the kernel takes some bytes, and then no more.
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
     let mut client = Config::new().reply_timeout(SHORT).connect_client(address).expect("it listens");
@@ -365,6 +365,6 @@ fn a_controller_that_never_reads() {
 }
 
 #[test]
-fn what_is_out_of_sync_is_told_apart() {
+fn kinds_of_being_out_of_sync_are_distinguished() {
     assert_eq!(OutOfSync::Nameless.to_string(), "a reply came that names no command");
 }

@@ -102,7 +102,7 @@ fn a_field_that_the_controller_does_not_have_is_not_sent() {
 fn a_version_that_cannot_be_read_is_an_error_and_changes_nothing() {
     let (controller, mut client) = connected();
     says(&controller, "development build");
-    let error = client.check_firmware().expect_err("it is no version");
+    let error = client.check_firmware().expect_err("it is not a version");
     assert_eq!(error.to_string(), "`get_version` was not refused, but its reply does not fit the spec");
     let source = std::error::Error::source(&error).expect("the field is told");
     assert_eq!(
@@ -114,7 +114,7 @@ fn a_version_that_cannot_be_read_is_an_error_and_changes_nothing() {
 
     client.check_firmware().expect("now it is one");
     says(&controller, "");
-    client.check_firmware().expect_err("it is no version");
+    client.check_firmware().expect_err("it is not a version");
     missing(client.set_fan(PLAIN.curve));
 }
 

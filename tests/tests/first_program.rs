@@ -1,4 +1,4 @@
-//! What a newcomer copies moves an arm that may stand anywhere, beside somebody who has never seen it move.
+//! What a newcomer copies moves an arm that may be in any position, next to somebody who has never seen it move.
 
 use std::fs;
 use std::path::Path;

@@ -27,7 +27,7 @@ fn no_error_shows_a_controller_s_text_raw() {
     let unfit = || DecodeError::unfit("a number", HOSTILE).in_field(HOSTILE);
     let mut framer = Framer::default();
     framer.push(HOSTILE.as_bytes());
-    let garbage = framer.next_frame().map(drop).expect_err("it is no frame");
+    let garbage = framer.next_frame().map(drop).expect_err("it is not a frame");
     let causes = [
         Disconnect::Frame(garbage),
         Disconnect::NotJson(unfit()),

@@ -148,7 +148,7 @@ fn garbage_is_skipped_and_counted() {
 }
 
 #[test]
-fn a_packet_that_cannot_be_read_is_told_to_who_waits_in_vain() {
+fn a_packet_that_cannot_be_read_is_reported_to_a_wait_that_times_out() {
     let (controller, monitor) = quiet();
     controller.send_status(b"{\"len\": 40 \"enabled\": true}");
     let error = loop {
@@ -159,12 +159,12 @@ fn a_packet_that_cannot_be_read_is_told_to_who_waits_in_vain() {
         }
     };
     let source = std::error::Error::source(&error).expect("the place is named");
-    assert!(source.to_string().starts_with("no JSON: expected `,` or a bracket at byte 11"), "{source}");
+    assert!(source.to_string().starts_with("not JSON: expected `,` or a bracket at byte 11"), "{source}");
     assert_eq!(monitor.statistics().unfit, 1);
 }
 
 #[test]
-fn an_ended_connection_is_told_and_nothing_hangs() {
+fn an_ended_connection_is_reported_and_nothing_hangs() {
     let (controller, monitor) = quiet();
     let queue = monitor.subscribe(4);
     controller.disconnect();
@@ -176,7 +176,7 @@ fn an_ended_connection_is_told_and_nothing_hangs() {
 }
 
 #[test]
-fn it_connects_anew_where_asked_to() {
+fn it_reconnects_if_configured() {
     let controller =
         Controller::builder().status_period(Duration::from_millis(5)).start().expect("loopback has free ports");
     let config = Config::new().reconnect(Reconnect::attempts(100)).stale_after(LONG);
@@ -185,7 +185,7 @@ fn it_connects_anew_where_asked_to() {
         controller.disconnect();
         let since = Instant::now();
         while monitor.statistics().reconnects < n {
-            assert!(since.elapsed() < LONG, "it does not connect anew");
+            assert!(since.elapsed() < LONG, "it does not reconnect");
             monitor.next_packet().expect("packets go on");
         }
     }
@@ -196,7 +196,7 @@ fn it_connects_anew_where_asked_to() {
 }
 
 #[test]
-fn attempts_to_connect_anew_come_to_an_end() {
+fn attempts_to_reconnect_come_to_an_end() {
     let controller = Controller::start().expect("loopback has free ports");
     let policy = Reconnect::attempts(2);
     let config = Config::new().reconnect(policy).connect_timeout(Duration::from_millis(100));

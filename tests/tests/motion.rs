@@ -173,7 +173,7 @@ fn a_straight_line_is_straight() {
 fn an_arc_is_round_and_goes_through_its_three_points() {
     let (controller, mut client) = ready();
     let start = pose(&mut client);
-    // A quarter turn of radius 50 about a point beside the start.
+    // A quarter turn of radius 50 about a point next to the start.
     let on_circle = |angle: f64| {
         let mut pose = start;
         pose[0] += 50.0 * angle.cos() - 50.0;
@@ -368,7 +368,7 @@ fn servo_set_points_move_within_their_cycles() {
     }
     assert!((joints(&mut client)[0] - start[0] - 5.0).abs() < 1e-9);
     // 1.5 degrees in a cycle are 187.5 deg/s: no effect. In two cycles they are fine.
-    client.servo_j(&step(1.5).step_count(1)).expect("it answers all the same");
+    client.servo_j(&step(1.5).step_count(1)).expect("it still answers");
     controller.advance(CYCLE * 4);
     assert!((joints(&mut client)[0] - start[0] - 5.0).abs() < 1e-9);
     client.servo_j(&step(1.5).step_count(2)).expect("servo mode is on");

@@ -1,4 +1,4 @@
-//! Replies that are complete and odd, from a port that is no simulator's: what can be read of them counts, and the connection
+//! Replies that are complete and odd, from a port that is not a simulator's: what can be read of them counts, and the connection
 //! lives, so that a stop can be sent.
 
 use std::io::{Read, Write};
@@ -63,16 +63,16 @@ fn oddities() -> Vec<Vec<u8>> {
     values.iter().map(|value| value.as_bytes()).chain(bytes).map(<[u8]>::to_vec).collect()
 }
 
-fn reply(before: &str, odd: &[u8], behind: &str) -> Vec<u8> {
-    [before.as_bytes(), odd, behind.as_bytes()].concat()
+fn reply(before: &str, odd: &[u8], after: &str) -> Vec<u8> {
+    [before.as_bytes(), odd, after.as_bytes()].concat()
 }
 
 #[test]
 fn an_odd_refusal_is_a_refusal() {
     for (code, name) in [("2", r#", "cmdName": "get_joint_pos""#), ("-1", "")] {
         for odd in oddities() {
-            let behind = format!(r#", "errorCode": "{code}", "errorMsg": "not now"{name}}}"#);
-            let mut client = client(reply(r#"{"new": "#, &odd, &behind));
+            let after = format!(r#", "errorCode": "{code}", "errorMsg": "not now"{name}}}"#);
+            let mut client = client(reply(r#"{"new": "#, &odd, &after));
             let error = client.get_joint_pos().expect_err("it is refused");
             let refusal = error.refusal().unwrap_or_else(|| panic!("{error:?}"));
             assert_eq!((refusal.command.as_str(), refusal.code.0.to_string().as_str()), ("get_joint_pos", code));
@@ -86,8 +86,8 @@ fn an_odd_refusal_is_a_refusal() {
 #[test]
 fn what_stands_for_no_text_in_a_message_is_replaced() {
     for message in [r"no \ud83d!".as_bytes(), b"no \xe4!", b"no \\\xe4!"] {
-        let behind = r#"", "errorCode": "2", "cmdName": "get_joint_pos"}"#;
-        let mut client = client(reply(r#"{"errorMsg": ""#, message, behind));
+        let after = r#"", "errorCode": "2", "cmdName": "get_joint_pos"}"#;
+        let mut client = client(reply(r#"{"errorMsg": ""#, message, after));
         let error = client.get_joint_pos().expect_err("it is refused");
         assert_eq!(error.refusal().map(|refusal| &*refusal.message), Some("no \u{fffd}!"));
         assert_usable(&mut client);
@@ -99,7 +99,7 @@ fn an_odd_payload_is_an_unexpected_reply() {
     for odd in oddities() {
         let before = r#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_joint_pos", "joint_pos": "#;
         let mut client = client(reply(before, &odd, "}"));
-        let error = client.get_joint_pos().expect_err("that is no position");
+        let error = client.get_joint_pos().expect_err("that is not a position");
         assert!(matches!(error.kind(), ErrorKind::UnexpectedReply { .. }) && error.may_have_run(), "{error:?}");
         let kept = client.last_reply().expect("it is kept").to_owned();
         assert_eq!(kept, framing::text(&reply(before, &odd, "}")));
@@ -108,10 +108,10 @@ fn an_odd_payload_is_an_unexpected_reply() {
 }
 
 #[test]
-fn a_payload_beside_what_is_odd_is_read() {
+fn a_payload_next_to_what_is_odd_is_read() {
     for odd in oddities().into_iter().filter(|odd| odd[0] != b'{' || odd.is_ascii()) {
-        let behind = r#", "errorCode": "0", "cmdName": "get_joint_pos", "joint_pos": [6, 5, 4, 3, 2, 1]}"#;
-        let mut client = client(reply(r#"{"new": "#, &odd, behind));
+        let after = r#", "errorCode": "0", "cmdName": "get_joint_pos", "joint_pos": [6, 5, 4, 3, 2, 1]}"#;
+        let mut client = client(reply(r#"{"new": "#, &odd, after));
         let found = client.get_joint_pos().expect("it is accepted").joint_position;
         assert_eq!(found, [6.0, 5.0, 4.0, 3.0, 2.0, 1.0].into());
         assert_usable(&mut client);
@@ -128,7 +128,7 @@ fn a_code_that_is_odd_is_never_a_success() {
             .collect();
     for code in codes {
         let mut client = client(reply(r#"{"errorCode": "#, &code, r#", "errorMsg": "", "cmdName": "enable_robot"}"#));
-        let error = client.enable_robot().expect_err("that is no success");
+        let error = client.enable_robot().expect_err("that is not a success");
         let shown = String::from_utf8_lossy(&code);
         assert!(matches!(error.kind(), ErrorKind::UnexpectedReply { .. }), "{shown}: {error:?}");
         assert!(error.may_have_run(), "{shown}");
@@ -142,7 +142,7 @@ fn a_name_that_is_odd_is_none() {
     for name in names {
         let before = r#"{"errorCode": "2", "errorMsg": "no", "cmdName": "#;
         let mut refused = client(reply(before, &name, "}"));
-        // It can only be the reply to the one command that is owed one.
+        // It can only be the reply to the one outstanding command.
         assert!(refused.get_joint_pos().expect_err("it is refused").is_refused());
         assert_usable(&mut refused);
         let before = r#"{"errorCode": "0", "joint_pos": [6, 5, 4, 3, 2, 1], "cmdName": "#;
@@ -154,9 +154,9 @@ fn a_name_that_is_odd_is_none() {
 
 #[test]
 fn raw_calls_get_json_or_an_error_and_text_calls_the_text() {
-    let behind = r#", "errorCode": "0", "errorMsg": "", "cmdName": "look"}"#;
+    let after = r#", "errorCode": "0", "errorMsg": "", "cmdName": "look"}"#;
     for odd in oddities().into_iter().chain([br#"1, "new": 2"#.to_vec()]) {
-        let bytes = reply(r#"{"new": "#, &odd, behind);
+        let bytes = reply(r#"{"new": "#, &odd, after);
         let mut raw = client(&bytes);
         let error = raw.call_raw("look", &json!({})).expect_err("that is not JSON throughout");
         assert!(matches!(error.kind(), ErrorKind::UnexpectedReply { .. }), "{error:?}");
@@ -166,7 +166,7 @@ fn raw_calls_get_json_or_an_error_and_text_calls_the_text() {
         assert_eq!(text.call_text(r#"{"cmdName": "look"}"#, LONG).expect("it is accepted"), framing::text(&bytes));
         assert_usable(&mut text);
     }
-    let refused = reply(r#"{"new": NaN"#, b"", &behind.replace("\"0\"", "\"7\""));
+    let refused = reply(r#"{"new": NaN"#, b"", &after.replace("\"0\"", "\"7\""));
     let error = client(refused).call_raw("look", &json!({})).expect_err("it is refused");
     assert_eq!(error.refusal().map(|refusal| refusal.code), Some(ErrorCode(7)));
 }
@@ -185,11 +185,11 @@ fn a_pipeline_counts_odd_replies() {
 }
 
 #[test]
-fn what_is_no_object_breaks_the_connection() {
+fn what_is_not_an_object_breaks_the_connection() {
     for bytes in
         [r#"{"errorCode": [0}"#, r#"{"errorCode": "0" "cmdName": "get_joint_pos"}"#, "{errorCode: 0}", r#"{"x": {]}}"#]
     {
-        let error = client(bytes).get_joint_pos().expect_err("that is no object");
+        let error = client(bytes).get_joint_pos().expect_err("that is not an object");
         let ErrorKind::Disconnected { cause, .. } = error.kind() else { panic!("{error:?}") };
         assert!(matches!(**cause, Disconnect::NotJson(_)), "{error:?}");
     }

@@ -1,4 +1,4 @@
-//! Status packets that are odd, from a port that is no simulator's: what fits is believed, what does not is told.
+//! Status packets that are odd, from a port that is not a simulator's: what fits is believed, what does not is reported.
 
 use std::io::Write;
 use std::net::{SocketAddr, TcpListener, TcpStream};
@@ -39,7 +39,7 @@ jaka_sync::status_subset! {
     pub struct Stops { protective_stop, rapid_rate }
 }
 
-/// Packets with a field that does not fit beside a protective stop, and that field.
+/// Packets with a protective stop and a field that does not fit, and that field.
 const UNFIT: [(&[u8], &str); 7] = [
     (br#"{"len": 60, "rapidrate": "100%", "protective_stop": 1}"#, "rapid_rate"),
     (br#"{"len": 60, "drag_status": 2, "protective_stop": 1}"#, "drag_status"),
@@ -51,7 +51,7 @@ const UNFIT: [(&[u8], &str); 7] = [
 ];
 
 #[test]
-fn a_protective_stop_beside_a_field_that_does_not_fit_is_seen() {
+fn a_protective_stop_next_to_a_field_that_does_not_fit_is_seen() {
     let (controller, mut status) = stream();
     for (packet, field) in UNFIT {
         send(&controller, packet);
@@ -120,7 +120,7 @@ fn a_stop_that_does_not_fit_is_neither_on_nor_off() {
 }
 
 #[test]
-fn what_is_no_object_is_an_error_and_the_stream_goes_on() {
+fn what_is_not_an_object_is_an_error_and_the_stream_goes_on() {
     let (controller, mut status) = stream();
     for odd in [r#"{"len": [0}"#, r#"{"len": 5 "enabled": true}"#, "{len: 5}", r#"{"x": {]}}"#] {
         send(&controller, odd);
@@ -137,7 +137,7 @@ const CUT: &str =
     r#"{"len": 99, "din": [0, 1], "errmsg": "a {\"len\": \\ b", "extio": {"num": 1}, "position": [1, 2]}"#;
 
 #[test]
-fn a_stream_finds_the_next_packet_behind_one_that_is_cut_anywhere() {
+fn a_stream_finds_the_next_packet_after_one_that_is_cut_anywhere() {
     let (controller, mut status) = stream();
     for (number, end) in (0..).zip(1..CUT.len()) {
         let whole = |number: i64| format!(r#"{{"len": 40, "drag_status": 0, "motion_line": {number}}}"#);
@@ -145,7 +145,7 @@ fn a_stream_finds_the_next_packet_behind_one_that_is_cut_anywhere() {
         send(&controller, whole(2 * number) + &whole(2 * number + 1));
         let line = |status: RobotStatus| *status.motion_line.expect("the key came").known().expect("it is a number");
         let first = line(status.next_packet().expect("it goes on"));
-        assert!(first == 2 * number || first == 2 * number + 1, "behind {}", &CUT[..end]);
+        assert!(first == 2 * number || first == 2 * number + 1, "after {}", &CUT[..end]);
         if first == 2 * number {
             assert_eq!(line(status.next_packet().expect("it goes on")), 2 * number + 1);
         }
@@ -153,7 +153,7 @@ fn a_stream_finds_the_next_packet_behind_one_that_is_cut_anywhere() {
 }
 
 #[test]
-fn a_monitor_finds_the_next_packet_behind_one_that_is_cut_anywhere() {
+fn a_monitor_finds_the_next_packet_after_one_that_is_cut_anywhere() {
     let (controller, monitor) = monitor();
     for (number, end) in (0..).zip(1..CUT.len()) {
         let whole = |number: i64| format!(r#"{{"len": 40, "drag_status": 0, "motion_line": {number}}}"#);

@@ -1,4 +1,4 @@
-//! Status that comes late, steadily or all at once, and what a program does beside: what packets say of a time that is over ends no
+//! Status that comes late, steadily or all at once, and what a program does meanwhile: what packets say about a time that is over ends no
 //! motion and lets none out. The arm itself is the witness.
 
 use std::sync::Arc;
@@ -104,7 +104,7 @@ fn refused_queries_and_old_packets_are_no_rest() {
 }
 
 #[test]
-fn a_slow_motion_behind_old_status_is_not_stopped() {
+fn a_slow_motion_with_old_status_is_not_stopped() {
     let (controller, mut robot) = ready();
     delayed(&controller, ms(3000));
     robot.start(&up(5.0, 0.1)).expect("accepted");
@@ -115,7 +115,7 @@ fn a_slow_motion_behind_old_status_is_not_stopped() {
 }
 
 #[test]
-fn a_slow_motion_behind_old_status_is_not_reached() {
+fn a_slow_motion_with_old_status_is_not_reached() {
     let (controller, mut robot) = ready();
     delayed(&controller, ms(3000));
     robot.start(&up(0.4, 0.1)).expect("accepted");
@@ -242,7 +242,7 @@ fn a_predicate_that_stops_the_arm_does_not_hang() {
 }
 
 #[test]
-fn no_motion_is_sent_behind_its_deadline() {
+fn no_motion_is_sent_after_its_deadline() {
     let controller = arm_with([], PERIOD);
     let config = Config::new().stale_after(ms(1000));
     let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
@@ -256,7 +256,7 @@ fn no_motion_is_sent_behind_its_deadline() {
         robot.run(&to(30.0, 40.0), ms(100))
     });
     thread::sleep(ms(200));
-    assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out behind its deadline: {result:?}");
+    assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out after its deadline: {result:?}");
 }
 
 #[test]
@@ -280,7 +280,7 @@ fn a_session_on_a_broken_connection_says_that_servo_mode_may_be_on() {
 }
 
 #[test]
-fn a_relative_motion_behind_a_stop_is_not_measured_from_a_moving_arm() {
+fn a_relative_motion_after_a_stop_is_not_measured_from_a_moving_arm() {
     let (controller, mut robot) = ready();
     delayed(&controller, ms(2000));
     let stop = robot.stop_handle();
@@ -323,7 +323,7 @@ fn no_motion_is_sent_on_the_first_packet_of_a_backlog() {
         drop(robot);
         controller.set_state(|state| state.protective_stop = false);
     }
-    assert_eq!(gone_out, 0, "motions went out behind a stop that had been received for 300 ms");
+    assert_eq!(gone_out, 0, "motions went out after a stop that had been received for 300 ms");
 }
 
 #[test]
@@ -340,7 +340,7 @@ fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
     let end = thread::scope(|scope| {
         scope.spawn(|| {
             thread::sleep(ms(1000));
-            // Its reply is held, and the stop is taken all the same.
+            // Its reply is held, but the stop is carried out.
             drop(foreign.stop());
         });
         scope.spawn(|| {
@@ -356,7 +356,7 @@ fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
 }
 
 #[test]
-fn a_stop_that_fails_behind_an_acknowledgement_keeps_the_next_motion_back() {
+fn a_stop_that_fails_after_an_acknowledgement_keeps_the_next_motion_back() {
     let controller = arm_with([], PERIOD);
     let config = lenient().reply_timeout(ms(800));
     let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
@@ -390,7 +390,7 @@ fn servo_mode_is_not_entered_while_the_arm_moves() {
 }
 
 #[test]
-fn a_refused_motion_is_told_within_its_deadline() {
+fn a_refused_motion_is_reported_within_its_deadline() {
     let controller = arm_with([Habit::LateQueries(Some(ms(3000)))], PERIOD);
     let mut robot = robot_of(&controller, &lenient()).with_status_silence(LONG);
     robot.start(&to(90.0, 10.0)).expect("accepted");
@@ -404,7 +404,7 @@ fn a_refused_motion_is_told_within_its_deadline() {
 }
 
 #[test]
-fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_told_of() {
+fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_reported() {
     let controller = arm_with([], PERIOD);
     let config = lenient().reply_timeout(ms(1500));
     let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
@@ -447,7 +447,7 @@ fn a_slow_predicate_holds_up_no_stop() {
         });
         looks.recv_timeout(LONG).expect("the predicate is asked");
         let moving = scope.spawn(|| robot.start(&to(5.0, 40.0)));
-        // It goes out, or is refused because of the stop, and waits for nobody who looks.
+        // It goes out, or is refused because of the stop, and does not wait for observers.
         stop.stop().expect("the controller takes the stop");
         let _ = moving.join().expect("it does not panic");
         drop(go_on);

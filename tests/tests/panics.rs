@@ -116,7 +116,7 @@ fn a_panic_of_one_thread_leaves_its_reply_to_another(controller: &Controller, mu
     let sent = controller.requests().len();
     let waiting = thread::spawn(move || (panics(|| client.call(&Ask)), client));
     assert!(controller.wait_for_requests(sent + 1, Duration::from_secs(60)));
-    stop.stop().expect("the stop has its reply, whoever reads it");
+    stop.stop().expect("the stop has its reply, whichever thread reads it");
     let (panicked, mut client) = waiting.join().expect("the panic is caught");
     assert!(panicked);
     assert_usable(controller, &mut client);

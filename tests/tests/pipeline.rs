@@ -115,13 +115,13 @@ fn a_refusal_is_told_once_by_a_later_call_and_the_rest_goes_on() {
     let accepted = pipeline.finish();
     assert_eq!(told.len(), 1, "{told:?} {accepted:?}");
     assert_eq!(told[0].refusal().expect("the controller refuses").command, "servo_j");
-    // The call that told of the refusal sent nothing.
+    // The call that reported the refusal sent nothing.
     assert_eq!((accepted.expect("all is told"), controller.requests().len()), (18, 19));
     assert_usable(&controller, &mut client);
 }
 
 #[test]
-fn what_was_not_told_before_is_told_at_the_end() {
+fn what_was_not_reported_before_is_reported_at_the_end() {
     let (controller, mut client) = connected(LONG);
     let mut pipeline = client.pipeline(8);
     pipeline.send(&set_point()).expect("it is not known yet");
@@ -130,7 +130,7 @@ fn what_was_not_told_before_is_told_at_the_end() {
 }
 
 #[test]
-fn a_lost_reply_is_told() {
+fn a_lost_reply_is_reported() {
     let (controller, mut client) = connected(LONG);
     controller.inject(Fault::Drop);
     let mut pipeline = client.pipeline(8);
@@ -145,7 +145,7 @@ fn a_lost_reply_is_told() {
 }
 
 #[test]
-fn a_reply_that_is_not_there_in_time_is_a_timeout_and_belongs_to_nobody_later() {
+fn a_reply_that_is_not_there_in_time_is_a_timeout_and_is_discarded_later() {
     let (controller, mut client) = connected(Duration::from_millis(300));
     controller.inject(Fault::Hold);
     let mut pipeline = client.pipeline(8);
@@ -157,7 +157,7 @@ fn a_reply_that_is_not_there_in_time_is_a_timeout_and_belongs_to_nobody_later() 
 }
 
 #[test]
-fn answers_that_nobody_waited_for_belong_to_nobody() {
+fn answers_that_were_not_waited_for_are_discarded() {
     let (controller, mut client) = connected(LONG);
     let mut pipeline = client.pipeline(8);
     for index in 0..5 {
@@ -170,7 +170,7 @@ fn answers_that_nobody_waited_for_belong_to_nobody() {
 }
 
 #[test]
-fn a_broken_connection_is_told_at_once_and_again() {
+fn a_broken_connection_is_reported_immediately_and_again() {
     let (controller, mut client) = connected(LONG);
     controller.inject(Fault::Close);
     let mut pipeline = client.pipeline(1);
@@ -230,11 +230,11 @@ fn pipelines_that_are_dropped_again_and_again_are_no_evidence_of_lost_replies() 
 }
 
 #[test]
-fn a_reply_that_is_lost_behind_dropped_pipelines_is_still_noticed() {
+fn a_reply_that_is_lost_after_dropped_pipelines_is_still_noticed() {
     let (controller, mut client) = connected(Duration::from_millis(300));
     controller.inject(Fault::Drop);
     client.pipeline(8).send(&output(1)).expect("it is not known yet");
-    // The reply of the next one settles what was dropped, and none comes for itself.
+    // The reply of the next one completes what was dropped, and none comes for itself.
     let error = client.set_digital_output(&output(2)).expect_err("one of two replies is lost");
     assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
 }

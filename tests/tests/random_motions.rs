@@ -164,7 +164,7 @@ impl Trouble {
         }
     }
 
-    /// What does not wait for the motion to begin: a delay that is steady by then, so that packets of before come behind it.
+    /// What does not wait for the motion to begin: a delay that is constant by then, so that older packets come after it.
     fn strike(self, controller: &Controller) {
         if let Self::Delayed(time) = self {
             controller.link(Port::Status).to_client().delay(time);
@@ -202,7 +202,7 @@ fn any_stops(random: &mut Random) -> Vec<Stop> {
 
 impl Stop {
     fn run(self, own: &RobotStop, foreign: &StopHandle) {
-        // Where the link is held, a stop may come too late or not at all: the outcome must be true all the same.
+        // Where the link is held, a stop may come too late or not at all: the outcome must still be true.
         match self {
             Self::Own(after) => {
                 thread::sleep(after);

@@ -10,7 +10,7 @@ use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Recorder, StatusSampling};
-use jaka_tests::{ReservedPort, Tape, events, recorded};
+use jaka_tests::{RecordingBuffer, ReservedPort, events, recorded};
 use serde_json::json;
 
 /// Short, but long enough for a busy machine: no test fails for taking longer, only for never ending.
@@ -82,7 +82,7 @@ fn garbage_between_status_packets_is_recorded_by_monitors() {
 #[derive(Debug, Clone, Default)]
 struct Gate {
     passage: Arc<(Mutex<Passage>, Condvar)>,
-    tape: Tape,
+    buffer: RecordingBuffer,
 }
 
 #[derive(Debug, Default)]
@@ -113,7 +113,7 @@ impl Write for Gate {
         guard.somebody_waits = true;
         changed.notify_all();
         drop(changed.wait_while(guard, |passage| !passage.is_open).expect("no test panics while it writes"));
-        self.tape.write(bytes)
+        self.buffer.write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -138,7 +138,7 @@ fn a_writer_that_hangs_delays_no_call_and_what_is_dropped_is_counted() {
     }
     gate.open();
     let report = recorder.finish().expect("memory can be written");
-    let recording = gate.tape.read().expect("it has just been written");
+    let recording = gate.buffer.read().expect("it has just been written");
     let dropped = recording.entries.iter().map(|entry| match entry.event {
         Event::Dropped { count } => count,
         _ => 0,

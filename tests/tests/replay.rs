@@ -132,7 +132,7 @@ fn resets_are_replayed_as_resets() {
 }
 
 #[test]
-fn replies_that_nobody_asked_for_are_replayed() {
+fn unsolicited_replies_are_replayed() {
     let reply = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "version": "1"}"#;
     let robot = jaka_tests::controller();
     robot.inject(Fault::Instead(reply.repeat(2)));

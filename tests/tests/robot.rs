@@ -140,7 +140,7 @@ fn a_batch_is_waited_for_once() {
 }
 
 #[test]
-fn a_stop_ends_the_wait_at_once() {
+fn a_stop_ends_the_wait_immediately() {
     let (controller, mut robot) = ready();
     let stop = robot.stop_handle();
     let end = disturbed(&controller, &mut robot, || stop.stop().expect("the controller takes the stop"));
@@ -221,7 +221,7 @@ impl Fields for StoppedOnTheWay {
 }
 
 #[test]
-fn no_motion_goes_out_behind_a_stop() {
+fn no_motion_goes_out_after_a_stop() {
     let (controller, mut robot) = ready();
     let motion = StoppedOnTheWay(robot.stop_handle());
     let error = robot.run(&motion, LONG).expect_err("the stop came first");
@@ -335,7 +335,7 @@ fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
 }
 
 #[test]
-fn a_lost_status_is_told_and_latches() {
+fn a_lost_status_is_reported_and_latches() {
     let (controller, mut robot) = ready();
     robot.start(&to(40.0)).expect("it is accepted");
     controller.disconnect();

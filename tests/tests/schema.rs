@@ -16,7 +16,7 @@ static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema(&SPEC));
 static MESSAGES: LazyLock<Validator> = LazyLock::new(|| validator(&SCHEMA));
 
 fn validator(schema: &Value) -> Validator {
-    jsonschema::draft202012::new(schema).unwrap_or_else(|error| panic!("the schema is no schema: {error}"))
+    jsonschema::draft202012::new(schema).unwrap_or_else(|error| panic!("the schema is not a schema: {error}"))
 }
 
 /// What checks messages against one definition.
@@ -49,12 +49,12 @@ fn each_example_passes_as_what_it_is() {
         if let Some(message) = example.request.as_deref().map(parse) {
             passes(&request, &message);
             passes(&MESSAGES, &message);
-            assert!(!reply.is_valid(&message), "a request is no reply: {message}");
+            assert!(!reply.is_valid(&message), "a request is not a reply: {message}");
         }
         if let Some(message) = example.reply.as_deref().map(parse) {
             passes(&reply, &message);
             passes(&MESSAGES, &message);
-            assert!(!request.is_valid(&message), "a reply is no request: {message}");
+            assert!(!request.is_valid(&message), "a reply is not a request: {message}");
         }
     }
 }

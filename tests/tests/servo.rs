@@ -34,7 +34,7 @@ fn arrives(controller: &Controller, is_there: impl Fn(&RobotStatus) -> bool) {
 
 const LEFT: &str = r#"{"cmdName":"servo_move","relFlag":0}"#;
 
-/// The last request that is no query.
+/// The last request that is not a query.
 fn last_change(requests: &[String]) -> &str {
     let is_query = |request: &&String| request.contains("is_in_servomove") || request.contains("get_joint_pos");
     requests.iter().rev().find(|request| !is_query(request)).expect("something was changed")
@@ -90,7 +90,7 @@ fn a_closure_gives_set_points_until_it_breaks() {
         if times.len() > 20 { ControlFlow::Break("done") } else { ControlFlow::Continue(JointPosition(target)) }
     });
     assert_eq!(end.expect("servo mode is on"), "done");
-    // The beat is that of two cycles; one that was missed altogether is passed over.
+    // A set-point is due every two cycles; one that was missed altogether is skipped.
     assert!(times.iter().all(|time| time.as_millis() % 16 == 0) && times.is_sorted());
     arrives(&controller, |status| {
         status.joint_actual_position.is_some_and(|at| (at.0[2] - start[2] - 1.0).abs() < 1e-6)
@@ -134,7 +134,7 @@ fn a_step_that_is_too_fast_is_not_sent() {
 }
 
 #[test]
-fn a_refusal_is_told_soon_and_servo_mode_is_left() {
+fn a_refusal_is_reported_soon_and_servo_mode_is_left() {
     let (controller, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
@@ -154,14 +154,14 @@ fn answers_that_another_call_reads_count_too() {
     let stop = robot.client().stop_handle();
     let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
-    stop.stop().expect("its reply comes behind that of the set-point");
+    stop.stop().expect("its reply comes after that of the set-point");
     let report = session.finish().expect("the set-point was accepted");
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, 1, 0));
 
     let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
     controller.set_state(|state| state.servo_mode = false);
     session.send_joint_offset(STEP).expect("its answer has not come");
-    stop.stop().expect("its reply comes behind that of the set-point");
+    stop.stop().expect("its reply comes after that of the set-point");
     let error = session.finish().expect_err("the set-point was refused");
     assert_eq!(error.refusal().map(|refusal| refusal.code), Some(ErrorCode(-1)));
 }
@@ -217,10 +217,10 @@ fn a_stop_or_a_lost_connection_ends_the_session() {
 }
 
 #[test]
-fn no_set_point_goes_out_behind_a_stop() {
+fn no_set_point_goes_out_after_a_stop() {
     let (controller, mut robot) = ready();
     let stop = robot.stop_handle();
-    // The longest beat, so that the session waits for it while the stop comes.
+    // The longest period, so that the session waits for its end while the stop comes.
     let config = patient().step_count(12);
     std::thread::scope(|scope| {
         let sending = scope.spawn(|| {
@@ -233,12 +233,12 @@ fn no_set_point_goes_out_behind_a_stop() {
             assert!(controller.wait_for_requests(received, Duration::from_secs(30)), "a set-point comes");
             received = controller.requests().len() + 1;
         }
-        // Most likely the session waits by now; where it does not, the test passes all the same.
+        // Most likely the session waits by now; where it does not, the test still passes.
         controller.wait_for_requests(received, Duration::from_millis(100));
         stop.stop().expect("the controller takes the stop");
         let error = sending.join().expect("it does not panic").expect("the session has ended");
         assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
-        let behind = controller.requests().into_iter().skip_while(|request| !request.contains("stop_program"));
-        assert_eq!(behind.filter(is_set_point).collect::<Vec<_>>(), Vec::<String>::new());
+        let after = controller.requests().into_iter().skip_while(|request| !request.contains("stop_program"));
+        assert_eq!(after.filter(is_set_point).collect::<Vec<_>>(), Vec::<String>::new());
     });
 }

@@ -17,7 +17,7 @@ fn what_is_sent_is_what_comes_and_nothing_is_left_behind() {
     let summary = soak::run(&options, Host::here(), &mut std::io::stdout()).expect("lines can be written");
     println!("{summary}");
     assert_eq!(summary.findings(), Vec::<String>::new());
-    // It is no test of nothing.
+    // It has to have tested something.
     for what in ["accepted", "refused", "broken off", "connections broken", "recordings", "set-points", "packets"] {
         assert!(summary.count(what) > 0, "{what}");
     }

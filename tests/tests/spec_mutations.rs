@@ -16,7 +16,7 @@ const PACKS: &[Source<'_>] = &[
     Source { path: "strange.toml", text: include_str!("../pack-user/strange.toml") },
 ];
 
-/// What stands behind the equals sign in some lines of some files, and what makes no sense there.
+/// The values of some lines of some files, and values that make no sense there.
 const VALUES: &[&str] = &[
     "",
     "\"\"",
@@ -76,7 +76,7 @@ const VALUES: &[&str] = &[
 enum Mutation {
     Delete(Index),
     Swap(Index, Index),
-    /// Puts another line's value behind a line's equals sign.
+    /// Replaces the value of a line by that of another.
     SwapValue(Index, Index),
     SetValue(Index, &'static str),
     Copy(Index, Index),

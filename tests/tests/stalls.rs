@@ -300,7 +300,7 @@ fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
 }
 
 #[test]
-fn two_stops_at_once_keep_the_next_motion_back_until_both_are_told() {
+fn two_concurrent_stops_keep_the_next_motion_back_until_both_are_reported() {
     let (controller, mut robot) = ready();
     let stops = [robot.stop_handle(), robot.stop_handle()];
     for round in 0..30 {
@@ -316,7 +316,7 @@ fn two_stops_at_once_keep_the_next_motion_back_until_both_are_told() {
         });
         let requests = controller.requests();
         let last = |name: &str| requests.iter().rposition(|request| request.contains(name));
-        // It was refused; or sent behind both stops; or one was called after it, and then the wait says so.
+        // It was refused; or sent after both stops; or one was called after it, and then the wait says so.
         if started && last("stop_program") > last("joint_move") {
             let end = robot.wait(LONG);
             assert!(matches!(end.outcome, Outcome::Stopped), "round {round}: {:?}, {requests:?}", end.outcome);
@@ -339,7 +339,7 @@ fn moves_on(controller: &Controller, for_time: Duration) -> f64 {
 }
 
 #[test]
-fn set_points_do_not_gather_behind_a_link_that_is_held() {
+fn set_points_do_not_accumulate_on_a_link_that_is_held() {
     const STEP: f64 = 0.08;
     let (controller, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");

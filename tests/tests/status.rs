@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_sim::Controller;
 use jaka_sync::{Config, Disconnect, ErrorKind, StatusStream};
 
-/// A controller that sends packets only when told to, but for the first one.
+/// A controller that sends packets only when told to, except the first one.
 fn quiet() -> (Controller, StatusStream) {
     let controller =
         Controller::builder().status_period(Duration::from_secs(3600)).start().expect("loopback has free ports");
@@ -112,7 +112,7 @@ fn packets_cut_anywhere_and_packets_in_one_piece() {
 }
 
 #[test]
-fn a_field_that_does_not_fit_is_absent_and_told() {
+fn a_field_that_does_not_fit_is_absent_and_reported() {
     let (controller, mut status) = quiet();
     controller.send_status(b"{\"len\": 42, \"enabled\": \"perhaps\"}");
     let packet = status.next_packet().expect("the packet stays");
@@ -126,11 +126,11 @@ fn a_field_that_does_not_fit_is_absent_and_told() {
 }
 
 #[test]
-fn text_lines_of_very_old_firmware_are_told_clearly() {
+fn text_lines_of_very_old_firmware_are_reported_clearly() {
     let (controller, mut status) = quiet();
     controller.send_status(b"joint_actual_position:(0,0,0,0,0,0)\n");
     for _ in 0..2 {
-        let error = status.next_packet().expect_err("that is no packet");
+        let error = status.next_packet().expect_err("that is not a packet");
         let ErrorKind::Disconnected { command: None, cause, .. } = error.kind() else {
             panic!("it is told apart: {error:?}")
         };

@@ -208,14 +208,14 @@ fn values_are_what_they_say() {
     assert!(!robot.every_kind(&every).expect("it is accepted").flag, "1 means false");
     every.row.start = None;
     let error = robot.every_kind(&every).expect_err("the texts would stand in the level's place");
-    expect![[r#"`every "kind"\of é` was not sent: field `row.start` is left out, allowed is a value, since there is one behind it"#]]
+    expect![[r#"`every "kind"\of é` was not sent: field `row.start` is left out, allowed is a value, since a later one is given"#]]
         .assert_eq(&error.to_string());
     assert_eq!(strange::meaning(strange::OTHER), Some("The least."));
     assert_eq!(strange::meaning(strange::A1), Some("The greatest."));
 }
 
 #[test]
-fn events_of_a_pack_are_known_beside_all_others() {
+fn events_of_a_pack_are_known_in_addition_to_all_others() {
     let event = |code| jaka_sync::ControllerEvent::new(code).expect("the code is not zero");
     let found = |code| (strange::event_severity(event(code)), strange::event_meaning(event(code)));
     let strange = Some(r#"the "least" and the \greatest {codes}"#);

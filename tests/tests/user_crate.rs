@@ -20,11 +20,11 @@ struct UserCrate {
 
 impl UserCrate {
     fn new(name: &str, edition: &str, code: &str) -> Self {
-        Self::beside(workspace(), name, edition, code)
+        Self::with_workspace(workspace(), name, edition, code)
     }
 
     /// With the jaka-sync of this workspace. Each crate has a name of its own, by which cargo tells them apart in their target folder.
-    fn beside(workspace: &Path, name: &str, edition: &str, code: &str) -> Self {
+    fn with_workspace(workspace: &Path, name: &str, edition: &str, code: &str) -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user").join(name);
         if folder.exists() {
             fs::remove_dir_all(&folder).expect("the crate of an earlier run can be removed");
@@ -78,7 +78,7 @@ jaka_sync::pack!("strange.toml");
 
 use strange::StrangeCommands as _;
 
-/// Methods of the pack beside those of the client and of the robot.
+/// Methods of the pack together with those of the client and of the robot.
 pub fn calls(client: &mut jaka_sync::Client, robot: &mut jaka_sync::Robot) -> Result<(), jaka_sync::Error> {
     client.item()?;
     client.choose(&strange::Choose::Other)?;

@@ -53,11 +53,11 @@ fn servo(mut stream: TcpStream, time: Duration) -> io::Result<Tally> {
     let mut buffer = vec![0; 8 << 10];
     switch(&mut stream, SERVO_ON)?;
     stream.set_nonblocking(true)?;
-    let (mut tally, mut beat, mut answers) = (Tally::default(), 0, 0);
+    let (mut tally, mut cycle, mut answers) = (Tally::default(), 0, 0);
     let start = Instant::now();
-    while PERIOD * beat < time {
+    while PERIOD * cycle < time {
         answers += arrived(&mut stream, &mut buffer)?;
-        let due = start + PERIOD * beat;
+        let due = start + PERIOD * cycle;
         thread::sleep(due.saturating_duration_since(Instant::now()));
         let late = due.elapsed();
         stream.write_all(SET_POINT)?;
@@ -65,7 +65,7 @@ fn servo(mut stream: TcpStream, time: Duration) -> io::Result<Tally> {
         tally.cycles += 1;
         tally.lost += u64::from(missed);
         tally.late += u64::from(late > PERIOD / 2);
-        beat += 1 + missed;
+        cycle += 1 + missed;
     }
     thread::sleep(PERIOD);
     answers += arrived(&mut stream, &mut buffer)?;

@@ -33,11 +33,11 @@ fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
     while session.time() < time {
         session.send_joint_offset([0.0; 6])?;
     }
-    let beats = session.time().as_nanos() / PERIOD.as_nanos();
+    let due = session.time().as_nanos() / PERIOD.as_nanos();
     let report = session.finish()?;
     Ok(Tally {
         cycles: report.cycles,
-        lost: u64::try_from(beats).unwrap_or_default().saturating_sub(report.cycles),
+        lost: u64::try_from(due).unwrap_or_default().saturating_sub(report.cycles),
         late: report.late_cycles,
         answered: report.accepted,
         packets: 0,

@@ -1,5 +1,5 @@
 //! Does one thing so many times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where WHAT is `call` for
-//! calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points without a beat.
+//! calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points without a cycle.
 
 use std::error::Error;
 use std::time::Duration;
@@ -43,7 +43,7 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
 fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
     let monitor: Monitor = Config::new().connect_monitor(status)?;
     let mut robot = Robot::new(Client::connect(commands)?, monitor).allow_motion_without_status();
-    // It spins, so that it need not be asleep at the beat.
+    // It spins, so that it is not asleep when the cycle is due.
     let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));
     let mut session = robot.enter_servo_mode(&config)?;
     for _ in 0..count {

@@ -22,7 +22,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// A line for each target: the work, who has to meet it, the limit of what, beside whom.
+/// A line for each target: the work, who has to meet it, which limit, and compared with whom.
 fn list(work: &Work<'_>) {
     for target in &work.targets {
         println!("{}\t{}", work.name, target);

@@ -14,7 +14,7 @@ pub fn joint_actual_position(packet: &str, finder: &memmem::Finder<'_>) -> Optio
     scan.array::<f64, 6>(Scan::float).map(Into::into)
 }
 
-/// True if one brace is open behind these bytes, and no string.
+/// True if one brace is open after these bytes, and no string.
 fn is_top_level(bytes: &[u8]) -> bool {
     let mut depth = 0;
     let mut at = 0;

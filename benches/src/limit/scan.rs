@@ -44,7 +44,7 @@ impl<'a> Scan<'a> {
         eaten
     }
 
-    /// Takes this text and the white space behind it.
+    /// Takes this text and the white space after it.
     #[inline]
     pub fn need<const N: usize>(&mut self, wanted: &[u8; N]) -> Option<()> {
         self.eat(wanted).then(|| self.blank())
@@ -185,9 +185,9 @@ impl<'a> Scan<'a> {
         loop {
             let bytes = self.rest();
             let mut at = 0;
-            while let [bit @ (b'0' | b'1'), b',', behind, ..] = bytes[at..] {
+            while let [bit @ (b'0' | b'1'), b',', next, ..] = bytes[at..] {
                 into.push(bit == b'1');
-                at += 2 + usize::from(behind == b' ');
+                at += 2 + usize::from(next == b' ');
             }
             self.at += at;
             self.blank();
@@ -231,7 +231,7 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Takes digits from `at` on: `value` with them behind it, which wraps around behind the 19th, and where they end.
+/// Takes digits from `at` on: `value` with them appended, which wraps around after the 19th, and where they end.
 #[inline]
 fn digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     while let Some(digit) = bytes.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10) {

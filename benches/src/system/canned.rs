@@ -32,12 +32,12 @@ const NOT_IN_SERVO_MODE_REPLY: &[u8] =
 /// The answers to set-points are late by so many set-points; those to any other command come at once, after what is late.
 ///
 /// # Errors
-/// Nobody can connect any more.
+/// No more connections are accepted.
 pub fn serve(listener: &TcpListener, late: usize) -> io::Result<()> {
     loop {
         let (stream, _) = listener.accept()?;
         stream.set_nodelay(true)?;
-        // A client that is gone is no error.
+        // A client that is gone is not an error.
         thread::spawn(move || attend(stream, late).ok());
     }
 }
@@ -45,7 +45,7 @@ pub fn serve(listener: &TcpListener, late: usize) -> io::Result<()> {
 /// Takes connections and sends nothing: a status port without news.
 ///
 /// # Errors
-/// Nobody can connect any more.
+/// No more connections are accepted.
 pub fn keep_silent(listener: &TcpListener) -> io::Result<()> {
     let mut readers = Vec::new();
     loop {

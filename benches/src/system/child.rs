@@ -21,7 +21,7 @@ pub struct Addresses {
 }
 
 impl Server {
-    /// Starts a program that prints the two addresses of each of its robots in a line, and an empty line behind the last.
+    /// Starts a program that prints the two addresses of each of its robots in a line, and an empty line after the last.
     ///
     /// `core` is the processor that it is bound to, by `taskset`; any, if it is none.
     ///
@@ -77,7 +77,7 @@ impl Addresses {
     }
 }
 
-/// Waits for the end of standard input, which is the end of whoever started this process.
+/// Waits for the end of standard input, which comes when the process that started this one ends.
 ///
 /// # Errors
 /// It cannot be read.

@@ -5,7 +5,7 @@ use std::error::Error;
 /// The number that follows `name`, or `default` where it is not given.
 ///
 /// # Errors
-/// What follows is no number.
+/// What follows is not a number.
 pub fn number(name: &str, default: u32) -> Result<u32, Box<dyn Error>> {
     let Some(text) = text(name) else { return Ok(default) };
     text.parse().map_err(|_| format!("{name} takes a number, not `{text}`").into())

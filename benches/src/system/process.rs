@@ -1,4 +1,4 @@
-//! What Linux tells of this process in `/proc`.
+//! What Linux reports about this process in `/proc`.
 
 use std::fs;
 use std::time::Duration;

@@ -27,7 +27,7 @@ pub fn percentiles(contenders: &[Contender<'_>]) {
     }
 }
 
-/// Prints a figure beside its target, and whether it is met.
+/// Prints a figure with its target, and whether it is met.
 pub fn verdict(what: &str, figure: f64, target: Target) {
     let (sign, bound, met) = match target {
         Target::AtMost(bound) => ("at most", bound, figure <= bound),

@@ -1,7 +1,7 @@
 //! `jaka call`: any command of the protocol, with arguments that come from the spec.
 //!
 //! Which arguments there are depends on the command and on the packs, so the line is read in two steps: [`outline`]
-//! finds the command and the packs, [`parser`] makes clap's description of that command and reads the rest.
+//! finds the command and the packs, [`parser`] makes clap's description of that command and parses the rest.
 
 mod consent;
 mod exchange;

@@ -15,10 +15,10 @@ use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
 use crate::target::RobotArgs;
 
-/// The screen is drawn so often, and at each key.
+/// The interval at which the screen is drawn; each key draws it, too.
 const TICK: Duration = Duration::from_millis(100);
 
-/// A lost connection is tried again after so long, and then less and less often.
+/// The pause before the first attempt to reconnect; later pauses are longer.
 const RECONNECT: Reconnect =
     Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(250), longest: Duration::from_secs(2) };
 
@@ -41,9 +41,9 @@ impl Monitor {
         let mut view = View::new(target.title());
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);
-        // Where the terminal is gone, the wait for keys never ends, and `on_interrupt` ends the program.
+        // If the terminal is gone, the wait for keys never ends, and `on_interrupt` ends the program.
         on_interrupt(move || end.store(true, Ordering::Relaxed))?;
-        // Also has a panic restore the terminal.
+        // This also makes a panic restore the terminal.
         let mut terminal = ratatui::try_init().map_err(no_terminal)?;
         let result = watch(&mut terminal, &mut feed, &mut view, &ended);
         let restored = ratatui::try_restore();
@@ -60,7 +60,7 @@ fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended
         if !event::poll(TICK)? {
             continue;
         }
-        // Whatever else it is, such as a new size, is answered by drawing.
+        // All other events, such as a new size, only need a new drawing.
         if let Event::Key(key) = event::read()? {
             if view.key(key) == AfterKey::Quit {
                 break;

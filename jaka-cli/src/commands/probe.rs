@@ -28,7 +28,7 @@ use crate::target::RobotArgs;
 /// another program that is connected there may be cut off. The report can be pasted into a bug report.
 #[derive(Debug, Args)]
 pub(crate) struct Probe {
-    /// Read so many status packets
+    /// Read this many status packets
     #[arg(long, value_name = "N", default_value = "1")]
     packets: NonZeroU32,
     /// Print the report as JSON

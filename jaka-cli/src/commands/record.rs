@@ -42,13 +42,13 @@ pub(crate) struct Record {
     /// Record the robot's status packets
     #[arg(long)]
     status_only: bool,
-    /// Record at most one status packet per connection in so many seconds; all are passed on
+    /// Record at most one status packet per connection in this many seconds; all are passed on
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     status_every: Option<Duration>,
-    /// End after so many status packets, recorded or not
+    /// End after this many status packets, recorded or not
     #[arg(long, short = 'n', value_name = "N", requires = "status_only")]
     count: Option<u64>,
-    /// End after so many seconds
+    /// End after this many seconds
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     seconds: Option<Duration>,
     #[command(flatten)]
@@ -77,7 +77,7 @@ impl Record {
         result
     }
 
-    /// Serves programs from now on.
+    /// Starts to serve programs, for as long as this one runs.
     fn start_proxy(
         &self,
         address: IpAddr,
@@ -95,7 +95,7 @@ impl Record {
         listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)
     }
 
-    /// Reads status packets from now on, and tells when there have been enough, or there are no more.
+    /// Reads status packets in a thread, and signals when there have been enough, or no more come.
     fn read_packets(
         &self,
         target: Target,
@@ -108,7 +108,7 @@ impl Record {
         let count = self.count.unwrap_or(u64::MAX);
         thread::spawn(move || {
             let result = read(&mut stream, count);
-            // Its end is recorded, too.
+            // The end of the connection is recorded as well.
             drop(stream);
             ended.send(result)
         });
@@ -126,7 +126,7 @@ impl Record {
         }
     }
 
-    /// Says what was recorded, and how many pieces had already been missed when they passed.
+    /// Prints what was recorded, and how many pieces could not be recorded.
     fn tell(&self, report: RecorderReport, missing: u64) -> Result<(), Failure> {
         let (file, entries) = (self.file.display(), report.entries);
         output::line(&match report.dropped + missing {
@@ -141,7 +141,7 @@ impl Record {
     }
 }
 
-/// Reads so many packets, also such as do not fit the spec.
+/// Reads this many packets, including those that do not fit the spec.
 fn read(stream: &mut StatusStream, count: u64) -> Result<(), Failure> {
     (0..count).try_for_each(|_| match stream.next_packet() {
         Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => Err(error.into()),

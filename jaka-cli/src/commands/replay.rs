@@ -21,7 +21,7 @@ use crate::listen::ListenArgs;
 use crate::number::count;
 use crate::output;
 
-/// How often Ctrl-C is looked for.
+/// The interval at which Ctrl-C is checked.
 const TICK: Duration = Duration::from_millis(100);
 
 /// Serve a recording in place of a robot until it is interrupted, or show it.
@@ -91,7 +91,7 @@ impl Replay {
     }
 }
 
-/// Reads a recording. One whose last line is cut off, as after a crash, is used all the same.
+/// Reads a recording. One whose last line is cut off, as after a crash, is still used.
 fn read(path: &Path) -> Result<Recording, Failure> {
     let file = fs::read(path);
     let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
@@ -102,11 +102,11 @@ fn read(path: &Path) -> Result<Recording, Failure> {
     Ok(recording)
 }
 
-/// Prints deviations as they come, and says in the end how many they were.
+/// Prints deviations as they come, and returns how many there were.
 fn report(controller: &Controller, ended: &AtomicBool) -> Result<usize, Failure> {
     let mut told = 0;
     loop {
-        // Once more at the end, for the last ones.
+        // Checked once more at the end, for the last ones.
         let is_last = ended.load(Ordering::Relaxed);
         if !is_last {
             controller.wait_for_deviations(told + 1, TICK);

@@ -21,7 +21,7 @@ use crate::output;
 use crate::seconds::seconds;
 use crate::target::RobotArgs;
 
-/// The fields that are shown where none are asked for.
+/// The fields that are shown by default.
 const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_stop,drag_status,task_mode,\
                      interpreter_state,rapid_rate,error_code,error_message,joint_actual_position,actual_position,\
                      tcp_speed,current_tool_id,current_user_frame_id";
@@ -31,10 +31,10 @@ const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_st
 /// Only reads, from the status port, so that it disturbs no other program.
 #[derive(Debug, Args)]
 pub(crate) struct Status {
-    /// Print again every second, or every so many seconds; 0 for every packet
+    /// Print again every second, or at this interval in seconds; 0 for every packet
     #[arg(long, short, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "1", value_parser = seconds)]
     watch: Option<Duration>,
-    /// End after so many packets; without --watch one a second
+    /// End after this many packets; without --watch one a second
     #[arg(long, short = 'n', value_name = "N")]
     count: Option<NonZeroU64>,
     /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
@@ -99,7 +99,7 @@ impl Status {
         self.watch.is_some() || self.count.is_some()
     }
 
-    /// Prints packets, each as `text` has it, until there have been enough.
+    /// Prints packets, each by `text`, until there have been enough.
     fn print(&self, mut text: impl FnMut() -> Result<String, Failure>) -> Result<(), Failure> {
         let most = if self.repeats() { self.count.map_or(u64::MAX, NonZeroU64::get) } else { 1 };
         (0..most).try_for_each(|_| output::write(text()?.as_bytes()))

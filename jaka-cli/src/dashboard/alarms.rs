@@ -12,44 +12,44 @@ use crate::event;
 /// How many are kept.
 const MOST: usize = 1000;
 
-/// How grave something is.
+/// The severity of an alarm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Tone {
-    /// The robot stopped, or is out of sight.
+    /// The robot stopped, or its state is not known.
     Bad,
-    /// It asks for attention.
+    /// It needs attention.
     Warning,
-    /// What was bad is over.
+    /// A bad state is over.
     Good,
-    /// It changed.
+    /// A change of another kind.
     Plain,
 }
 
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Alarm {
-    /// When it came to be known.
+    /// When it was noticed.
     pub(super) time: SystemTime,
     pub(super) tone: Tone,
     pub(super) text: String,
 }
 
 impl Alarm {
-    /// Its time of day in UTC: the system's time zone is not to be had without more.
+    /// Its time of day in UTC: the standard library does not know the system's time zone.
     pub(super) fn clock(&self) -> String {
         let seconds = self.time.duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
         format!("{:02}:{:02}:{:02}", seconds / 3600 % 24, seconds / 60 % 60, seconds % 60)
     }
 }
 
-/// What happened of late, the newest first.
+/// The latest alarms, the newest first.
 #[derive(Debug, Default)]
 pub(super) struct Alarms {
     entries: VecDeque<Alarm>,
     before: Facts,
 }
 
-/// What alarms tell of, as the packets say it. Packets that do not say it change nothing.
+/// The state that alarms report, as packets have it. A packet without a field does not change it.
 #[derive(Debug, Clone, Default)]
 struct Facts {
     emergency_stop: Option<bool>,
@@ -57,7 +57,7 @@ struct Facts {
     powered: Option<bool>,
     enabled: Option<bool>,
     event: Option<Event>,
-    /// The gravest of the events since the controller last said that there is none. Information is not kept.
+    /// The most severe of the events since the controller last said that there is none. Information is not kept.
     standing: Option<Severity>,
 }
 
@@ -94,7 +94,7 @@ impl Alarms {
         };
     }
 
-    /// Something that is bad if it is on, also in the first packet.
+    /// A state that is bad if it is on, also in the first packet.
     fn flag(&mut self, time: SystemTime, before: Option<bool>, now: Option<bool>, [off, on]: [&str; 2]) {
         match (before.unwrap_or_default(), now) {
             (false, Some(true)) => self.add(time, Tone::Bad, on),
@@ -103,7 +103,7 @@ impl Alarms {
         }
     }
 
-    /// Something that may be on or off.
+    /// A state that may be on or off.
     fn switch(&mut self, time: SystemTime, before: Option<bool>, now: Option<bool>, [off, on]: [&str; 2]) {
         match (before, now) {
             (Some(false), Some(true)) => self.add(time, Tone::Plain, on),
@@ -112,8 +112,8 @@ impl Alarms {
         }
     }
 
-    /// Tells of an event that is more than information. Returns the gravest one of which the controller has not said since that
-    /// it is over, as a code of zero does: information may take an error's place in the packet while the error lasts.
+    /// Reports an event that is more than information. Returns the most severe one that the controller has not since reported
+    /// as over, by a code of zero: information may replace an error in the packet while the error lasts.
     fn event(&mut self, time: SystemTime, before: &Facts, status: &RobotStatus) -> Option<Severity> {
         let Some(now) = event_of(status) else { return before.standing };
         let reading = status.event();
@@ -158,7 +158,7 @@ fn name(severity: Severity) -> &'static str {
     }
 }
 
-/// How grave severities are among each other. An unknown event may be an error.
+/// The rank of a severity. An unknown event may be an error.
 fn rank(severity: Severity) -> u8 {
     match severity {
         Severity::Error => 3,
@@ -168,7 +168,7 @@ fn rank(severity: Severity) -> u8 {
     }
 }
 
-/// A time as people say it.
+/// A length of time for people.
 pub(super) fn duration(time: Duration) -> String {
     let seconds = time.as_secs();
     match seconds {
@@ -185,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn changes_are_told_once() {
+    fn changes_are_reported_once() {
         let mut alarms = Alarms::default();
         let mut status = RobotStatus::default();
         let mut tell = |status: &RobotStatus| alarms.packet(status, UNIX_EPOCH);
@@ -198,7 +198,7 @@ mod tests {
         status.error_message = Some("collision".to_owned());
         tell(&status);
         tell(&status);
-        // A packet that does not say it changes nothing.
+        // A packet without the field changes nothing.
         tell(&RobotStatus::default());
         tell(&status);
         status.protective_stop = Some(false);
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn information_is_no_alarm() {
+    fn information_is_not_an_alarm() {
         let codes =
             [("0x0", ""), ("0x10f0004", "enabled"), ("0x10f0015", ""), ("0x10f0000", "emergency stop"), ("0x0", "")];
         assert_eq!(alarms_of(&codes), "");
@@ -249,7 +249,7 @@ mod tests {
         .assert_eq(&alarms_of(&codes));
     }
 
-    /// Only zero says that an error is over: another event may follow it while it lasts.
+    /// Only zero means that an error is over: another event may follow it while it lasts.
     #[test]
     fn an_error_is_not_cleared_by_information() {
         let codes = [("0x0f0034", ""), ("0x10f000b", ""), ("0x10f0020", ""), ("0x0", ""), ("0x0", "")];

@@ -14,10 +14,10 @@ use super::{View, alarms, io, measurements, overview, style};
 use crate::number::fixed;
 use crate::output::ABSENT;
 
-/// Below this height there is no footer, and the header is one line.
+/// In windows lower than this the header is one line, and there is no footer.
 const LOW: u16 = 12;
 
-/// Draws all of it, and says how far the page can be scrolled.
+/// Draws the screen, and returns how far the page can be scrolled.
 pub(crate) fn draw(frame: &mut Frame<'_>, view: &View) -> u16 {
     let (header, footer) = if frame.area().height < LOW { (1, 0) } else { (2, 1) };
     let heights = [Constraint::Length(header), Constraint::Min(0), Constraint::Length(footer)];
@@ -50,7 +50,7 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     most
 }
 
-/// Draws lines from the one to which is scrolled, and says how far can be: the last one stays in sight.
+/// Draws lines from the scroll position on, and returns the greatest position: the last line stays visible.
 pub(super) fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll: u16) -> u16 {
     let most = lines.len().saturating_sub(usize::from(area.height));
     let most = u16::try_from(most).unwrap_or(u16::MAX);
@@ -58,7 +58,7 @@ pub(super) fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'stati
     most
 }
 
-/// Whose state this is, and whether it is of now.
+/// Which robot this is, and whether its state is current.
 fn title_line(view: &View, width: u16) -> Line<'static> {
     let (state, look) = freshness(view);
     let age = view.age.map_or_else(String::new, |age| format!(" age {} ", age_text(age)));

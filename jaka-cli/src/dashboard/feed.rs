@@ -15,20 +15,20 @@ const CAPACITY: usize = 1000;
 /// The time over which the rate is taken.
 const OF_LATE: Duration = Duration::from_secs(2);
 
-/// Brings what a monitor has read into a view.
+/// Updates a view with what a monitor has read.
 #[derive(Debug)]
 pub(crate) struct Feed {
     monitor: Monitor,
     queue: Subscription<jaka_sync::status::RobotStatus>,
     newest: Option<Arc<Snapshot>>,
     shown: Option<Arc<Snapshot>>,
-    /// Whether no news has been told as an alarm, and not yet that there is some again.
+    /// Whether the alarm for missing packets was raised and has not been cleared yet.
     silent: bool,
-    /// How often the connection had been made anew when packets last came.
+    /// How often the monitor had reconnected when packets last came.
     reconnects: u64,
-    /// Fields that were told not to fit.
+    /// Fields that were reported not to fit.
     unfit: Vec<String>,
-    /// Packets counted at times of late.
+    /// The number of packets at times of the last seconds.
     counts: VecDeque<(Instant, u64)>,
 }
 
@@ -76,7 +76,7 @@ impl Feed {
         view.alarms.packet(&packet.status, time);
     }
 
-    /// Tells once of each field that does not fit: what it says is not known.
+    /// Reports each field that does not fit once: its value is not known.
     fn tell_unfit(&mut self, packet: &Snapshot, view: &mut View, time: SystemTime) {
         for error in &packet.unfit {
             if !self.unfit.iter().any(|told| told == error.field()) {
@@ -86,7 +86,7 @@ impl Feed {
         }
     }
 
-    /// Tells once that packets have stopped coming.
+    /// Reports once that packets have stopped coming.
     fn watch_silence(&mut self, view: &mut View) {
         let stopped = self.newest.as_ref().is_some_and(|packet| packet.age() > STALE);
         if stopped && !self.silent {
@@ -138,7 +138,7 @@ mod tests {
         let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
         let monitor = Config::new().reconnect(policy).connect_monitor(controller.status_addr()).unwrap();
         let (mut feed, mut view) = (Feed::new(monitor), View::default());
-        // The first may have come before there was a queue for it.
+        // The first may have come before the queue was there.
         controller.publish();
         update_until(&mut feed, &mut view, |view| view.status.is_some());
         (controller, feed, view)
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn silence_and_its_end_are_told() {
+    fn silence_and_its_end_are_reported() {
         let (controller, mut feed, mut view) = started();
         update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("no status packets"));
         assert!(!view.is_fresh());
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_connection_that_was_made_anew_is_told() {
+    fn a_new_connection_is_reported() {
         let (controller, mut feed, mut view) = started();
         controller.disconnect();
         update_until(&mut feed, &mut view, |view| newest_alarm(view).starts_with("reconnected after"));
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_field_that_does_not_fit_is_told_once_beside_what_fits() {
+    fn a_field_that_does_not_fit_is_reported_once_and_the_rest_is_shown() {
         let (controller, mut feed, mut view) = started();
         for _ in 0..2 {
             controller.send_status(br#"{"len": 55, "rapidrate": "100%", "protective_stop": 1}"#);

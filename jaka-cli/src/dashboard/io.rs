@@ -8,11 +8,11 @@ use super::style;
 use crate::number::fixed;
 use crate::output::ABSENT;
 
-/// Pins that stand together.
+/// How many pins stand in a group.
 const GROUP: usize = 8;
-/// The names of rows.
+/// The width of the rows' names.
 const NAME: usize = 10;
-/// How many pins are on, and whether some are not in sight: `… 144/144 on`.
+/// The width of how many pins are on, with a sign that some are not shown: `… 144/144 on`.
 const COUNT: usize = 13;
 
 /// The cabinet and the tool, each kind in at most `rows` lines.
@@ -50,7 +50,7 @@ pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
 
 type Fieldbus<'s> = (&'static str, [Option<&'s [bool]>; 2], [Option<&'s [f64]>; 2]);
 
-/// What newer firmware tells of its fieldbuses.
+/// The fieldbuses of newer firmware.
 fn fieldbuses(status: &RobotStatus) -> [Fieldbus<'_>; 3] {
     [
         (
@@ -80,12 +80,12 @@ fn known<T>(value: Option<&Typed<Vec<T>>>) -> Option<&[T]> {
     value.and_then(Typed::known).map(Vec::as_slice)
 }
 
-/// How many pins a line takes.
+/// How many pins fit on a line.
 fn pins_per_line(width: u16) -> usize {
     usize::from(width).saturating_sub(NAME + COUNT + 2) / (GROUP + 1) * GROUP
 }
 
-/// Pins as dots, with how many are on behind the first line.
+/// Pins as dots, with how many are on at the end of the first line.
 fn digital(name: &str, pins: Option<&[bool]>, width: u16, rows: usize) -> Vec<Line<'static>> {
     let Some(pins) = pins else { return vec![absent(name)] };
     let per_line = pins_per_line(width).max(GROUP);
@@ -119,7 +119,7 @@ fn dots(pins: &[bool]) -> Vec<Span<'static>> {
     spans
 }
 
-/// How many are on, and how many of these are not in sight.
+/// How many are on, and how many of these are not shown.
 fn count(pins: &[bool], shown: usize) -> Span<'static> {
     let on = |pins: &[bool]| pins.iter().filter(|pin| **pin).count();
     let hidden = pins.get(shown..).unwrap_or_default();

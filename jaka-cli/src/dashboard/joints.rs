@@ -8,12 +8,12 @@ use super::style::{self, number};
 
 /// No joint turns further.
 const TURN: f64 = 360.0;
-/// The columns beside a joint's bar: number, position, and those of [`MEASURED`].
+/// The columns next to a joint's bar: number, position, and those of [`MEASURED`].
 const COLUMNS: usize = 36;
-/// From this width on there are those of [`MORE`], too.
+/// From this width on those of [`MORE`] are shown as well.
 const WIDE: usize = 90;
 
-/// A column: its title, width and decimals, and how a joint's value is had.
+/// A column: its title, width and decimals, and a joint's value.
 type Column = (&'static str, usize, usize, fn(&JointMonitor) -> f64);
 
 const MEASURED: [Column; 3] = [
@@ -58,7 +58,7 @@ fn position(status: &RobotStatus, index: usize) -> Option<f64> {
     status.joint_actual_position.map(|joints| joints.0[index])
 }
 
-/// What is measured in the joints, where the packet has it in the shape that is known.
+/// What is measured in the joints, where the packet has it in the known shape.
 pub(super) fn measured(status: &RobotStatus) -> Option<&[JointMonitor]> {
     status.monitor_data.as_ref().and_then(Typed::known).map(|data| &*data.joints)
 }

@@ -5,10 +5,10 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use super::View;
 use super::view::Page;
 
-/// Whether the dashboard goes on.
+/// Whether the dashboard continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AfterKey {
-    /// It goes on.
+    /// It continues.
     Continue,
     /// It ends.
     Quit,
@@ -25,7 +25,7 @@ pub(super) const KEYS: [(&str, &str); 6] = [
 ];
 
 impl View {
-    /// Does what a key asks for.
+    /// Carries out a key.
     pub(crate) fn key(&mut self, key: KeyEvent) -> AfterKey {
         if key.kind == KeyEventKind::Release {
             return AfterKey::Continue;

@@ -8,11 +8,11 @@ use super::joints::measured;
 use super::style::{self, number};
 use crate::output::ABSENT;
 
-/// The names of rows, and the columns behind them.
+/// The widths of the rows' names, and of the columns after them.
 const NAME: usize = 20;
 const COLUMN: usize = 9;
 
-/// A row: its name, and how a joint's value is had.
+/// A row: its name, and a joint's value.
 type Row = (&'static str, fn(&JointMonitor) -> f64);
 
 const ROWS: [Row; 10] = [

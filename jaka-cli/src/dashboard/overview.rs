@@ -9,17 +9,17 @@ use super::draw::alarm_lines;
 use super::{View, io, joints, robot_state, style};
 use crate::output::ABSENT;
 
-/// From this size on, everything has its place. The header and the footer are not counted.
+/// From this size on everything fits. The header and the footer are not counted.
 const FULL: (u16, u16) = (80, 21);
 /// The column of the pose.
 const TCP_WIDTH: u16 = 24;
 /// Lines of the state and of the joints, with their rules.
 const STATE: u16 = 5;
 const JOINTS: u16 = 8;
-/// The least number of lines for what happened, with their rule.
+/// The least number of lines for alarms, with their rule.
 const ALARMS: u16 = 4;
 
-/// Draws the page, and says how far it can be scrolled.
+/// Draws the page, and returns how far it can be scrolled.
 pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     let unknown = RobotStatus::default();
     let status = view.status.as_ref().unwrap_or(&unknown);
@@ -42,7 +42,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     0
 }
 
-/// All inputs and outputs, or as much of them as has room.
+/// All inputs and outputs, or as many of them as fit.
 fn pins(status: &RobotStatus, width: u16, height: usize) -> Vec<Line<'static>> {
     let all = io::lines(status, width);
     if all.len() <= height {
@@ -52,7 +52,7 @@ fn pins(status: &RobotStatus, width: u16, height: usize) -> Vec<Line<'static>> {
     std::iter::once(style::rule("Digital I/O", width)).chain(io::short_lines(status, width, rows)).collect()
 }
 
-/// Everything below each other, in the order in which it matters.
+/// All parts in one column, the most important first.
 fn small(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let mut values = robot_state::lines(status, width);
     values.extend(joints::short_lines(status));
@@ -84,7 +84,7 @@ fn dim_if_old<const N: usize>(frame: &mut Frame<'_>, view: &View, areas: [Rect; 
     }
 }
 
-/// A line whose values are not of now.
+/// A line whose values are out of date.
 fn old(line: Line<'static>) -> Line<'static> {
     Line::from(line.spans.into_iter().map(|span| Span::styled(span.content, style::old())).collect::<Vec<_>>())
 }

@@ -10,7 +10,7 @@ use super::style;
 use crate::event;
 use crate::output::ABSENT;
 
-/// A value with its names, a long and a short one, and its look.
+/// A value with its names, a long and a short one, and its style.
 #[derive(Clone)]
 struct Cell {
     names: [&'static str; 2],
@@ -27,7 +27,7 @@ struct Grid {
 }
 
 impl Grid {
-    /// The one for a window of this width.
+    /// The layout for a window of this width.
     fn of(width: usize) -> Self {
         match width {
             78.. => Self { columns: 3, cell: (width / 3).min(32), name: 16, which: 0 },
@@ -42,7 +42,7 @@ pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let grid = Grid::of(usize::from(width));
     let mut cells = cells(status).to_vec();
     let event = event_cell(status);
-    // An event takes a line of its own; that there is none does not where lines are few.
+    // An event has a line of its own; where lines are few, the absence of one has not.
     let is_short = status.error_code.is_some() && matches!(status.event(), Ok(None));
     if grid.columns == 2 && is_short {
         cells.push(event);
@@ -109,7 +109,7 @@ fn rate(rate: f64) -> (String, Style) {
     (format!("{} %", crate::number::fixed(rate * 100.0, 0)), look)
 }
 
-/// The controller's event, if it is told, and its look: that of an alarm, unless it is known to be less.
+/// The controller's event, if the packet has it, and its style: that of an alarm, unless it is known to be less.
 fn event_cell(status: &RobotStatus) -> Cell {
     let value = status.error_code.as_ref().map(|code| {
         let reading = status.event();

@@ -1,4 +1,4 @@
-//! How values look.
+//! The styles of values.
 
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
@@ -7,12 +7,12 @@ use super::alarms::Tone;
 use crate::number::fixed;
 use crate::output::ABSENT;
 
-/// Names of values, rules and what else is there to be overlooked.
+/// Names of values, rules and other things of little interest.
 pub(super) fn faint() -> Style {
     Style::new().fg(Color::DarkGray)
 }
 
-/// What the eye should find.
+/// What should catch the eye.
 pub(super) fn strong() -> Style {
     Style::new().add_modifier(Modifier::BOLD)
 }
@@ -22,22 +22,22 @@ pub(super) fn good() -> Style {
     Style::new().fg(Color::Green)
 }
 
-/// What asks for attention.
+/// What needs attention.
 pub(super) fn notable() -> Style {
     Style::new().fg(Color::Yellow)
 }
 
-/// What must not be overlooked, also where there are no colours.
+/// What must not be overlooked, also without colours.
 pub(super) fn bad() -> Style {
     Style::new().fg(Color::Red).add_modifier(Modifier::BOLD | Modifier::REVERSED)
 }
 
-/// What is not of now.
+/// What is out of date.
 pub(super) fn old() -> Style {
     faint().add_modifier(Modifier::DIM).remove_modifier(Modifier::BOLD)
 }
 
-/// The look of what happened.
+/// The style of an alarm.
 pub(super) fn of_tone(tone: Tone) -> Style {
     match tone {
         Tone::Bad => Style::new().fg(Color::Red).add_modifier(Modifier::BOLD),

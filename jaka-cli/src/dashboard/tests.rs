@@ -57,7 +57,7 @@ fn after_collision() -> View {
     }))
 }
 
-/// A terminal obeys it, and a line that nobody wrote is behind it.
+/// A terminal would obey it, and it is followed by a forged line.
 const HOSTILE: &str = "A\u{1b}[2J\u{9b}\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}\r\nB\tC";
 
 #[test]
@@ -93,7 +93,7 @@ fn rows(buffer: &Buffer) -> Vec<String> {
 }
 
 fn check(view: &View, (width, height): (u16, u16), expected: &Expect) {
-    // With an edge, since expect-test takes off what all lines are indented by.
+    // With a border, since expect-test removes the indentation that all lines share.
     let rows = rows(&screen(view, width, height));
     let text: Vec<_> = rows.iter().map(|row| format!("|{}\n", row.trim_end())).collect();
     expected.assert_eq(&text.concat());
@@ -254,7 +254,7 @@ fn information_and_warnings_do_not_look_like_errors() {
 }
 
 #[test]
-fn what_no_packet_says_is_no_zero() {
+fn what_no_packet_says_is_not_a_zero() {
     let mut view = view(RobotStatus::default());
     view.age = None;
     view.link = Link::default();

@@ -7,10 +7,10 @@ use jaka_sync::status::RobotStatus;
 
 use super::alarms::Alarms;
 
-/// A packet that is older than this is no news: several periods of any firmware.
+/// A packet that is older than this is out of date: several periods of any firmware.
 pub(super) const STALE: Duration = Duration::from_millis(500);
 
-/// All that is shown. Nothing else, no clock either, decides what is drawn.
+/// All that is shown. What is drawn depends on nothing else, not even on a clock.
 #[derive(Debug, Default)]
 pub(crate) struct View {
     /// What people call the robot.
@@ -25,16 +25,16 @@ pub(crate) struct View {
     pub(super) alarms: Alarms,
     /// The page that is shown.
     pub(super) page: Page,
-    /// How many lines of the page are scrolled away.
+    /// How many lines the page is scrolled down.
     pub(super) scroll: u16,
-    /// Whether the packet that is shown stays.
+    /// Whether the display is paused.
     pub(super) paused: bool,
     /// Whether the keys are explained.
     pub(super) help: bool,
 }
 
 impl View {
-    /// Keeps what is scrolled away within what there is to scroll.
+    /// Limits scrolling to the length of the page.
     pub(crate) fn scroll_at_most(&mut self, most: u16) {
         self.scroll = self.scroll.min(most);
     }
@@ -44,7 +44,7 @@ impl View {
         Self { title: visible(title).into_owned(), ..Self::default() }
     }
 
-    /// True if what is shown is what the robot said just now.
+    /// True if the packet that is shown is a current one.
     pub(super) fn is_fresh(&self) -> bool {
         !self.paused && self.age.is_some_and(|age| age <= STALE)
     }
@@ -53,17 +53,17 @@ impl View {
 /// How packets come.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Link {
-    /// Packets a second, of late.
+    /// Packets a second, over the last seconds.
     pub(super) rate: Option<f64>,
     /// Mean deviation of the time between packets from the one before.
     pub(super) jitter: Option<Duration>,
     /// The longest time between two packets.
     pub(super) longest_gap: Option<Duration>,
-    /// Packets that were passed over since a newer one had come.
+    /// Packets that were skipped because a newer one had come.
     pub(super) skipped: u64,
-    /// Packets that came and did not fit the spec, and times when none could be made out.
+    /// Packets that did not fit the spec, and bytes in which no packet could be found.
     pub(super) unfit: u64,
-    /// How often the connection was made anew.
+    /// How often the monitor has reconnected.
     pub(super) reconnects: u64,
     /// Why the connection has ended for good, if it has.
     pub(super) ended: Option<String>,
@@ -97,7 +97,7 @@ impl Page {
         }
     }
 
-    /// The page that is so many behind this one, around the end.
+    /// The page this many after this one, from the last on to the first.
     pub(super) fn step(self, by: usize) -> Self {
         let at = Self::ALL.iter().position(|page| *page == self).unwrap_or_default();
         Self::ALL[(at + by) % Self::ALL.len()]

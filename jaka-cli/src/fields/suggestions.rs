@@ -2,7 +2,7 @@
 
 use jaka_spec::words::distance;
 
-/// How many are named.
+/// How many suggestions are made at most.
 const MOST: usize = 3;
 
 /// What to try instead.

@@ -2,7 +2,7 @@
 
 use jaka_sync::proto::framing::{FrameError, Framer};
 
-/// Cuts a byte stream into messages and what is none, and loses nothing but white space between messages.
+/// Splits a byte stream into messages and other bytes, and loses nothing but white space between messages.
 #[derive(Debug, Default)]
 pub(super) struct Frames {
     framer: Framer,
@@ -13,12 +13,12 @@ pub(super) struct Frames {
 pub(super) enum Piece<'b> {
     /// A message.
     Message(&'b [u8]),
-    /// Bytes that are none.
+    /// Bytes that are not a message.
     Stray(&'b [u8]),
 }
 
 impl Frames {
-    /// Takes bytes that came, and tells of each piece that is complete with them.
+    /// Takes bytes that were received, and reports each piece that they complete.
     pub(super) fn take(&mut self, bytes: &[u8], mut tell: impl FnMut(Piece<'_>)) {
         self.framer.push(bytes);
         loop {
@@ -30,20 +30,20 @@ impl Frames {
         }
     }
 
-    /// Tells of what came last, if the stream ends within a message.
+    /// Reports the bytes of an incomplete message at the end of the stream.
     pub(super) fn finish(self, mut tell: impl FnMut(Piece<'_>)) {
         if !self.framer.is_idle() {
             tell(Piece::Stray(self.framer.partial()));
         }
     }
 
-    /// Goes on behind what is no message: at the next brace, or with the next bytes that come. What waits behind it stays where it
+    /// Continues after bytes that are not a message: at the next brace, or with the next bytes received. What follows stays where it
     /// is, so that the time for a stream is linear in its length, whatever it is.
     fn skip(&mut self, error: &FrameError, tell: &mut impl FnMut(Piece<'_>)) {
         let waiting = self.framer.partial();
         let next = match error {
             FrameError::Garbage { .. } => waiting.iter().position(|&byte| byte == b'{'),
-            // The braces within it begin no messages.
+            // The braces within it do not begin messages.
             _ => None,
         };
         tell(Piece::Stray(&waiting[..next.unwrap_or(waiting.len())]));
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_message_is_kept() {
+    fn bytes_that_are_not_a_message_are_kept() {
         assert_eq!(pieces(b"x y{}z", &[]), "x y<{}>z");
         assert_eq!(pieces(b"xx{}", &[1]), "xx<{}>");
         assert_eq!(pieces(b"{}{\"cut", &[]), "<{}>{\"cut");

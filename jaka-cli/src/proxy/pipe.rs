@@ -12,12 +12,12 @@ use socket2::SockRef;
 
 use super::recording_queue::{Connection, Direction, Passed, RecordingQueue};
 
-/// How many bytes are passed on at once.
+/// How many bytes are passed on in one read and write.
 const ROOM: usize = 16 << 10;
 
 /// Passes the bytes of both directions on, unchanged, each side's end included.
 ///
-/// They are passed on as they come, whatever they are: a copy goes to the recording, which nobody waits for. The copy is handed
+/// They are passed on as they come, whatever they are: a copy goes to the recording, which never delays them. The copy is handed
 /// over before the bytes go out, so that the recording has each message before what it causes.
 #[derive(Debug)]
 pub(super) struct Pipe<'p> {
@@ -45,7 +45,7 @@ impl Pipe<'_> {
         thread::scope(|scope| {
             let requests = || {
                 let end = self.pass(self.client, self.robot, Direction::ToRobot);
-                // How the robot's connection was lost, the other direction tells.
+                // The other direction reports how the robot's connection was lost.
                 if end != DirectionEnd::ReceiverLost {
                     client_left.store(true, Ordering::Release);
                 }
@@ -94,7 +94,7 @@ impl Pipe<'_> {
     }
 }
 
-/// Has the other side see that a direction has ended, and how.
+/// Ends a direction on the other side in the same way.
 fn hand_on(end: DirectionEnd, sender: &TcpStream, receiver: &TcpStream) {
     // Errors say that a connection has ended already.
     match end {
@@ -104,7 +104,7 @@ fn hand_on(end: DirectionEnd, sender: &TcpStream, receiver: &TcpStream) {
     }
 }
 
-/// Has a connection reset when it is dropped, and wakes who reads from it.
+/// Makes the drop of a connection reset it, and wakes the thread that reads from it.
 pub(super) fn reset(stream: &TcpStream) {
     drop(SockRef::from(stream).set_linger(Some(Duration::ZERO)));
     drop(stream.shutdown(Shutdown::Read));

@@ -1,4 +1,4 @@
-//! What has passed, recorded beside: whoever passes bytes on hands over a copy and never waits.
+//! Records what has passed on a thread of its own: a thread that passes bytes on hands over a copy and never waits.
 
 use std::collections::VecDeque;
 use std::io;
@@ -11,10 +11,10 @@ use jaka_sync::recording::{Event, Message, Port};
 
 use super::frames::{Frames, Piece};
 
-/// How many bytes may wait. What comes beyond that is missing in the recording, which says so.
+/// How many bytes may wait. Beyond that, pieces are missing in the recording, which says so.
 const LIMIT: usize = 8 << 20;
 
-/// What a waiting piece takes beside its bytes.
+/// What a waiting piece takes in addition to its bytes.
 const OVERHEAD: usize = 128;
 
 /// Records what passes on all connections, on a thread of its own.
@@ -33,7 +33,7 @@ struct Shared {
 struct State {
     waiting: VecDeque<(Arc<Connection>, Passed)>,
     bytes: usize,
-    /// Nothing is taken any more, and the thread ends when nothing waits.
+    /// No more pieces are accepted, and the thread ends when the queue is empty.
     closed: bool,
     /// The thread has ended.
     ended: bool,
@@ -50,7 +50,7 @@ pub(super) struct Connection {
     frames: [Mutex<Frames>; 2],
 }
 
-/// Where bytes go.
+/// The direction of bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Direction {
     ToRobot,
@@ -61,7 +61,7 @@ pub(super) enum Direction {
 #[derive(Debug)]
 pub(super) enum Passed {
     Bytes(Direction, Vec<u8>),
-    /// So many pieces that did not fit.
+    /// The number of pieces that did not fit.
     Missing(Direction, u64),
     /// A direction has ended.
     End(Direction),
@@ -87,7 +87,7 @@ impl Connection {
         }
     }
 
-    /// Records what a direction has sent in part: its rest will not come.
+    /// Records an incomplete message of a direction, the rest of which will not come.
     fn flush(&self, direction: Direction) {
         mem::take(&mut *self.frames(direction)).finish(|piece| self.piece(direction, piece));
     }
@@ -115,7 +115,7 @@ impl Passed {
 
 impl RecordingQueue {
     /// # Errors
-    /// A thread cannot be had.
+    /// The thread cannot be started.
     pub(crate) fn start() -> io::Result<Self> {
         Self::with_limit(LIMIT)
     }
@@ -127,7 +127,7 @@ impl RecordingQueue {
         Ok(queue)
     }
 
-    /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing but other takers.
+    /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing but the queue's lock.
     pub(super) fn take(&self, connection: &Arc<Connection>, passed: Passed) {
         let mut state = self.lock();
         if state.closed {
@@ -173,7 +173,7 @@ impl RecordingQueue {
         }
     }
 
-    /// What is to be recorded next; none at the end.
+    /// The next entry to record; none at the end.
     fn next(&self) -> Option<(Arc<Connection>, Passed)> {
         let mut state = self.lock();
         while state.waiting.is_empty() {
@@ -188,7 +188,7 @@ impl RecordingQueue {
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
-        // Every change is made whole before the lock is left.
+        // Every change is complete before the lock is released.
         self.0.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -208,7 +208,7 @@ impl State {
     }
 }
 
-/// Lets nobody wait for a thread that has ended, by a panic too.
+/// Ends all waits for the thread when it ends, also by a panic.
 struct StopOnDrop<'s>(&'s RecordingQueue);
 
 impl Drop for StopOnDrop<'_> {
@@ -225,7 +225,7 @@ impl Drop for StopOnDrop<'_> {
 mod tests {
     use jaka_sync::recording::Recording;
     use jaka_sync::{Recorder, StatusSampling};
-    use jaka_tests::Tape;
+    use jaka_tests::RecordingBuffer;
 
     use super::*;
 
@@ -250,7 +250,7 @@ mod tests {
         let queue = RecordingQueue::with_limit(2 * OVERHEAD).expect("a thread can be had");
         let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         let bytes = |direction, text: &str| Passed::Bytes(direction, text.as_bytes().to_vec());
-        // While it is at work on this one, the others wait.
+        // While the thread records this one, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
         queue.take(&connection, bytes(Direction::ToRobot, "{\"a\":1}{\"cut"));
         while !queue.lock().waiting.is_empty() {
@@ -264,7 +264,7 @@ mod tests {
         assert_eq!(queue.finish(), 2);
         queue.take(&connection, bytes(Direction::ToRobot, "{\"late\":1}"));
         recorder.finish().expect("memory can be written");
-        let recording: Recording = tape.read().expect("it has just been written");
+        let recording: Recording = buffer.read().expect("it has just been written");
         let events = recording.entries.iter().map(|entry| match &entry.event {
             Event::Sent(message) => message.to_string(),
             Event::Dropped { count } => format!("{count} missing"),

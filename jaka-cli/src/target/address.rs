@@ -1,4 +1,4 @@
-//! Where the robot is: the order in which arguments, environment and config file count.
+//! Where the robot is: which of arguments, environment and config file takes precedence.
 
 use std::env::split_paths;
 use std::net::IpAddr;
@@ -12,7 +12,7 @@ use super::environment::Environment;
 use super::{AddressArgs, CONNECT_TIMEOUT};
 use crate::failure::Failure;
 
-/// What to say where nothing tells the robot's address.
+/// The message where nothing gives the robot's address.
 const NO_ROBOT: &str = "no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with \
                         `robot = \"NAME\"` in the config file; or try a simulated one with `--sim`";
 
@@ -29,7 +29,7 @@ pub(super) struct RobotAddress {
 }
 
 impl RobotAddress {
-    /// Finds the robot: what the command line says counts more than the environment, and that more than the config file.
+    /// Finds the robot: the command line takes precedence over the environment, and that over the config file.
     pub(super) fn find(args: &AddressArgs, environment: &Environment) -> Result<Self, Failure> {
         let file = config_file(args.config.as_deref(), environment)?;
         let named = match (&args.robot, &environment.robot, &file.robot) {
@@ -94,7 +94,7 @@ pub(super) fn packs(config: Option<&Path>, environment: &Environment) -> Result<
     }
 }
 
-/// The config file that is meant; an empty one if it is the usual one and is not there.
+/// The config file to read; an empty one if it is the usual one and does not exist.
 fn config_file(path: Option<&Path>, environment: &Environment) -> Result<ConfigFile, Failure> {
     if let Some(path) = path.or(environment.config.as_deref()) {
         return ConfigFile::read(path);

@@ -15,7 +15,7 @@ use crate::seconds;
 #[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConfigFile {
-    /// The robot that is meant where none is named.
+    /// The robot to talk to where none is named.
     pub(crate) robot: Option<String>,
     /// Command packs: paths, from the config file's folder.
     #[serde(default)]
@@ -71,7 +71,7 @@ impl ConfigFile {
 }
 
 impl Entry {
-    /// One that says no more than an address.
+    /// A robot with an address and nothing else.
     pub(crate) fn at(address: String) -> Self {
         Self { address, command_port: None, status_port: None, timeout: None, connect_timeout: None }
     }
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn packs_lie_beside_the_file() {
+    fn packs_are_relative_to_the_file() {
         let file = ConfigFile::parse("packs = ['a.toml', '/b.toml']", Path::new("folder/config.toml"));
         assert_eq!(file.unwrap().packs, [Path::new("folder/a.toml"), Path::new("/b.toml")]);
     }

@@ -11,14 +11,14 @@ pub(crate) struct Environment {
     pub(crate) robot: Option<OsString>,
     /// `JAKA_CONFIG`.
     pub(crate) config: Option<PathBuf>,
-    /// `JAKA_PACK`: paths of packs, between the signs that `PATH` has.
+    /// `JAKA_PACK`: paths of packs, separated as in `PATH`.
     pub(crate) packs: Option<OsString>,
     /// The folder of the user's config files.
     pub(crate) config_folder: Option<PathBuf>,
 }
 
 impl Environment {
-    /// The present one.
+    /// The environment of this process.
     pub(crate) fn read() -> Self {
         let get = |name| var_os(name).filter(|value| !value.is_empty());
         let folder = |name| get(name).map(PathBuf::from);
@@ -31,7 +31,7 @@ impl Environment {
         }
     }
 
-    /// Where the config file is if nothing else is said.
+    /// Where the config file is by default.
     pub(crate) fn usual_config(&self) -> Option<PathBuf> {
         self.config_folder.as_ref().map(|folder| folder.join(Path::new("jaka").join("config.toml")))
     }

@@ -11,7 +11,7 @@ fn controller() -> Controller {
     controller
 }
 
-/// Sends a line to a controller, with `answer` on a standard input that is no terminal.
+/// Sends a line to a controller, with `answer` on a standard input that is not a terminal.
 fn call(controller: &Controller, line: &str, answer: &str) -> (Option<i32>, String, usize) {
     let before = controller.requests().len();
     let words = ["call"].into_iter().chain(line.split(' ')).map(str::to_owned).chain(address_of(controller));
@@ -20,7 +20,7 @@ fn call(controller: &Controller, line: &str, answer: &str) -> (Option<i32>, Stri
 }
 
 #[test]
-fn what_changes_something_wants_a_yes_where_nobody_can_be_asked() {
+fn what_changes_something_needs_yes_without_a_terminal() {
     let controller = controller();
     for line in [
         "joint_move --mode relative --joint-position 1,0,0,0,0,0 --speed 10",
@@ -70,7 +70,7 @@ fn a_dry_run_needs_no_yes_and_no_robot() {
 }
 
 #[test]
-fn a_simulated_arm_asks_nobody() {
+fn a_simulated_arm_needs_no_consent() {
     assert_eq!(jaka(["call", "power_on", "--sim"]).text(), "powered_on  true\nexit code 0\n");
 }
 

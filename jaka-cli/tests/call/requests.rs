@@ -29,7 +29,7 @@ fn unknown_commands_suggest_the_nearest() {
 }
 
 #[test]
-fn everything_that_is_wrong_is_told_at_once() {
+fn every_problem_is_reported() {
     check(
         "joint_move --mode abs --speed fast --dry-run",
         &expect![[r"
@@ -58,7 +58,7 @@ fn everything_that_is_wrong_is_told_at_once() {
 }
 
 #[test]
-fn clap_tells_what_is_no_option() {
+fn clap_reports_unknown_options() {
     check(
         "joint_move --sped 1",
         &expect![[r"

@@ -1,4 +1,4 @@
-//! A simulated controller behind a link of packets that can be taken down: a network namespace.
+//! A simulated controller in a network namespace, reached by a link that can be taken down.
 
 use std::fmt;
 use std::io::{self, BufRead, BufReader, Write};
@@ -14,7 +14,7 @@ pub(crate) struct Namespace {
     controller: Option<Child>,
 }
 
-/// Why there can be no namespace here.
+/// Why a namespace cannot be made here.
 #[derive(Debug)]
 pub(crate) struct Unavailable(String);
 
@@ -34,7 +34,7 @@ fn ip(arguments: &[&str]) -> Result<(), Unavailable> {
     Err(unavailable(&String::from_utf8_lossy(&output.stderr).trim()))
 }
 
-/// An address of a small network that belongs to this process, of those that are set aside for tests of networks.
+/// An address of a small network that belongs to this process, of those reserved for tests of networks.
 fn address(host: u32) -> Ipv4Addr {
     const TESTS: u32 = 198 << 24 | 18 << 16;
     let network = std::process::id() % (1 << 15);
@@ -47,7 +47,7 @@ impl Namespace {
         let pid = std::process::id();
         let ends = [format!("jks{pid}a"), format!("jks{pid}b")];
         let this = Self { name: format!("jaka-sim-{pid}"), ends, controller: None };
-        // What a process with the same id has left behind, killed before it could clean up.
+        // Left by a process with the same id, which was killed before it could clean up.
         this.remove();
         let [near, far] = this.ends.each_ref().map(String::as_str);
         let (here, there) = (address(1), address(2));

@@ -1,10 +1,10 @@
-//! What became of requests, until their waiters ask.
+//! The outcomes of requests, until their waiters ask.
 
 use std::collections::VecDeque;
 
 use super::RequestId;
 
-/// What became of a request.
+/// The outcome of a request.
 #[derive(Debug)]
 pub(super) enum Pending {
     /// The text of the reply.
@@ -13,7 +13,7 @@ pub(super) enum Pending {
     Lost,
 }
 
-/// What became of requests whose waiters have not asked yet.
+/// The outcomes of requests whose waiters have not asked yet.
 #[derive(Debug, Default)]
 pub(super) struct PendingReplies {
     /// In the order of the requests: so they are completed.

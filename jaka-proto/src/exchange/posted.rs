@@ -17,7 +17,7 @@ pub struct PostedRequest {
     pub sent_at: Instant,
 }
 
-/// What became of posted requests.
+/// The outcomes of posted requests.
 #[derive(Debug, Default)]
 #[non_exhaustive]
 pub struct PostedOutcomes {

@@ -83,7 +83,7 @@ impl SentRequests {
         Ok(())
     }
 
-    /// The request that is completed by the reply with this envelope, or without one. `lost` is told each request before it.
+    /// The request that is completed by the reply with this envelope, or without one. `lost` is called with each request before it.
     pub(crate) fn complete_by(
         &mut self,
         envelope: Option<&Envelope<'_>>,

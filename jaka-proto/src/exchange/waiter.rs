@@ -27,7 +27,7 @@ pub enum Failure {
     },
 }
 
-/// How a thread reads replies: as the type that it waits for, in the one pass that also tells whose each reply is.
+/// How a thread reads replies: as the type that it waits for, in the one pass that also attributes each reply.
 pub trait ReadReply {
     /// Reads a reply as the one that is waited for, whosever it is. `None` for a bare Python tuple, which has no envelope.
     ///
@@ -113,12 +113,12 @@ impl<'r> Waiter<'r> {
         self.own.as_ref().map(|own| own.request)
     }
 
-    /// Takes what became of its request, once that is known: whether the command was accepted.
+    /// Takes the outcome of its request, once it is known: whether the command was accepted.
     pub fn take_outcome(&mut self) -> Option<Result<(), Failure>> {
         self.outcome.take()
     }
 
-    /// True once it is known what became of its request.
+    /// True once the outcome of its request is known.
     pub fn is_done(&self) -> bool {
         self.outcome.is_some()
     }

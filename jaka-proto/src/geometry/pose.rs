@@ -24,7 +24,7 @@ impl Pose {
     /// The position x, y, z in millimetres and the orientation as a quaternion.
     ///
     /// # Errors
-    /// The quaternion is no rotation; see [`with_quaternion`](Self::with_quaternion).
+    /// The quaternion is not a rotation; see [`with_quaternion`](Self::with_quaternion).
     pub fn from_millimetres_quaternion(
         position: [f64; 3],
         orientation: impl Into<Quaternion>,
@@ -35,7 +35,7 @@ impl Pose {
     /// The position x, y, z in metres and the orientation as a quaternion.
     ///
     /// # Errors
-    /// The quaternion is no rotation; see [`with_quaternion`](Self::with_quaternion).
+    /// The quaternion is not a rotation; see [`with_quaternion`](Self::with_quaternion).
     pub fn from_metres_quaternion(
         position: [f64; 3],
         orientation: impl Into<Quaternion>,

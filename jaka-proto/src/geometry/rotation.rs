@@ -17,7 +17,7 @@ pub struct Quaternion {
     pub z: f64,
 }
 
-/// A quaternion or matrix that is no rotation.
+/// A quaternion or matrix that is not a rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotARotation {
@@ -30,8 +30,8 @@ pub enum NotARotation {
 impl fmt::Display for NotARotation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Quaternion => "the quaternion is no rotation: its length is not near one",
-            Self::Matrix => "the matrix is no rotation: its rows are not near a right-handed set of unit vectors",
+            Self::Quaternion => "the quaternion is not a rotation: its length is not near one",
+            Self::Matrix => "the matrix is not a rotation: its rows are not near a right-handed set of unit vectors",
         })
     }
 }

@@ -117,7 +117,7 @@ fn half_turns_are_180_and_zeros_have_no_sign() {
 }
 
 #[test]
-fn what_is_no_rotation() {
+fn what_is_not_a_rotation() {
     let pose = turned([0.0; 3]);
     for length in [0.0, 0.98, 1.02, 2.0, 1e-200, 1e200, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let refused = pose.with_quaternion(Quaternion { w: 0.0, x: length, y: 0.0, z: 0.0 });

@@ -8,7 +8,7 @@ use crate::exchange::RequestId;
 use crate::exchange::sent::{Recipient, SentRequests};
 use crate::{Envelope, Request};
 
-/// A recorded request, and what came of it.
+/// A recorded request, and its outcome.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Answered {

@@ -10,10 +10,10 @@ use crate::wire::{Decode, DecodeError, Reader};
 impl Recording {
     /// Reads a file's bytes.
     ///
-    /// A last line that is cut off, without a line feed, is told by [`truncated`](Self::truncated).
+    /// A last line that is cut off, without a line feed, is reported by [`truncated`](Self::truncated).
     ///
     /// # Errors
-    /// The first line that is no header or entry.
+    /// The first line that is neither a header nor an entry.
     pub fn read(file: &[u8]) -> Result<Self, RecordingError> {
         let mut lines = file.split_inclusive(|byte| *byte == b'\n').enumerate();
         let (_, first) = lines.next().unwrap_or_default();
@@ -42,7 +42,7 @@ impl Header {
     /// Reads the first line of a recording, with or without its line feed.
     ///
     /// # Errors
-    /// It is no header, or one of another version of the format.
+    /// It is not a header, or one of another version of the format.
     pub fn read(line: &str) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(line);
         let (mut format, mut started, mut software) = (None, None, None);
@@ -67,10 +67,10 @@ impl Header {
 }
 
 impl Entry {
-    /// Reads a line behind the first, with or without its line feed.
+    /// Reads a line after the first, with or without its line feed.
     ///
     /// # Errors
-    /// It is no entry.
+    /// It is not an entry.
     pub fn read(line: &str) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(line);
         let mut keys = Keys::default();

@@ -52,7 +52,7 @@ fn errors_name_the_line_and_what_is_wrong() {
     let start = r#""time":0,"port":"command""#;
     assert_eq!(
         problem(""),
-        "line 1 of the recording cannot be read: no JSON: expected a value at byte 0, where the text ends"
+        "line 1 of the recording cannot be read: not JSON: expected a value at byte 0, where the text ends"
     );
     assert_eq!(
         problem("{\"jaka_recording\":2,\"started\":0}\n"),

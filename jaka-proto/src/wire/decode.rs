@@ -9,7 +9,7 @@ pub trait Decode: Sized {
     /// Reads the value.
     ///
     /// # Errors
-    /// The text is no JSON, or the value does not fit.
+    /// The text is not JSON, or the value does not fit.
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
 
     /// Reads the value over another one, whose memory is used again. After an error, what is there means nothing.

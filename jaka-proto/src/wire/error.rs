@@ -23,7 +23,7 @@ enum Kind {
 }
 
 impl DecodeError {
-    /// The text is no JSON: at `offset` stands something other than `expected`.
+    /// The text is not JSON: at `offset` there is something other than `expected`.
     pub(crate) fn malformed(text: &str, offset: usize, expected: &'static str) -> Self {
         Self::new(Kind::Malformed { expected, offset, found: excerpt(text.get(offset..).unwrap_or("")) })
     }
@@ -84,7 +84,7 @@ impl DecodeError {
         inner.is_some_and(|inner| inner.is_empty() || inner.starts_with(['.', '[']))
     }
 
-    /// True if the text is no JSON at all, rather than JSON of another shape.
+    /// True if the text is not JSON at all, rather than JSON of another shape.
     pub fn is_malformed(&self) -> bool {
         matches!(self.0.kind, Kind::Malformed { .. })
     }
@@ -100,10 +100,10 @@ impl fmt::Display for DecodeError {
         }
         match kind {
             Kind::Malformed { expected, offset, found } if found.is_empty() => {
-                write!(f, "no JSON: expected {expected} at byte {offset}, where the text ends")
+                write!(f, "not JSON: expected {expected} at byte {offset}, where the text ends")
             }
             Kind::Malformed { expected, offset, found } => {
-                write!(f, "no JSON: expected {expected} at byte {offset}, found `{found}`")
+                write!(f, "not JSON: expected {expected} at byte {offset}, found `{found}`")
             }
             Kind::Unfit { expected, found } => write!(f, "expected {expected}, found `{found}`"),
             Kind::Missing { key: "" } => f.write_str("the element is missing"),

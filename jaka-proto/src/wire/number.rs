@@ -12,7 +12,7 @@ pub(super) trait Scalar: Decode + Copy + Default {
 }
 
 /// Takes values in their usual form and the commas between them, as many as follow each other, and gives each to `take`;
-/// tells how many they are, and the length of all without a comma behind the last.
+/// tells how many they are, and the length of all without a comma after the last.
 #[inline]
 pub(super) fn run<T: Scalar>(bytes: &[u8], mut take: impl FnMut(T)) -> (usize, usize) {
     let mut count = 0;
@@ -36,7 +36,7 @@ impl Scalar for bool {
     #[inline]
     fn usual(bytes: &[u8]) -> Option<(Self, usize)> {
         match bytes {
-            [digit @ (b'0' | b'1'), behind, ..] if !is_part(*behind) => Some((*digit == b'1', 1)),
+            [digit @ (b'0' | b'1'), next, ..] if !is_part(*next) => Some((*digit == b'1', 1)),
             [b't', b'r', b'u', b'e', ..] => Some((true, 4)),
             [b'f', b'a', b'l', b's', b'e', ..] => Some((false, 5)),
             _ => None,
@@ -152,7 +152,7 @@ fn digit(bytes: &[u8], at: usize) -> Option<u8> {
     bytes.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10)
 }
 
-/// Takes digits from `at` on: `value` with them behind it, which wraps around behind the 19th, and where they end.
+/// Takes digits from `at` on: `value` with them appended, which wraps around after the 19th, and where they end.
 #[inline]
 fn take_digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     while let Some(digit) = digit(bytes, at) {

@@ -26,7 +26,7 @@ pub struct Reader<'a> {
     /// True where a comma must come before the next key or element.
     comma: bool,
     capture: Capture<'a>,
-    /// Whether odd values of keys that nobody asks for are passed over.
+    /// Whether odd values of unknown keys are passed over.
     tolerant: bool,
     /// What was left out of a status packet, and why.
     left_out: Vec<DecodeError>,
@@ -64,12 +64,12 @@ impl<'a> Reader<'a> {
         self.text.as_bytes().get(self.at..).unwrap_or_default()
     }
 
-    /// The next byte that is no white space.
+    /// The next byte that is not white space.
     #[inline]
     fn peek(&mut self) -> Option<u8> {
         match *self.rest() {
             [byte, ..] if byte > b' ' => Some(byte),
-            // Some firmware puts a blank behind each comma and colon.
+            // Some firmware puts a blank after each comma and colon.
             [b' ', byte, ..] if byte > b' ' => {
                 self.at += 1;
                 Some(byte)
@@ -113,7 +113,7 @@ impl<'a> Reader<'a> {
     /// Enters an object.
     ///
     /// # Errors
-    /// The next value is no object.
+    /// The next value is not an object.
     pub fn begin_object(&mut self) -> Result<(), DecodeError> {
         self.begin(b'{', "an object")
     }
@@ -121,7 +121,7 @@ impl<'a> Reader<'a> {
     /// Enters an array.
     ///
     /// # Errors
-    /// The next value is no array.
+    /// The next value is not an array.
     #[inline]
     pub fn begin_array(&mut self) -> Result<(), DecodeError> {
         self.begin(b'[', "an array")
@@ -147,10 +147,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The next key of an object, or `None` behind the last; the reader then stands on the key's value.
+    /// The next key of an object, or `None` after the last; the reader is then at the key's value.
     ///
     /// # Errors
-    /// The text is no JSON.
+    /// The text is not JSON.
     pub fn next_key(&mut self) -> Result<Option<Cow<'a, str>>, DecodeError> {
         if self.next(b'}', "`,` or `}`")? { self.key().map(Some) } else { Ok(None) }
     }
@@ -161,10 +161,10 @@ impl<'a> Reader<'a> {
         Ok(key)
     }
 
-    /// Goes to the next element of an array; false behind the last.
+    /// Goes to the next element of an array; false after the last.
     ///
     /// # Errors
-    /// The text is no JSON.
+    /// The text is not JSON.
     #[inline]
     pub fn next_element(&mut self) -> Result<bool, DecodeError> {
         self.next(b']', "`,` or `]`")
@@ -190,7 +190,7 @@ impl<'a> Reader<'a> {
         if self.comma {
             self.expect(b',', expected)?;
             if self.peek() == Some(close) {
-                return Err(self.malformed("a value behind the comma"));
+                return Err(self.malformed("a value after the comma"));
             }
         }
         Ok(true)
@@ -266,7 +266,7 @@ impl<'a> Reader<'a> {
     /// Reads a string.
     ///
     /// # Errors
-    /// The next value is no string.
+    /// The next value is not a string.
     pub fn text(&mut self) -> Result<Cow<'a, str>, DecodeError> {
         if self.peek() == Some(b'"') { self.string("a string") } else { Err(self.unfit("a string")) }
     }
@@ -342,7 +342,7 @@ impl<'a> Reader<'a> {
     /// The raw text of the next value.
     ///
     /// # Errors
-    /// The text is no JSON.
+    /// The text is not JSON.
     pub fn raw(&mut self) -> Result<&'a str, DecodeError> {
         self.peek();
         let start = self.at;
@@ -383,7 +383,7 @@ impl<'a> Reader<'a> {
 /// Reads a payload, with whatever else the reply has.
 ///
 /// # Errors
-/// The text is no object by its brackets, something follows it, or a field does not fit.
+/// The text is not an object by its brackets, something follows it, or a field does not fit.
 pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
     let mut reader = Reader::tolerant(text);
     let message = T::read_fields(&mut reader)?;

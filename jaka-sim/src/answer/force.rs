@@ -20,7 +20,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             state.admittance.enabled = is_on(command.enable_flag);
             accept(command, out)
         }
-        // The document does not say whether drag mode ends too; here it goes on.
+        // The document does not say whether drag mode ends as well; here it does not.
         Request::DisableForceControl(command) => {
             state.admittance.enabled = false;
             state.admittance.compliance_type = ComplianceType::Off;
@@ -64,7 +64,7 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Draft<
     }
 }
 
-/// Axes that there are not have been refused before.
+/// The axes that do not exist have been refused before.
 fn set_axis(axes: &mut [AdmittanceAxis], command: &SetAdmitCtrlConfig) {
     let index = usize::try_from(i64::from(command.axis)).ok();
     if let Some(axis) = index.and_then(|index| axes.get_mut(index)) {

@@ -32,7 +32,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     }
 }
 
-/// Ids that there are not have been refused before.
+/// Ids that do not exist have been refused before.
 fn set(frames: &mut [Frame], id: i64, offset: Pose, name: &str) {
     if let Some(frame) = usize::try_from(id).ok().and_then(|id| frames.get_mut(id)) {
         *frame = Frame { offset, name: name.to_owned() };

@@ -7,7 +7,7 @@ use crate::State;
 use crate::state::ToolVoltage;
 use crate::world::World;
 
-/// Outputs with this index and above are refused, so that no client can make the state grow.
+/// Outputs with this index and above are refused, so that clients cannot make the state grow without limit.
 const MAX_OUTPUTS: i64 = 1024;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {

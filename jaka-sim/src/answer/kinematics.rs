@@ -1,6 +1,6 @@
-//! Kinematics and present position.
+//! Kinematics and current position.
 //!
-//! Poses are those of the tool frame in use, seen from the user frame in use, so that the computations and `get_tcp_pos` agree.
+//! Poses are those of the selected tool frame in the selected user frame, so that the computations and `get_tcp_pos` agree.
 
 use jaka_proto::Request;
 

@@ -7,7 +7,7 @@ use super::{Draft, Outcome, accept};
 use crate::motion::{Jogging, Path, Planned, Reference, Transform, small};
 use crate::world::World;
 
-/// Acceleration of a jog, in deg/s² and mm/s². What controllers choose is not known.
+/// Acceleration of a jog, in deg/s² and mm/s². That of real controllers is not known.
 const JOG_ACCELERATION: f64 = 180.0;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
@@ -38,7 +38,7 @@ fn start_jog(jog: &Jog, world: &mut World) -> bool {
             enqueue(world, frame, axis, velocity, |from| from + distance)
         }
         Jog::Absolute { frame, axis, velocity, position, .. } => enqueue(world, frame, axis, velocity, |_| position),
-        // A kind of jog that the arm does not know.
+        // A jog mode that does not exist.
         _ => false,
     }
 }
@@ -60,7 +60,7 @@ fn jogging(world: &World, frame: JogFrame, axis: i64, velocity: f64) -> Option<J
     })
 }
 
-/// A jog that ends by itself, as a planned motion; `to` gives the axis' target for its present value.
+/// A jog that ends by itself, as a planned motion; `to` gives the axis' target for its current value.
 fn enqueue(world: &mut World, frame: JogFrame, axis: i64, velocity: f64, to: impl Fn(f64) -> f64) -> bool {
     let Some(index) = usize::try_from(axis).ok().filter(|index| *index < 6) else {
         return false;
@@ -87,7 +87,7 @@ fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl F
         JogFrame::Tool => Reference::Tool { tool },
         _ => Reference::Fixed { base: Transform::identity(), tool },
     };
-    // In its own frame the tool is at zero.
+    // In the tool's own frame, its pose is zero.
     let now = match frame {
         JogFrame::Tool => 0.0,
         _ => crate::kinematics::to_pose(&(flange * tool))[index],

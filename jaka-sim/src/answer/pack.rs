@@ -1,4 +1,4 @@
-//! Commands that a pack adds or changes: checked and answered by what the pack says.
+//! Commands that a pack adds or changes: checked and answered as the pack describes.
 
 use jaka_proto::wire::Writer;
 use jaka_proto::{Envelope, ErrorCode};

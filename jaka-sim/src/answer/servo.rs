@@ -42,7 +42,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
 
 fn set_point(world: &mut World, target: Joints, step_count: Option<i64>) {
     let cycles = step_count.and_then(|count| u32::try_from(count).ok()).unwrap_or(1);
-    // A target beyond the soft limits has no effect, as one that is too fast.
+    // A target beyond the soft limits has no effect, like one that is too fast.
     if world.model.within_limits(&target) {
         world.engine.servo.push(world.state.joint_position.0, target, cycles);
     }

@@ -18,7 +18,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     }
 }
 
-/// Starts the motion at whose end the payload is known: what the arm carries, as set by `set_payload`.
+/// Starts the motion after which the payload is known: what the arm carries, as set by `set_payload`.
 fn identify(command: &StartTorqSensorPayloadIdentify, world: &mut World) -> bool {
     const SPEED: f64 = 30.0;
     const ACCELERATION: f64 = 60.0;

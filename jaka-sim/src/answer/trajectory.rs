@@ -43,7 +43,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     }
 }
 
-/// Begins to record, or keeps what has been recorded; false where there are too many files.
+/// Starts a recording, or keeps what has been recorded; false if there are too many files.
 fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
     let trajectory = &mut world.state.trajectory;
     let now = world.state.joint_position.0;
@@ -106,7 +106,7 @@ fn rename(world: &mut World, source: &str, destination: &str) -> bool {
     true
 }
 
-/// The program that is made of a trajectory, as `load_program` takes it.
+/// The name of the program that is made from a trajectory, as `load_program` takes it.
 fn program_name(file_name: &str) -> String {
     format!("track/{file_name}.jks")
 }

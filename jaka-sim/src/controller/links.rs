@@ -70,12 +70,12 @@ impl Link<'_> {
         self.set(LinkFault::Hold);
     }
 
-    /// Has each byte arrive so much later: [`LinkFault::Delay`].
+    /// Makes each byte arrive this much later: [`LinkFault::Delay`].
     pub fn delay(self, time: Duration) {
         self.set(LinkFault::Delay(time));
     }
 
-    /// Lets so many bytes a second pass: [`LinkFault::Slow`]. What has been held goes on at this pace.
+    /// Lets this many bytes a second pass: [`LinkFault::Slow`]. Bytes that were held pass at this rate, too.
     pub fn slow(self, bytes_per_second: u64) {
         self.set(LinkFault::Slow(bytes_per_second));
     }

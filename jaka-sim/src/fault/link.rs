@@ -55,9 +55,9 @@ fault_kinds! {
     /// buffers go on taking what the client sends, some hundred kilobytes, and acknowledge it.
     Hold: "hold" => Passage::Held;
 
-    /// Each byte arrives so much later, in order, in the same portions as without. `delay 800ms` in a script.
+    /// Each byte arrives this much later, in order, in the same portions as without. `delay 800ms` in a script.
     ///
-    /// Requests are carried out, and answered, so much later.
+    /// Requests are carried out, and answered, this much later.
     Delay(time: Duration as time = Duration::from_millis(80)): "delay" => match time.saturating_sub(age) {
         Duration::ZERO => Passage::Now,
         left => Passage::After(left),
@@ -123,12 +123,12 @@ impl LinkEvent {
         self.direction(Direction::ToController)
     }
 
-    /// Begins so long after the start of the controller, in real time.
+    /// Begins this long after the start of the controller, in real time.
     pub fn after(self, time: Duration) -> Self {
         Self { after: time, ..self }
     }
 
-    /// Ends so long after it began, in real time: then the links are as they should be. Nothing else ends it if not set.
+    /// Ends this long after it began, in real time: then the links are as they should be. Nothing else ends it if not set.
     pub fn lasting(self, time: Duration) -> Self {
         Self { lasting: Some(time), ..self }
     }

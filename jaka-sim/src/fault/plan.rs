@@ -55,7 +55,7 @@ pub struct FaultPlan {
     generator: Option<SplitMix64>,
 }
 
-/// Faults that strike one in so many replies.
+/// Faults that strike one in this many replies.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Chance {
     pub(super) one_in: u64,
@@ -96,7 +96,7 @@ impl FaultPlan {
         self
     }
 
-    /// Gives one of these faults, each as likely as the others, to one in so many replies on average.
+    /// Gives one of these faults, each as likely as the others, to one in this many replies on average.
     ///
     /// One in 1 is each, one in 0 is none. The seed is that of [`random`](Self::random), or 0.
     #[must_use]

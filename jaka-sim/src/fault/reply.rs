@@ -21,7 +21,7 @@ pub(crate) enum Delivery {
     Write(Vec<u8>, Vec<usize>),
     /// The same in one piece, and the connection is closed.
     WriteAndClose(Vec<u8>),
-    /// The bytes are written so much later.
+    /// The bytes are written this much later.
     Later(Duration, Vec<u8>),
     /// The bytes are held back until they are released or the next reply is written, and go before that one.
     Hold(Vec<u8>),
@@ -76,7 +76,7 @@ fault_kinds! {
     /// The client waits until its own timeout. The next reply comes as usual.
     Drop: "drop" => Delivery::Nothing;
 
-    /// The reply comes so much later, in real time, and later replies wait until it has. `delay 200ms` in a script.
+    /// The reply comes this much later, in real time, and later replies wait until it has. `delay 200ms` in a script.
     ///
     /// The client sees a slow controller. Meanwhile its next requests are carried out. If the connection ends, what still waits is
     /// lost with it.
@@ -139,7 +139,7 @@ fault_kinds! {
     /// The connection is closed in place of the reply. `close` in a script.
     Close: "close" => Delivery::Close;
 
-    /// The connection is closed after so many bytes of the reply. `close-after 17` in a script.
+    /// The connection is closed after this many bytes of the reply. `close-after 17` in a script.
     CloseAfter(count: usize as count = 10): "close-after" => {
         Delivery::WriteAndClose(reply.as_bytes()[..reply.len().min(*count)].to_vec())
     };

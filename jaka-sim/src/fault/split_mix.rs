@@ -19,7 +19,7 @@ impl SplitMix64 {
         mixed ^ (mixed >> 31)
     }
 
-    /// True once in so many times on average; never where that is 0.
+    /// True once in this many times on average; never where that is 0.
     pub(crate) fn one_in(&mut self, times: u64) -> bool {
         self.next_u64().checked_rem(times) == Some(0)
     }

@@ -58,7 +58,7 @@ fault_kinds! {
     /// Packets come with this period, in real time. `slow 2s` in a script.
     Slow(_period: Duration as time = Duration::from_millis(80)): "slow" => PacketWrites::one(packet);
 
-    /// Each packet is written in pieces of so many bytes. `split 7` in a script.
+    /// Each packet is written in pieces of this many bytes. `split 7` in a script.
     ///
     /// Each piece is a segment of its own; the reader's kernel may put them together again.
     Pieces(size: usize as count = 3): "split" => {
@@ -75,7 +75,7 @@ fault_kinds! {
         seed: u64 as seed = 3,
     }: "garbage" => PacketWrites::one([&garbage(*bytes, seed.wrapping_add(sent.packets)), packet].concat());
 
-    /// Of each packet only so many bytes come. `cut 100` in a script.
+    /// Of each packet only this many bytes come. `cut 100` in a script.
     ///
     /// The next packet begins within the one before it, as the reader sees it.
     Cut(count: usize as count = 100): "cut" => PacketWrites::one(&packet[..packet.len().min(*count)]);
@@ -83,7 +83,7 @@ fault_kinds! {
     /// These bytes come in place of each packet. `instead "joint_actual_position:(0, 0)\n"` in a script.
     Instead(bytes: Vec<u8> as bytes = b"{}".to_vec()): "instead" => PacketWrites::one(bytes.as_slice());
 
-    /// The connection is closed after so many bytes of packets. `close-after 5000` in a script.
+    /// The connection is closed after this many bytes of packets. `close-after 5000` in a script.
     ///
     /// The same happens to each reader that connects again, after as many. With 0 it is closed when the first packet is due.
     CloseAfter(count: usize as count = 100): "close-after" => {

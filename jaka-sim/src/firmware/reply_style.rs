@@ -79,7 +79,7 @@ impl ReplyStyle {
         Self { key_order, ..self }
     }
 
-    /// Leaves out the message of a reply that tells success.
+    /// Leaves out the message of a reply of success.
     #[must_use]
     pub const fn without_success_message(self) -> Self {
         Self { success_message: false, ..self }

@@ -1,8 +1,8 @@
 //! All joint angles that reach a pose, in closed form.
 //!
 //! Joints 2 and 3 are parallel on every arm here, so the wrist stays at a fixed distance from the vertical plane
-//! through the base axis that joint 1 turns: that gives joint 1, two ways. The wrist gives two ways more, and the
-//! triangle of upper arm and forearm the last two: eight in all.
+//! through the base axis that joint 1 turns: that gives two solutions for joint 1. The wrist gives two for each, and the
+//! triangle of upper arm and forearm two more: eight in all.
 
 use std::f64::consts::PI;
 
@@ -10,8 +10,7 @@ use nalgebra::{Isometry3, Point3};
 
 use super::model::{Model, Wrist};
 
-/// How far beyond its range a sine or cosine may be and still count as rounding; `inverse` confirms what this lets
-/// through.
+/// How far beyond its range a sine or cosine may be by rounding; `inverse` verifies the solutions that this admits.
 const ROUNDING: f64 = 1e-6;
 
 impl Model {
@@ -50,7 +49,7 @@ pub(super) fn two_bars(first: f64, second: f64, x: f64, y: f64) -> [Option<(f64,
     [bend, -bend].map(|bend| Some((y.atan2(x) - (second * bend.sin()).atan2(first + second * bend.cos()), bend)))
 }
 
-/// A sine or cosine, brought back into its range if it is out by rounding only.
+/// A sine or cosine, clamped to its range if only rounding took it out.
 fn unit(value: f64) -> Option<f64> {
     (value.abs() <= 1.0 + ROUNDING).then(|| value.clamp(-1.0, 1.0))
 }

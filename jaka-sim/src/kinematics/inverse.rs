@@ -8,12 +8,12 @@ use super::model::Model;
 const ACCEPTED: f64 = 1e-3;
 /// An error not worth a Newton step, in the same unit.
 const EXACT: f64 = 1e-8;
-/// What one radian counts for against one millimetre.
+/// The weight of one radian relative to one millimetre.
 const RADIAN: f64 = 1e3;
 /// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from
 /// singularities.
 const DAMPING: f64 = 1.0;
-/// A joint this many degrees beyond its limit is put on the limit: it is rounding.
+/// A joint that is beyond its limit by this many degrees or less, which is rounding, is set to the limit.
 const ON_LIMIT: f64 = 1e-6;
 
 impl Model {
@@ -54,8 +54,8 @@ impl Model {
         Some(joints)
     }
 
-    /// The joint positions, after a Newton step if rounding has left an error, if the flange then is where it should
-    /// be.
+    /// The joint positions, after a Newton step if rounding has left an error; none if they do not bring the flange to the
+    /// target.
     fn confirmed(&self, joints: [f64; 6], target: &Isometry3<f64>) -> Option<[f64; 6]> {
         let error = |joints: &[f64; 6]| off(&self.forward(*joints), target).norm();
         let rough = error(&joints);
@@ -67,7 +67,7 @@ impl Model {
         (error(&better) < ACCEPTED).then_some(better)
     }
 
-    /// One damped Newton step: damping keeps a joint that hardly moves the flange from running away.
+    /// One damped Newton step: damping limits a joint that hardly moves the flange.
     pub(super) fn newton(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> Option<[f64; 6]> {
         let frames = self.frames(&self.angles(joints));
         let flange = frames[5];
@@ -82,7 +82,7 @@ impl Model {
     }
 }
 
-/// The small move, then turn, that takes one transform to the other.
+/// The small translation and rotation that take one transform to the other.
 fn off(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
     let turn = (to.rotation * from.rotation.inverse()).scaled_axis();
     stack(&(to.translation.vector - from.translation.vector), &turn)

@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 use super::model::Model;
 
 impl Model {
-    /// The flange in the base frame, in mm, for joint positions in degrees; soft limits are not looked at.
+    /// The flange in the base frame, in mm, for joint positions in degrees; soft limits are not checked.
     ///
     /// Joint positions that are not finite give a transform that is not finite either.
     pub(crate) fn forward(&self, joints: [f64; 6]) -> Isometry3<f64> {
@@ -36,7 +36,7 @@ impl Model {
         self.a.iter().chain(&self.d).map(|length| length.abs()).sum()
     }
 
-    /// Across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
+    /// The transform across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
     fn link(&self, index: usize, angle: f64) -> Isometry3<f64> {
         let (twist_sin, twist_cos) = self.alpha[index].to_radians().sin_cos();
         let along = Translation3::new(self.a[index], -twist_sin * self.d[index], twist_cos * self.d[index]);

@@ -29,7 +29,7 @@ pub struct Model {
     pub(super) wrist: Wrist,
 }
 
-/// How the last three axes lie, which decides the closed form of the inverse.
+/// The geometry of the last three axes, which decides the closed form of the inverse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wrist {
     /// Joint 4 is parallel to joints 2 and 3, and the three wrist axes do not meet.
@@ -71,7 +71,7 @@ impl Model {
         &self.d
     }
 
-    /// What is added to each joint position to get the link's angle, in degrees, as `get_dh_param` answers it.
+    /// The offset from each joint position to the link's angle, in degrees, as `get_dh_param` answers it.
     pub fn joint_home_offset(&self) -> &[f64; 6] {
         &self.joint_home_offset
     }
@@ -107,7 +107,7 @@ impl Default for Model {
     }
 }
 
-/// The letters and digits of a name in lower case, without the maker's.
+/// The letters and digits of a name in lower case, without the vendor's.
 fn plain(name: &str) -> String {
     let pending: String = name.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
     pending.strip_prefix("jaka").map(str::to_owned).unwrap_or(pending)

@@ -10,7 +10,7 @@ const LOCKED: f64 = 1e-10;
 
 /// The transform of a pose `[x, y, z, rx, ry, rz]` in mm and degrees.
 ///
-/// A pose that holds something other than finite numbers gives a transform that
+/// A pose with a number that is not finite gives a transform that
 /// [`Model::inverse`](super::Model::inverse) refuses.
 pub(crate) fn from_pose(pose: [f64; 6]) -> Isometry3<f64> {
     let [x, y, z, rx, ry, rz] = pose;
@@ -21,8 +21,8 @@ pub(crate) fn from_pose(pose: [f64; 6]) -> Isometry3<f64> {
 /// The pose `[x, y, z, rx, ry, rz]` in mm and degrees of a transform; `ry` is within 90 degrees of zero.
 ///
 /// At gimbal lock, where `ry` is 90 or -90, only the sum or difference of `rx` and `rz` is given: `rz` is zero there.
-/// The rotation survives the way to a pose and back everywhere, since `rx` and `ry` are read off after `rz` is
-/// undone.
+/// A rotation converted to a pose and back is the same everywhere, since `rx` and `ry` are computed after `rz` has been
+/// taken out.
 pub(crate) fn to_pose(transform: &Isometry3<f64>) -> [f64; 6] {
     let turn = transform.rotation.to_rotation_matrix();
     let (x_x, x_y) = (turn[(0, 0)], turn[(1, 0)]);
@@ -36,7 +36,7 @@ pub(crate) fn to_pose(transform: &Isometry3<f64>) -> [f64; 6] {
 }
 
 impl Model {
-    /// The pose of the flange in the base frame for these joints; soft limits are not looked at.
+    /// The pose of the flange in the base frame for these joints; soft limits are not checked.
     pub fn flange(&self, joints: JointPosition) -> Pose {
         to_pose(&self.forward(joints.0)).into()
     }

@@ -2,10 +2,10 @@
 //!
 //! Sources: the URDF files of the vendor's ROS 2 package, `JakaCobot/jaka_ros2`
 //! `src/jaka_description/urdf/jaka_*.urdf` (commit 7e985b78, September 2025). Each gives the frame of every joint,
-//! from which the parameters here are read off, the joint limits (rounded in radians there: -1.48 to 4.62 is -85 to
+//! from which the parameters here are taken, the joint limits (rounded in radians there: -1.48 to 4.62 is -85 to
 //! 265 degrees, 3.05 is 175) and the joint speeds. The Zu, Pro 16 and `MiniCobo` lengths and the limits in degrees
 //! agree with the Python package `robotkinematicscatalogue` 1.1.2 (`JAKA_*.py`), and speeds and most lengths with the
-//! Rust crate `libjaka` 0.1.16 (`src/jaka/jaka_*.rs`), signs aside and but for:
+//! Rust crate `libjaka` 0.1.16 (`src/jaka/jaka_*.rs`), apart from signs and from:
 //! - Zu 7: the URDF has 303.53 for the forearm; both others, and the URDF of C7, S7 and Pro 7, have 303.5, followed
 //!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
@@ -14,8 +14,8 @@
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
-//! What the URDF files carry beyond that is noise of the drawing and is left out: sideways shifts under 0.3 mm, the
-//! place of the base mesh, the turn of joint 6's mesh on the S7. `tests::urdf` compares each model with its chain.
+//! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.3 mm, the
+//! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests::urdf` compares each model with its chain.
 
 use super::model::{Model, Wrist};
 

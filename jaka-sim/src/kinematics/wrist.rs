@@ -1,4 +1,4 @@
-//! The angles beyond joint 1, for each kind of wrist.
+//! The angles of joints 2 to 6, for each kind of wrist.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -28,7 +28,7 @@ impl Model {
             .collect()
     }
 
-    /// Joints 2, 3 and 4 lie in one plane: two bars to reach the wrist, and the rest of the turn for joint 4.
+    /// Joints 2, 3 and 4 move in one plane: two bars reach the wrist, and joint 4 makes the rest of the rotation.
     fn planar(&self, target: &Isometry3<f64>, first: f64, fifth: f64, sixth: f64) -> Vec<[f64; 6]> {
         let angles = [first, 0.0, 0.0, 0.0, fifth, sixth];
         let plane = flatten(&(self.product(0..1, &angles).inverse() * target * self.product(4..6, &angles).inverse()));
@@ -40,7 +40,7 @@ impl Model {
         bars.into_iter().flatten().map(finish).collect()
     }
 
-    /// The wrist's axes meet: two bars to reach that point, and the three wrist joints make the turn that is left.
+    /// The wrist's axes meet: two bars reach that point, and the three wrist joints make the rest of the rotation.
     pub(super) fn spherical_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6]) -> Vec<[f64; 6]> {
         let plane = flatten(&(self.product(0..1, &[first; 6]).inverse() * target));
         let wrist = plane * Point3::new(0.0, 0.0, -self.d[5]);
@@ -70,19 +70,19 @@ impl Model {
     }
 }
 
-/// Joint 5 both ways from its sine's size and its cosine, or once where the two ways are one.
+/// The two solutions for joint 5 from the magnitude of its sine and its cosine, or the only one where they coincide.
 fn wrist_turns(sin: f64, cos: f64) -> [Option<f64>; 2] {
     let fifth = sin.atan2(cos);
     [Some(fifth), (sin >= SINGULAR).then_some(-fifth)]
 }
 
-/// Joint 6 once joint 4 is known, which holds where the wrist is singular too.
+/// Joint 6 for a known joint 4; valid even where the wrist is singular.
 fn last_turn(left: &Rotation3<f64>, fourth: f64) -> f64 {
     let undone: Matrix3<f64> = Rotation3::from_axis_angle(&Vector3::z_axis(), -fourth) * left.matrix();
     undone[(1, 0)].atan2(undone[(1, 1)])
 }
 
-/// A transform in joint 1's frame, seen with the plane of the arm as x and y.
+/// A transform in joint 1's frame, with the plane of the arm as x and y.
 fn flatten(transform: &Isometry3<f64>) -> Isometry3<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -FRAC_PI_2) * transform
 }

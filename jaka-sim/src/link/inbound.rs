@@ -45,7 +45,7 @@ pub(crate) enum Received {
 /// What to do next on a link that has or had a fault.
 #[derive(Debug, PartialEq, Eq)]
 enum ReceiveStep {
-    /// Something arrives; at most so many bytes of it.
+    /// Something arrives; at most this many bytes of it.
     Take(usize),
     /// Waits for the socket; at most so long, if a time is given.
     Read(Option<Duration>),

@@ -73,7 +73,7 @@ impl Queue {
         true
     }
 
-    /// Says what becomes of the connection, unless it has been said.
+    /// Says how the connection ends, unless that has been said.
     pub(super) fn end(&mut self, end: End) {
         self.end.get_or_insert((Instant::now(), end));
     }
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn the_end_comes_behind_the_bytes() {
+    fn the_end_comes_after_the_bytes() {
         let mut queue = queue();
         queue.end(End::Drop);
         queue.end(End::Close);

@@ -29,7 +29,7 @@ impl Servo {
         self.waiting.back().map_or(now, |last| last.target)
     }
 
-    /// Takes a set-point to be reached in so many cycles. One that asks more than 180 deg/s of a joint has no effect.
+    /// Takes a set-point to be reached in this many cycles. One that asks more than 180 deg/s of a joint has no effect.
     pub(crate) fn push(&mut self, now: Joints, target: Joints, cycles: u32) {
         let from = self.tail(now);
         let time = CYCLE.as_secs_f64() * f64::from(cycles);

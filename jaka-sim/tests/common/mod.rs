@@ -17,7 +17,7 @@ pub(crate) const LIMIT: Duration = Duration::from_secs(10);
 /// environment has `CI`.
 pub(crate) fn skipped(check: &str, why: &str) {
     let text = format!("NOT CHECKED: {check}: {why}");
-    // Nobody may be reading.
+    // The reader may be gone.
     writeln!(std::io::stderr().lock(), "{text}").ok();
     let is_ci = std::env::var_os("CI").is_some_and(|value| !value.is_empty() && value != "false");
     assert!(!is_ci, "{text}, and CI does not pass without it");

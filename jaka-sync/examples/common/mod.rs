@@ -50,8 +50,8 @@ impl Target {
             return Ok(());
         }
         eprintln!("{what} Then press Enter.");
-        // Without a terminal nobody has agreed.
-        stdin().lock().lines().next().transpose()?.ok_or("nobody is there to press Enter")?;
+        // Without a terminal there is no consent.
+        stdin().lock().lines().next().transpose()?.ok_or("there is no terminal on which to press Enter")?;
         Ok(())
     }
 }

@@ -90,7 +90,7 @@ pub enum ErrorKind {
         after: Duration,
         /// How many packets came meanwhile.
         packets: u64,
-        /// What the last one says of the arm; none for a type of the user's own.
+        /// What the last one says about the arm; none for a type of the user's own.
         says: Option<String>,
     },
     /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a

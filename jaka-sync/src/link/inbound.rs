@@ -124,7 +124,7 @@ impl Link {
     /// Reads what has come, without waiting, and attributes it.
     pub(super) fn attribute_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
-            // Nobody else reads. A thread that sends may be waiting in the socket, which must block then: what was read has to do.
+            // No other thread reads. A thread that sends may be waiting in the socket, which must block then: what was read has to do.
             if state.mode == Mode::Blocking && state.outbound.is_none() {
                 return self.attribute_all(inbound, state);
             }
@@ -144,7 +144,7 @@ impl Link {
         inbound.attribute(&self.tap, &mut state.exchange, &mut Waiter::nobody()).map(drop)
     }
 
-    /// Does something with the receiving half, unless a thread reads or nobody will any more.
+    /// Calls a closure with the receiving half, unless a thread reads or reading has ended.
     fn with_inbound(
         &self,
         state: &mut State,

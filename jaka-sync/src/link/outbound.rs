@@ -70,7 +70,7 @@ pub(super) struct Dispatched {
 }
 
 impl Link {
-    /// Sends up to so many commands in one write, and enters them into the exchange. `write` writes the request with an index; of long
+    /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with an index; of long
     /// ones, not all go out at once.
     ///
     /// The gate is asked, and the commands are entered, under the lock by the thread whose turn it is: so the exchange has the order of the
@@ -87,7 +87,7 @@ impl Link {
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()));
         };
-        // A panic of what writes or logs leaves nothing behind that was not sent.
+        // After a panic in code that writes or logs, nothing that was not sent is left.
         outbound.compose(count, write);
         self.enter(&mut state, outbound, outgoing);
         drop(state);
@@ -150,7 +150,7 @@ impl Link {
         Self::switch(&mut state, Mode::Blocking)
     }
 
-    /// What became of a write. What was written in part cannot be taken back, and nothing can be sent after it.
+    /// The outcome of a write. What was written in part cannot be taken back, and nothing can be sent after it.
     fn written(
         &self,
         state: &mut State,
@@ -198,7 +198,7 @@ impl Outbound {
     }
 }
 
-/// Takes back what was entered and not sent at all. It is the last that was entered: nobody else had the turn.
+/// Takes back what was entered and not sent at all. It is the last that was entered: no other thread had the turn.
 fn withdraw(state: &mut State, outbound: &Outbound) -> Result<(), Disconnect> {
     let mut requests = outbound.requests.iter().rev();
     requests.try_for_each(|(_, request)| state.exchange.withdraw(*request)).map_err(Disconnect::OutOfSync)

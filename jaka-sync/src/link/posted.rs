@@ -13,17 +13,17 @@ use crate::{Disconnect, Error};
 /// than that would be of little use, since the controller works off what came before it.
 pub(crate) const MOST_OUTSTANDING: usize = 256;
 
-/// What became of commands that were posted, since this was last asked for.
+/// The outcomes of commands that were posted, since this was last asked for.
 #[derive(Debug, Default)]
 pub(crate) struct Answers {
     /// How many were accepted.
     pub(crate) accepted: u64,
-    /// What became of the others, in the order in which it was learnt.
+    /// The outcomes of the others, in the order in which they were learnt.
     pub(crate) failed: Vec<Error>,
 }
 
 impl Link {
-    /// Reads what has come, without waiting, and takes what became of posted commands; and an error if the connection is
+    /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection is
     /// broken. Where another thread is reading, what it has read so far has to do.
     pub(crate) fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.lock();
@@ -33,8 +33,8 @@ impl Link {
         (self.take_answers(&mut state), self.check(&state, command, Progress::Sent))
     }
 
-    /// Waits until at most so many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
-    /// what became of them; and an error if the connection is broken.
+    /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
+    /// their outcomes; and an error if the connection is broken.
     pub(crate) fn wait_for_posted(&self, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
         let mut state = self.lock();
         let mut checked = Ok(());
@@ -83,7 +83,7 @@ impl Link {
         self.lock().exchange.oldest_posted().map(|oldest| oldest.sent_at.elapsed())
     }
 
-    /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes what became of the
+    /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the outcomes of the
     /// others, and says how many were abandoned.
     pub(crate) fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.lock();

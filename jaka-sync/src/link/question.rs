@@ -11,7 +11,7 @@ use crate::Error;
 
 /// A command that was sent, and whose reply has no deadline: see [`Link::poll`].
 ///
-/// [`Link::forget`] gives up a reply that nobody will look for any more.
+/// [`Link::forget`] gives up a reply that is no longer wanted.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Question {
     request: RequestId,

@@ -15,7 +15,7 @@ const LEAVING: Duration = Duration::from_secs(1);
 impl Link {
     /// Breaks the connection for good, and has the system discard what it has not sent yet. The first cause stays.
     ///
-    /// Only the close of the last handle with a linger time of zero discards it, and only while nobody reads: a `shutdown` delivers
+    /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a `shutdown` delivers
     /// it, and so does a close while another thread blocks in a read. So each thread that reads or writes is woken, the last to leave closes the socket,
     /// and this waits for that. What the network or the controller holds cannot be recalled.
     pub(crate) fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {

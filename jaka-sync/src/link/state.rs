@@ -12,10 +12,10 @@ use crate::Disconnect;
 
 #[derive(Debug)]
 pub(super) struct State {
-    /// The socket; none once the connection was reset. Whoever reads or writes holds a clone only as long as it does, so that
+    /// The socket; none once the connection was reset. A thread that reads or writes holds a clone only as long as it does, so that
     /// a reset closes the socket at once.
     pub(super) stream: Option<Arc<TcpStream>>,
-    /// The requests, and what became of them.
+    /// The requests, and their outcomes.
     pub(super) exchange: Exchange,
     /// The sending half; none while a thread sends.
     pub(super) outbound: Option<Box<Outbound>>,

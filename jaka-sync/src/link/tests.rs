@@ -22,7 +22,7 @@ fn write(index: usize, out: &mut Writer) {
     out.raw(&format!("{{\"cmdName\":\"x\",\"index\":{index},\"pad\":\"{}\"}}", "x".repeat(4000)));
 }
 
-/// Both ends of a connection: the system holds so much for this end to send, and little for the other to receive.
+/// Both ends of a connection: the system buffers this much for this end to send, and little for the other to receive.
 fn sockets(send_buffer: usize) -> (TcpStream, TcpStream) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     SockRef::from(&listener).set_recv_buffer_size(4096).expect("it can be small");
@@ -41,7 +41,7 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
     (link, server)
 }
 
-/// Posts so many commands.
+/// Posts this many commands.
 fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
     let (mut sent, mut outstanding) = (0, 0);
     while sent < count {

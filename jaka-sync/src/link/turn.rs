@@ -17,7 +17,7 @@ pub(super) struct Turn<'l> {
     pub(super) outbound: Option<Box<Outbound>>,
 }
 
-/// Whoever has the turn must not hold the lock when it drops it: declare the lock's guard after it.
+/// The lock must not be held when the turn is dropped: declare the lock's guard after it.
 impl Drop for Turn<'_> {
     fn drop(&mut self) {
         if let Some(outbound) = self.outbound.take() {
@@ -47,7 +47,7 @@ impl Drop for Passing<'_> {
 }
 
 impl Link {
-    /// Waits until nobody else sends, and no stop waits to.
+    /// Waits until no other thread sends, and no stop waits to.
     pub(super) fn take_turn<'l>(&'l self, outgoing: &Outgoing<'_>) -> Result<(Turn<'l>, MutexGuard<'l, State>), Error> {
         let mut state = self.lock();
         loop {

@@ -21,7 +21,7 @@ impl Link {
         outcome.map_err(|error| self.attach(error))
     }
 
-    /// What became of the request that a waiter waits for; `None` if nothing has within `timeout`.
+    /// The outcome of the request that a waiter waits for; `None` if nothing has within `timeout`.
     pub(super) fn outcome<'l>(
         &'l self,
         mut state: MutexGuard<'l, State>,

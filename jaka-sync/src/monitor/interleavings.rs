@@ -1,4 +1,4 @@
-//! Interleavings of those who share a monitor's board: who waits is always woken.
+//! Interleavings of threads that share a monitor's board: a thread that waits is always woken.
 //!
 //! `RUSTFLAGS="--cfg shuttle" cargo test -p jaka-sync --lib --target-dir target/shuttle interleavings`
 //!
@@ -100,7 +100,7 @@ fn a_stop_ends_a_wait_without_any_packet() {
 }
 
 #[test]
-fn dropping_a_monitor_ends_the_pause_before_it_connects_anew() {
+fn dropping_a_monitor_ends_the_pause_before_it_reconnects() {
     check(|| {
         let config = Config::new().reconnect(Reconnect::Attempts { limit: 1, delay: LONG, longest: LONG });
         let (monitor, worker) = monitor(&config);

@@ -39,7 +39,7 @@ impl<S> Observers<S> {
         }
     }
 
-    /// Takes those that others have been put aside for.
+    /// Takes over the observers of another list.
     pub(super) fn join(&mut self, others: Self) {
         self.own.extend(others.own);
         self.users.extend(others.users);

@@ -16,7 +16,7 @@ const GATHERING: Duration = Duration::from_millis(5);
 /// What an entry takes besides its message, in bytes.
 const OVERHEAD: usize = 128;
 
-/// The entries that wait for the writer. Whoever adds one never waits for the file.
+/// The entries that wait for the writer. Adding one never waits for the file.
 #[derive(Debug)]
 pub(super) struct Queue {
     state: Mutex<State>,
@@ -37,7 +37,7 @@ struct State {
 }
 
 impl Queue {
-    /// A queue of at most so many bytes.
+    /// A queue of at most this many bytes.
     pub(super) fn new(limit: usize) -> Self {
         Self { state: Mutex::default(), changed: Condvar::new(), limit }
     }
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn a_writer_that_fails_or_panics_leaves_nobody_waiting() {
+    fn a_writer_that_fails_or_panics_leaves_no_thread_waiting() {
         let queue = Queue::new(1000);
         queue.serve(|_| Err(io::Error::new(io::ErrorKind::StorageFull, "no space left")));
         queue.push(&entry(1, "a"));

@@ -10,7 +10,7 @@ pub enum StatusSampling {
     All,
     /// The first of each connection, and then every n-th.
     EveryNth(u32),
-    /// The first of each connection, and then one after each so long a time.
+    /// The first of each connection, and then one after each interval of this length.
     AtMostEach(Duration),
 }
 

@@ -1,4 +1,4 @@
-//! What a connection tells its recorder.
+//! What a connection reports to its recorder.
 
 use std::collections::VecDeque;
 use std::error::Error as StdError;
@@ -12,7 +12,7 @@ use super::exchanges::KEPT;
 use super::track::Track;
 use crate::{Config, Disconnect, Error};
 
-/// What a connection tells its recorder; nothing where there is none.
+/// What a connection reports to its recorder; nothing where there is none.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tap(Option<Arc<Connection>>);
 
@@ -32,7 +32,7 @@ struct State {
 }
 
 impl Tap {
-    /// What the recorder of the configuration is told of a connection, if there is one.
+    /// What a connection reports to the recorder of the configuration, if there is one.
     pub(crate) fn new(port: Port, config: &Config) -> Self {
         Self(config.recorder.as_ref().map(|recorder| {
             Arc::new(Connection { track: recorder.track(port, config.status_sampling), state: Mutex::default() })
@@ -113,7 +113,7 @@ impl Tap {
         }
     }
 
-    /// The same error, with the last messages. One that no other entry tells of is recorded.
+    /// The same error, with the last messages. It is recorded if no other entry shows it.
     pub(crate) fn attach(&self, error: Error) -> Error {
         let Some(connection) = &self.0 else { return error };
         if !error.is_refused() && !error.is_disconnected() {

@@ -31,7 +31,7 @@ impl Stops {
         self.begun.load(Ordering::SeqCst)
     }
 
-    /// A stop that keeps motions back: one that is on its way, or one after the last of which the program was told.
+    /// A stop that keeps motions back: one that is on its way, or one after the last that was reported to the program.
     pub(super) fn pending(&self, told: u64) -> Option<Outcome> {
         (self.is_under_way() || self.begun() != told).then_some(Outcome::Stopped)
     }
@@ -87,7 +87,7 @@ impl RobotStop {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
         if let Err(error) = self.handle.stop() {
-            // A program that was told of it, or acknowledged it, did not know that it would fail.
+            // A program that learned of it, or acknowledged it, did not know that it would fail.
             self.stops.begun.fetch_add(1, Ordering::SeqCst);
             return Err(error);
         }

@@ -68,7 +68,7 @@ impl Place {
 /// Where a batch of motions ends, once it has been accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Goal {
-    /// Here, or so many millimetres before, where the controller may blend into a motion that follows.
+    /// Here, or this many millimetres before, where the controller may blend into a motion that follows.
     At(Place, f64),
     Unknown,
 }

@@ -41,7 +41,7 @@ pub(super) struct Wait {
     /// How often this program has changed a frame by now.
     frame_changes: u64,
     grace: Grace,
-    /// What the newest packet says of rest; `None` where it does not say.
+    /// Whether the arm is at rest by the newest packet; `None` if it does not say.
     in_position: Option<bool>,
     is_paused: bool,
     /// A code that has come since the acceptance and is in no table: it counts once the arm rests.
@@ -52,7 +52,7 @@ pub(super) struct Wait {
     had_ended: bool,
     /// Answers that agree.
     answers: Option<Series<Place>>,
-    /// Packets that agree, where there are no answers.
+    /// How many packets agree, where there are no answers.
     still: Option<Series<Option<JointPosition>>>,
     /// Why the last query brought no position.
     pub(super) failure: Option<Error>,

@@ -90,7 +90,7 @@ impl Robot {
         }
     }
 
-    /// The outcome tells the program of a stop.
+    /// The outcome reports a stop to the program.
     fn told(&mut self, outcome: Outcome) -> Outcome {
         if matches!(outcome, Outcome::Stopped) {
             self.latch.report_stops();

@@ -1,4 +1,4 @@
-//! What a pack says of the controller's events.
+//! What a pack says about the controller's events.
 
 use super::{Draft, REPEATED};
 use crate::item::Item;

@@ -7,7 +7,7 @@ use crate::item::{Item, Placed};
 use crate::model::{Event, Severity};
 use crate::resolve::Index;
 
-/// A longer range than this is a guess, since nobody lists so many codes one after the other.
+/// A longer range than this is a mistake, since no source lists that many codes in a row.
 const MOST_CODES: u32 = 256;
 
 const SEVERITIES: &[(&str, Severity)] =

@@ -137,7 +137,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut I
     field
 }
 
-/// Where sources contradict each other, whoever takes a side says why. Where they do no longer, that is no error.
+/// Where sources contradict each other, a pack that chooses one says why. If they no longer do, that is not an error.
 fn settle(item: &Item<'_, '_>, field: &mut Field, base: &Field) {
     match item.text("settled") {
         Some(settled) => {

@@ -54,7 +54,7 @@ impl fmt::Display for Change {
     }
 }
 
-/// Compares two specs: all changes, the gravest first, then by place.
+/// Compares two specs: all changes, those with the greatest impact first, then by place.
 ///
 /// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands for
 /// them on the wire, error codes and events by number, types by name. They are found in whichever topic they stand.
@@ -71,7 +71,7 @@ impl fmt::Display for Change {
 /// | field added to a reply, or to a type or variant that is only received | minor | these are `#[non_exhaustive]` |
 /// | required field added to a reply or type, all of whose fields were optional | major | `Default` is gone |
 /// | field added to a reply without fields | major | the method returned `()` |
-/// | field added to an array of nothing but numbers | major | it converts from an array of so many numbers |
+/// | field added to an array of nothing but numbers | major | it converts from an array of this many numbers |
 /// | `constructors` set | minor | there are functions more; major where they go |
 /// | field: another Rust type, `optional`, `or_raw` | major | the field's type changes |
 /// | the same Rust type, written in another form | minor | only the bytes change: `written`, `python(…)`, the key of a tag |
@@ -105,12 +105,12 @@ pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     differ.finish()
 }
 
-/// The gravest impact among the changes; nothing if there are none.
+/// The greatest impact among the changes; nothing if there are none.
 pub fn impact(changes: &[Change]) -> Option<Impact> {
     changes.iter().map(|change| change.impact).max()
 }
 
-/// How many changes there are and the gravest impact, such as `3 additions, 1 change, minor`; `no differences` if there are none.
+/// How many changes there are and the greatest impact, such as `3 additions, 1 change, minor`; `no differences` if there are none.
 pub fn summary(changes: &[Change]) -> String {
     let Some(impact) = impact(changes) else { return "no differences".to_owned() };
     let count = |what: &str| changes.iter().filter(|change| change.what == what).count();
@@ -147,7 +147,7 @@ fn type_key(placed: &Placed<'_, TypeDef>) -> String {
 fn topics(d: &mut Differ<'_>) {
     let (old, new) = (d.old, d.new);
     for pair in pairs(&old.topics, &new.topics, |topic| topic.name.clone()) {
-        // What a topic brings or takes away is told by its commands and types.
+        // What a topic adds or removes is reported by its commands and types.
         if let Pair::Both(old, new) = pair {
             let place = format!("topic `{}`", new.name);
             d.reworded(&place, "title", &old.title, &new.title);

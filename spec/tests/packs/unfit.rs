@@ -33,9 +33,9 @@ fn a_pack_without_a_title() {
 }
 
 #[test]
-fn a_file_whose_name_is_no_module() {
+fn a_file_whose_name_is_not_a_module() {
     let text = format!("title = \"Test\"\n{MOTION_STATE}");
-    let errors = load_pack(&spec(), Source { path: "firmware/1.7.toml", text: &text }).expect_err("it is no name");
+    let errors = load_pack(&spec(), Source { path: "firmware/1.7.toml", text: &text }).expect_err("it is not a name");
     expect!["firmware/1.7.toml:1:1: the file's name is that of a module, and `1.7` is not a snake_case name"]
         .assert_eq(&errors.to_string());
 }

@@ -13,7 +13,7 @@ enum Item {
 
 /// The first byte gives the longest frame, the second how the rest, the stream, is cut. The frames are the same as those of the
 /// uncut stream, each byte is visited at most once, and no more is kept than the longest frame and what was read last. The same
-/// holds for status packets, of which those that are whole are found behind any that breaks off.
+/// holds for status packets, of which the complete ones are found after any that breaks off.
 ///
 /// # Panics
 /// One of these is not so.
@@ -29,7 +29,7 @@ pub fn framing(data: &[u8]) {
     behind_a_cut(stream);
 }
 
-/// Two packets behind any bytes: the second is found, and the first too unless a value may stand where the bytes end.
+/// Two packets after any bytes: the second is found, and the first too unless a value may stand where the bytes end.
 fn behind_a_cut(before: &[u8]) {
     const PACKETS: [&[u8]; 2] = [br#"{"len": 30, "first": "\"{\\"}"#, br#"{"len": 17, "n": 2}"#];
     let mut framer = Framer::for_status(1 << 20);
@@ -95,7 +95,7 @@ fn read_in(mut framer: Framer, max_frame: usize, stream: &[u8], most: usize) -> 
     items
 }
 
-/// Takes all frames, and goes on behind errors.
+/// Takes all frames, and continues after errors.
 fn take(framer: &mut Framer, items: &mut Vec<Item>) {
     loop {
         let item = match framer.next_frame() {

@@ -17,7 +17,7 @@ pub fn spec_file(data: &[u8]) {
     tools::schema(&spec);
 }
 
-/// Each error stands at a line and column of the text, or right behind.
+/// Each error has a line and column of the text, or the place right after it.
 pub(crate) fn places(errors: &Errors, text: &str) {
     let lines: Vec<_> = text.split('\n').collect();
     assert!(errors.iter().next().is_some(), "a failure without an error");

@@ -87,7 +87,7 @@ impl Connection {
         }
     }
 
-    /// What came must be what was sent, in order, up to some place behind the last command that was answered.
+    /// What came must be what was sent, in order, up to some command after the last one that was answered.
     fn check_commands(&self, mut seen: VecDeque<&String>) -> Result<(), String> {
         let answered = self.commands.iter().rposition(|sent| sent.fate == Fate::Seen);
         for (at, sent) in self.commands.iter().enumerate() {

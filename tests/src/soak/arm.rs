@@ -7,7 +7,7 @@ use jaka_sync::{Command, Error};
 use serde_json::{Value, json};
 
 use super::account::{Connection, Fate};
-use super::beside::{Findings, Rate, Reader, count};
+use super::background::{Findings, Rate, Reader, count};
 use super::calls;
 use super::held::Held;
 use super::host::{Host, Ports};
@@ -16,10 +16,10 @@ use super::resources::Peak;
 use super::session::{Session, config};
 use super::tally::Tally;
 
-/// After so many calls in a row without an answer the program connects anew.
+/// After this many calls in a row without an answer the program reconnects.
 const SILENT: u32 = 3;
 
-/// One in so many connections is recorded.
+/// One in this many connections is recorded.
 const RECORDED: u32 = 3;
 
 /// The arm, and who must know what happens to it.

@@ -44,7 +44,7 @@ const UPRIGHT: f64 = 90.0;
 
 type Operation = fn(&mut Arm, &mut Session);
 
-/// What can be done, and how often beside the others.
+/// What can be done, and how often compared with the others.
 const OPERATIONS: [(u32, Operation); 14] = [
     (16, forward_kinematics),
     (12, set_mass),

@@ -40,11 +40,11 @@ const USUAL: [&str; 12] = [
     QueryUserDefinedVariable::INFO.name,
 ];
 
-/// How many replies to a command have faults drawn in a round; those behind have none.
+/// How many replies to a command have faults drawn in a round; later ones have none.
 const REPLIES: u32 = 200;
 const SET_POINTS: u32 = 2000;
 
-/// A fault strikes one in so many replies, by arm: also none, so that some connections last.
+/// A fault strikes one in this many replies, by arm: also none, so that some connections last.
 const RARITY: [u32; 4] = [25, 10, 60, 0];
 
 /// Set-points are many.
@@ -53,7 +53,7 @@ const SET_POINT_RARITY: u32 = 5;
 /// Something is wrong with a link once in so long, for less than that.
 const LINK_PERIOD: Duration = Duration::from_secs(1);
 
-/// So often in a round; the links are well behind that.
+/// How often in a round; after that the links work.
 const LINK_FAULTS: u32 = 60;
 
 /// On which links.
@@ -109,7 +109,7 @@ fn faults(more: &[Fault]) -> Vec<Fault> {
     let names_another = |fault: &Fault| matches!(fault, Fault::None | Fault::Twice | Fault::Renamed(_));
     let mut faults = Fault::one_of_each();
     faults.retain(|fault| !names_another(fault));
-    // Nobody sends this command.
+    // This command is never sent.
     let unasked = json!({"errorCode": "0", "errorMsg": "", "cmdName": "jog"}).to_string().into_bytes();
     faults.extend([
         Fault::Renamed("jog".to_owned()),

@@ -23,7 +23,7 @@ impl Random {
         self.0.next_u32() % limit
     }
 
-    /// True once in so many times on average; never where that is 0.
+    /// True once in this many times on average; never where that is 0.
     pub(super) fn one_in(&mut self, times: u32) -> bool {
         times > 0 && self.below(times) == 0
     }

@@ -6,11 +6,11 @@ use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampli
 
 use super::account::Connection;
 use super::arm::Place;
-use super::beside::{Hand, observe};
+use super::background::{Hand, observe};
 use super::tally::Tally;
-use crate::{Tape, requests};
+use crate::{RecordingBuffer, requests};
 
-/// How long a reply may take. A slow machine is no mistake: then there are more timeouts.
+/// How long a reply may take. A slow machine is not a defect: then there are more timeouts.
 const REPLY: Duration = Duration::from_millis(150);
 
 /// The longest message that is taken: shorter than the longest of the faults.
@@ -19,7 +19,7 @@ const MAX_FRAME: usize = 64 << 10;
 /// How long connecting may take.
 const CONNECT: Duration = Duration::from_secs(60);
 
-/// One in so many status packets is recorded.
+/// One in this many status packets is recorded.
 const SAMPLING: u32 = 20;
 
 /// One connection of an arm.
@@ -32,7 +32,7 @@ pub(super) struct Session {
     pub(super) once: u32,
     /// How many calls in a row have not been answered.
     pub(super) silent: u32,
-    recording: Option<(Recorder, Tape)>,
+    recording: Option<(Recorder, RecordingBuffer)>,
 }
 
 /// How all connections behave.
@@ -44,8 +44,8 @@ pub(super) fn config() -> Config {
 
 impl Session {
     pub(super) fn new(place: &Place, first: String, is_recorded: bool) -> Result<Self, Error> {
-        let tape = Tape::default();
-        let recorder = is_recorded.then(|| tape.recorder());
+        let buffer = RecordingBuffer::default();
+        let recorder = is_recorded.then(|| buffer.recorder());
         let sampling = StatusSampling::EveryNth(SAMPLING);
         let config = config().status_sampling(sampling);
         let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
@@ -63,7 +63,7 @@ impl Session {
             connection: Connection::new(first),
             once: 0,
             silent: 0,
-            recording: recorder.map(|recorder| (recorder, tape)),
+            recording: recorder.map(|recorder| (recorder, buffer)),
         })
     }
 
@@ -83,9 +83,9 @@ impl Session {
         tally.add("monitors reconnected", statistics.reconnects);
         // The connections are closed before the recording ends.
         drop(self.robot);
-        if let Some((recorder, tape)) = self.recording {
+        if let Some((recorder, buffer)) = self.recording {
             tally.one("recordings");
-            let recording = tape.finish(&recorder).map_err(|finding| place.findings.add(finding));
+            let recording = buffer.finish(&recorder).map_err(|finding| place.findings.add(finding));
             self.connection.recorded = recording.ok().as_ref().map(requests);
         }
         self.connection

@@ -12,7 +12,7 @@ fn check_problems(wire: &str, fields: Value, expected: &Expect) {
 }
 
 #[test]
-fn problems_come_all_at_once() {
+fn every_problem_is_reported_together() {
     check_problems(
         "joint_move",
         json!({}),

@@ -83,7 +83,7 @@ fn refusals_are_held_against_the_envelope() {
 }
 
 #[test]
-fn keys_types_lengths_ranges_and_values_are_told_apart() {
+fn keys_types_lengths_ranges_and_values_are_distinguished() {
     let check = |wire: &str, fields, expected| check_reply(wire, &success(wire, fields), &expected);
     check(
         "get_joint_pos",

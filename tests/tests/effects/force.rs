@@ -32,7 +32,7 @@ fn axis() -> AdmittanceAxis {
 fn axes(arm: &mut Arm) -> Vec<AdmittanceAxis> {
     match arm.client.get_admit_ctrl_config().expect("it answers").axes {
         Typed::Known(axes) => axes.concat(),
-        Typed::Raw(raw) => panic!("these are no axes: {raw:?}"),
+        Typed::Raw(raw) => panic!("these are not axes: {raw:?}"),
     }
 }
 

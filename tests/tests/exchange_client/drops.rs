@@ -45,7 +45,7 @@ impl Drops {
         Self { before: *dropped() }
     }
 
-    /// Waits until there are so many; false if there are fewer after some time.
+    /// Waits until there are this many; false if there are fewer after some time.
     pub(crate) fn wait_for(&self, count: u32, patience: Duration) -> bool {
         let waits = |dropped: &mut u32| *dropped - self.before < count;
         let waited = CHANGED.wait_timeout_while(dropped(), patience, waits);

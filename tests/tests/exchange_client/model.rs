@@ -87,7 +87,7 @@ impl Model {
         self.outstanding.iter().any(|request| request.waits && request.actor == actor)
     }
 
-    /// True if something has come that nobody has looked at.
+    /// True if something has come that was not read.
     pub(crate) fn has_more(&self) -> bool {
         !self.unread.is_empty() || !self.read.is_empty()
     }
@@ -111,7 +111,7 @@ impl Model {
 
     /// A call begins, and its command does not go out yet. False if the connection is broken.
     pub(crate) fn send_nothing(&mut self, actor: Actor) -> bool {
-        // What has been read before a command goes out is no reply to it.
+        // What has been read before a command goes out is not a reply to it.
         while let Some(message) = self.read.pop_front() {
             self.arrive(message);
         }

@@ -29,7 +29,7 @@ impl Worker {
         let calls = move || {
             for order in to_do {
                 if done.send(call(order)).is_err() {
-                    // The run has failed: nobody asks for results any more.
+                    // The run has failed: its results are no longer wanted.
                     return;
                 }
             }

@@ -7,7 +7,7 @@ use jaka_sync::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_sync::payload::SetPayload;
 use jaka_sync::program::StopProgram;
 use jaka_sync::{Client, Command, Error};
-use jaka_tests::{Tape, requests};
+use jaka_tests::{RecordingBuffer, requests};
 use serde_json::json;
 
 use crate::cell::{Cell, Kind, LIMIT, Next, Seen, position};
@@ -24,8 +24,8 @@ fn command(kind: Kind) -> &'static str {
 }
 
 pub(crate) fn run(cell: &Cell<'_>) -> Seen {
-    let tape = Tape::default();
-    let recorder = (cell.kind == Kind::Recorded).then(|| tape.recorder());
+    let buffer = RecordingBuffer::default();
+    let recorder = (cell.kind == Kind::Recorded).then(|| buffer.recorder());
     let config = recorder.iter().fold(cell.config(), |config, recorder| config.recorder(recorder.clone()));
     let mut client = config.connect_client(cell.controller.command_addr()).expect("the controller listens");
     cell.strike(command(cell.kind));
@@ -38,11 +38,11 @@ pub(crate) fn run(cell: &Cell<'_>) -> Seen {
         Next::Same => same(cell, &mut client, timeout),
     });
     if let Some(recorder) = recorder {
-        let sent = requests(&tape.finish(&recorder).expect("memory loses nothing"));
+        let sent = requests(&buffer.finish(&recorder).expect("memory loses nothing"));
         let received = cell.controller.requests();
         assert!(sent.starts_with(&received), "{cell}: recorded {sent:?}, received {received:?}");
     }
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 fn call(cell: &Cell<'_>, client: &mut Client, timeout: Duration) -> Result<(), Error> {
@@ -96,7 +96,7 @@ fn check_text(cell: &Cell<'_>, mark: f64, reply: &str) {
 }
 
 /// A query that waits, and meanwhile a stop from another thread.
-pub(crate) fn run_stop_beside(cell: &Cell<'_>) -> Seen {
+pub(crate) fn run_concurrent_stop(cell: &Cell<'_>) -> Seen {
     let mut client = cell.client();
     let stop = client.stop_handle();
     cell.strike(GetJointPos::INFO.name);
@@ -118,9 +118,9 @@ pub(crate) fn run_stop_beside(cell: &Cell<'_>) -> Seen {
         assert_eq!(reply.joint_position, position(mark), "{cell}: the reply is another's");
     }
     let first = cell.ends(Duration::ZERO, expected.first, || called.map(drop));
-    let beside = cell.ends(Duration::ZERO, expected.beside.unwrap_or(Outcome::Ok), || stopped);
+    let stop = cell.ends(Duration::ZERO, expected.stop.unwrap_or(Outcome::Ok), || stopped);
     cell.lift();
     let timeout = cell.patience(cell.then);
     let next = cell.ends(timeout, cell.then, || cell.payload(&mut client, timeout));
-    Seen { first, beside: Some(beside), next }
+    Seen { first, stop: Some(stop), next }
 }

@@ -78,7 +78,7 @@ pub(crate) enum Next {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Seen {
     pub(crate) first: Outcome,
-    pub(crate) beside: Option<Outcome>,
+    pub(crate) stop: Option<Outcome>,
     pub(crate) next: Outcome,
 }
 
@@ -148,7 +148,7 @@ impl<'t> Cell<'t> {
     pub(crate) fn run(&self) -> Seen {
         match self.kind {
             Kind::Query | Kind::Setting | Kind::Raw | Kind::Text | Kind::Recorded | Kind::Stop => calls::run(self),
-            Kind::StopBeside => calls::run_stop_beside(self),
+            Kind::StopBeside => calls::run_concurrent_stop(self),
             Kind::Motion => motion::run(self),
             Kind::EndOfMotion => motion::run_end(self),
             Kind::Entering => servo::run_entering(self),
@@ -310,7 +310,7 @@ impl<'t> Cell<'t> {
 
     /// True where the first call has broken the connection.
     fn is_broken(&self) -> bool {
-        let ended = self.expected.beside.unwrap_or(self.expected.first);
+        let ended = self.expected.stop.unwrap_or(self.expected.first);
         self.is_lifted() && matches!(ended, Outcome::Broken(_))
     }
 

@@ -41,7 +41,7 @@ impl LinkTrouble {
         places.flat_map(at).collect()
     }
 
-    /// From now on it is wrong; a link that is held for a time is released by whoever calls.
+    /// From now on it is wrong; a link that is held for a time is released by the caller.
     pub(crate) fn strike(&self, controller: &Controller) {
         let link = self.port.map_or(controller.links(), |port| controller.link(port));
         self.direction.map_or(link, |direction| link.direction(direction)).set(self.fault);

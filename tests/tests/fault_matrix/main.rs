@@ -122,7 +122,7 @@ fn one((trouble, kind, next, pause): Task<'_>) -> Result<(), Failure> {
     let since = Instant::now();
     let cell = Cell::new(trouble, kind, next, pause);
     let name = cell.to_string();
-    let expected = Seen { first: cell.expected.first, beside: cell.expected.beside, next: cell.then };
+    let expected = Seen { first: cell.expected.first, stop: cell.expected.stop, next: cell.then };
     let seen = match catch_unwind(AssertUnwindSafe(|| cell.run())) {
         Ok(seen) => seen,
         Err(payload) => match payload.downcast::<TooBusy>() {

@@ -22,7 +22,7 @@ use crate::troubles::{LATE, Trouble};
 pub(crate) struct Expected {
     pub(crate) first: Outcome,
     /// What a stop ends with that is sent while the call waits.
-    pub(crate) beside: Option<Outcome>,
+    pub(crate) stop: Option<Outcome>,
     /// What the next call ends with, if it is of another name.
     pub(crate) other: Outcome,
     /// The same, if it is of the same name; none where that makes no difference.
@@ -31,7 +31,7 @@ pub(crate) struct Expected {
 
 impl Expected {
     fn new(first: Outcome, other: Outcome, same: Outcome) -> Self {
-        Self { first, beside: None, other, same: Some(same) }
+        Self { first, stop: None, other, same: Some(same) }
     }
 }
 
@@ -44,7 +44,7 @@ enum Found {
     Refusal,
     /// An acceptance of the command, without the fields of its reply.
     Misfit,
-    /// What is no reply to the command, and no end either: the connection cannot be trusted.
+    /// Neither a reply to the command nor an end: the connection cannot be trusted.
     Wrong(Cause),
     End,
 }
@@ -79,7 +79,7 @@ pub(crate) fn expected(trouble: &Trouble, kind: Kind) -> Expected {
         Kind::Entering if matches!(trouble, Trouble::Link(_)) => servo::asking_for_rest(&replies, packets),
         Kind::Entering => servo::entering(&replies, packets),
         Kind::SetPoints => servo::set_points(&replies, packets),
-        Kind::StopBeside => stop_beside(&replies),
+        Kind::StopBeside => concurrent_stop(&replies),
         _ => call(&replies, kind),
     }
 }
@@ -126,7 +126,7 @@ fn of_fault(fault: &Fault) -> Replies {
 /// More than any reply of the matrix has, in bytes.
 const MAX_REPLY: usize = 1000;
 
-/// What bytes are found to be that are no reply to the command.
+/// What bytes are found to be that are not a reply to the command.
 fn of_bytes(bytes: &[u8]) -> Vec<Found> {
     let bytes = bytes.trim_ascii();
     let Some(first) = bytes.first() else { return vec![] };
@@ -161,14 +161,14 @@ fn call(replies: &Replies, kind: Kind) -> Expected {
     if matches!(first, Outcome::Broken(_)) {
         return Expected::new(first, first, first);
     }
-    // A late reply that is still owed is dropped; all else that is left breaks the connection.
+    // A late reply that is still outstanding is dropped; all else that is left breaks the connection.
     let left = found[taken..].iter().find(|left| **left != Found::Own);
     let next = match left {
         Some(Found::Wrong(cause)) => Outcome::Broken(*cause),
         Some(Found::End) => Outcome::Broken(Cause::End),
         _ => later(replies),
     };
-    // The reply to a second command of the name settles the debt of the first, whose reply may just be late.
+    // The reply to a second command of the name completes the first, whose reply may just be late.
     let is_lost = when == When::InTime && first == Outcome::Timeout;
     let same = if is_lost { Outcome::Broken(Cause::Ambiguous) } else { next };
     Expected::new(first, next, same)
@@ -179,8 +179,8 @@ fn later(replies: &Replies) -> Outcome {
     if replies.when == When::Never { Outcome::Timeout } else { Outcome::Ok }
 }
 
-/// A call that waits long enough for a stop to be answered behind it, where one is at all.
-fn stop_beside(replies: &Replies) -> Expected {
+/// A call that waits long enough for a stop to be answered after it, if one is answered at all.
+fn concurrent_stop(replies: &Replies) -> Expected {
     let found = &replies.found;
     let (first, stop) = match (replies.when, end(found, Kind::StopBeside)) {
         (When::Never | When::Released, _) => (Outcome::Timeout, Outcome::Timeout),
@@ -192,5 +192,5 @@ fn stop_beside(replies: &Replies) -> Expected {
         },
     };
     let other = if stop == Outcome::Timeout { later(replies) } else { stop };
-    Expected { first, beside: Some(stop), other, same: None }
+    Expected { first, stop: Some(stop), other, same: None }
 }

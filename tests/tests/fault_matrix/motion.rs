@@ -37,10 +37,10 @@ pub(crate) fn run(cell: &Cell<'_>) -> Seen {
     }
     let next = next(cell, &mut robot);
     if expected == Outcome::StatusUnknown && cell.next == Next::Other {
-        // Behind the answer to a later command, nothing can come any more.
+        // After the answer to a later command, nothing can come any more.
         witness.assert_no_command(cell);
     }
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 /// Where the link holds or delays status packets, they are those of another motion: in position, moving, and in position again.
@@ -75,7 +75,7 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
     }
     // The next motion has all the time that it needs.
     let next = next(cell, &mut robot.with_status_silence(LIMIT));
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 /// Each joint by some degrees from where it is.

@@ -120,7 +120,7 @@ impl fmt::Display for Cause {
             Self::End => "end",
             Self::Garbage => "garbage",
             Self::TooLong => "too long",
-            Self::NotJson => "no JSON",
+            Self::NotJson => "not JSON",
             Self::Unsolicited => "unsolicited",
             Self::Nameless => "nameless",
             Self::Ambiguous => "ambiguous",

@@ -41,7 +41,7 @@ pub(crate) fn run_entering(cell: &Cell<'_>) -> Seen {
     if !is_asked_for && cell.next == Next::Other {
         witness.assert_no_command(cell);
     }
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 /// Where it goes wrong in servo mode.
@@ -57,7 +57,7 @@ pub(crate) fn run_set_points(cell: &Cell<'_>) -> Seen {
     match expected {
         // Those that were not answered are as many as may be, also where they come by now.
         Outcome::Broken(Cause::Reset) => begin.assert_within(cell, f64::from(UNANSWERED) * STEP),
-        // Servo mode was left behind the last of them.
+        // Servo mode was left after the last of them.
         Outcome::StatusUnknown => {
             assert!(!cell.controller.state().servo_mode, "{cell}: servo mode is on");
             end.assert_no_command(cell);
@@ -66,7 +66,7 @@ pub(crate) fn run_set_points(cell: &Cell<'_>) -> Seen {
         _ => {}
     }
     let next = next(cell, &mut robot);
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 fn next(cell: &Cell<'_>, robot: &mut Robot) -> Outcome {

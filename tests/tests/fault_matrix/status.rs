@@ -43,7 +43,7 @@ pub(crate) fn run_stream(cell: &Cell<'_>) -> Seen {
     let first = read(&mut stream, cell.expected.first);
     cell.lift();
     let next = read(&mut stream, cell.then);
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 /// Again after timeouts, for as long as a call may take that is to succeed.
@@ -91,7 +91,7 @@ pub(crate) fn run_monitor(cell: &Cell<'_>) -> Seen {
     let first = read(cell.expected.first);
     cell.lift();
     let next = read(cell.then);
-    Seen { first, beside: None, next }
+    Seen { first, stop: None, next }
 }
 
 /// All positions that come.

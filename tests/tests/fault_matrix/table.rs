@@ -69,10 +69,10 @@ fn name(kind: Kind) -> &'static str {
 
 /// What the call ends with, and what the next calls do where that is not to be expected.
 fn text(cell: Expected) -> String {
-    let (first, beside) = (Some(cell.first.to_string()), cell.beside.map(|stop| format!(" + {stop}")));
-    let next = (cell.other != usual(cell.beside.unwrap_or(cell.first))).then(|| format!(", next {}", cell.other));
+    let (first, stop) = (Some(cell.first.to_string()), cell.stop.map(|stop| format!(" + {stop}")));
+    let next = (cell.other != usual(cell.stop.unwrap_or(cell.first))).then(|| format!(", next {}", cell.other));
     let again = cell.same.filter(|same| *same != cell.other).map(|same| format!(", again {same}"));
-    [first, beside, next, again].into_iter().flatten().collect()
+    [first, stop, next, again].into_iter().flatten().collect()
 }
 
 /// What the next call ends with as a rule: the same where the connection is broken, and success otherwise.

@@ -101,7 +101,7 @@ fn argument(spec: &Spec, command: &Command) -> String {
     }
 }
 
-/// Values for the required fields, but for the field `without`.
+/// Values for the required fields, except for the field `without`.
 fn arguments(spec: &Spec, fields: &[Field], without: &str) -> String {
     let required = fields.iter().filter(|field| !field.optional && field.name != without);
     let values: Vec<_> = required.map(|field| value(spec, &field.ty)).collect();
@@ -136,7 +136,7 @@ fn values(spec: &Spec, id: TypeId) -> Vec<&str> {
     match &spec[id].kind {
         TypeKind::IntEnum(values) => values.iter().map(|value| &*value.name).collect(),
         TypeKind::TextEnum(values) => values.iter().map(|value| &*value.name).collect(),
-        _ => panic!("{} is no enum that requests have", spec[id].name),
+        _ => panic!("{} is not an enum that requests have", spec[id].name),
     }
 }
 
@@ -186,5 +186,5 @@ pub fn extra() -> (jaka_sync::motion::JointMove, jaka_sync::program::LoadProgram
     (motion, program, jaka_sync::power::GetVersion::new().extra(1.0))
 }
 ";
-    UserCrate::beside(&folder, "after", "2024", &code).expect(&expect![""]);
+    UserCrate::with_workspace(&folder, "after", "2024", &code).expect(&expect![""]);
 }

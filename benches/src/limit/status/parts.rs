@@ -90,7 +90,7 @@ fn joint(scan: &mut Scan<'_>) -> Option<JointMonitor> {
     Some(joint)
 }
 
-/// An element with another behind it.
+/// An element with another after it.
 fn first<'a, T>(scan: &mut Scan<'a>, one: impl Fn(&mut Scan<'a>) -> Option<T>) -> Option<T> {
     let value = one(scan)?;
     scan.comma(b']')?.then_some(value)

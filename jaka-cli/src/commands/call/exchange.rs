@@ -17,10 +17,10 @@ use crate::output;
 use crate::packs::Protocol;
 use crate::target::Target;
 
-/// Sends the request, unless the bytes alone are wanted, and prints the reply.
+/// Sends the request and prints the reply; with `--dry-run`, prints the bytes alone.
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
     if options.dry_run {
-        // The bytes that would go out, which are the user's own.
+        // The bytes that would be sent, which are the user's own.
         return output::write(format!("{}\n", request.text).as_bytes());
     }
     let target = options.robot.target_with_packs(&protocol.packs)?;
@@ -67,7 +67,7 @@ fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
     let Some(refusal) = error.refusal().cloned() else { return error.into() };
     let known = spec.errors().find(|known| known.wire == refusal.code.0);
     let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
-    // Without a status the refusal stands for itself.
+    // Without a status, the refusal has no explanation.
     let status = target.status_stream().ok().and_then(|mut stream| stream.newest_packet().ok());
     let explanation = Explanation::of(&refusal, status.as_ref());
     Failure::Refused { refusal, meaning, explanation }

@@ -1,4 +1,4 @@
-//! Holding a request against the controller's firmware.
+//! The check of a request against the controller's firmware.
 
 use jaka_spec::{Command, Field, Request as Body, Shape, Spec, Type, Versions};
 use jaka_sync::{Client, Error, FirmwareRange, FirmwareVersion, NotInFirmware};
@@ -54,7 +54,7 @@ struct FirmwareCheck<'s> {
 }
 
 impl FirmwareCheck<'_> {
-    /// The first field that the firmware does not have: this one or one inside it.
+    /// The first field that the firmware does not have: this one, or one inside it.
     fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<(String, FirmwareRange)> {
         let place = if outer.is_empty() { field.name.clone() } else { format!("{outer}.{}", field.name) };
         let range = range(&field.versions);

@@ -8,7 +8,7 @@ use jaka_spec::words::{first_sentence, requirements};
 use jaka_spec::{Command, Effect, Request, Spec};
 use jaka_sync::proto::text::{visible, visible_lines};
 
-/// What a command does, in a sentence.
+/// What a command does, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {
     visible_lines(first_sentence(&command.doc).0)
 }
@@ -51,7 +51,7 @@ pub(super) fn effect(effect: Effect) -> &'static str {
 
 /// What the fields of the reply mean.
 pub(super) fn notes(spec: &Spec, command: &Command) -> String {
-    // What the fields of a request are told by tells those of a reply too.
+    // What describes the fields of a request describes those of a reply as well.
     let as_request = Command { request: Request::Fields(spec.reply_fields(command).to_vec()), ..command.clone() };
     let fields = arguments(spec, &as_request);
     if fields.is_empty() {
@@ -71,7 +71,7 @@ pub(super) fn field(argument: &Argument) -> String {
     if argument.required { help + " [required]" } else { help }
 }
 
-/// How a command is used: the fields that it wants, and a sign for the rest.
+/// How a command is used: its required fields, and a placeholder for the rest.
 pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String]) -> String {
     let mut usage = format!("jaka call {}", command.wire);
     for (argument, long) in arguments.iter().zip(longs) {

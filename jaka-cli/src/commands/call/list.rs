@@ -6,10 +6,10 @@ use jaka_sync::proto::text::visible;
 use super::help;
 use crate::failure::Failure;
 
-/// The commands by topic, each with what it does, in a sentence; those of one topic if that is named.
+/// The commands by topic, each with one sentence; only those of a topic if it is named.
 ///
 /// # Errors
-/// There is no such topic; says which there are.
+/// There is no such topic; the message lists those that exist.
 pub(super) fn text(spec: &Spec, topic: &str) -> Result<String, Failure> {
     let all: Vec<_> = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).collect();
     let wanted: Vec<_> = all.iter().filter(|known| topic.is_empty() || known.name == topic).collect();

@@ -1,4 +1,4 @@
-//! What must be known of a line before it can be parsed: which command it is of, and which packs count.
+//! What must be known of a command line before it can be parsed: its command, and its packs.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -7,10 +7,10 @@ use clap::{Arg, Command};
 
 use super::parser;
 
-/// What a line is about.
+/// The command, the packs and the rest of a line.
 #[derive(Debug, Default)]
 pub(super) struct Outline {
-    /// The command, as it is typed.
+    /// The command, as it was typed.
     pub(super) command: Option<String>,
     /// The values of `--pack`.
     pub(super) packs: Vec<PathBuf>,
@@ -23,7 +23,7 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    /// Looks through the words of a line. What makes no sense is left to the parser.
+    /// Goes through the words of a line. Errors are left to the parser.
     pub(super) fn of(words: Vec<OsString>) -> Self {
         let known = parser::bare();
         let mut outline = Self::default();
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn what_an_option_takes_is_no_command() {
+    fn what_an_option_takes_is_not_a_command() {
         assert_eq!(outline("--params - --raw --list io").command, None);
         assert_eq!(outline("--sim=zu7 power_on").command.as_deref(), Some("power_on"));
         assert!(outline("--raw --list").raw);

@@ -14,10 +14,10 @@ use super::help;
 use super::options::Options;
 use crate::failure::Failure;
 
-/// How `jaka call` is used, where no command is named.
+/// The usage of `jaka call` where no command is named.
 pub(super) const USAGE: &str = "jaka call [OPTIONS] <COMMAND> [--FIELD <VALUE>]...";
 
-/// Reads lines of one command.
+/// Parses lines of one command.
 #[derive(Debug)]
 pub(super) struct Parser<'s> {
     spec: &'s Spec,
@@ -25,7 +25,7 @@ pub(super) struct Parser<'s> {
     clap: clap::Command,
 }
 
-/// A line that has been read.
+/// A parsed line.
 #[derive(Debug)]
 pub(super) struct CommandLine {
     pub(super) options: Options,
@@ -42,7 +42,7 @@ pub(super) fn bare() -> clap::Command {
         .after_help("`jaka call --list` lists the commands, `jaka call COMMAND --help` describes one and its fields.")
 }
 
-/// Adds the options that every command has, behind what is there.
+/// Adds the options that every command has, after those that are there.
 fn with_options(parser: clap::Command) -> clap::Command {
     let help = Arg::new("help").short('h').long("help").action(ArgAction::Help);
     let help = help.help("Print help; -h for a summary").help_heading("Options");
@@ -66,11 +66,11 @@ impl<'s> Parser<'s> {
         Self { spec, arguments, clap }
     }
 
-    /// Reads a line without its command. Ends the program with clap's own message where clap finds something wrong, and
+    /// Parses a line without its command. Ends the program with clap's own message where clap finds an error, and
     /// after help.
     ///
     /// # Errors
-    /// Every value that is none of its field's type.
+    /// Every value that does not have its field's type.
     pub(super) fn parse(self, words: Vec<OsString>) -> Result<CommandLine, Failure> {
         let Self { spec, arguments, clap } = self;
         let matches = clap.get_matches_from(iter::once("jaka call".into()).chain(words));
@@ -94,7 +94,7 @@ fn fields(spec: &Spec, arguments: &[Argument], matches: &ArgMatches) -> Result<M
     if wrong.is_empty() { Ok(fields) } else { Err(Failure::Usage(wrong.join("\n"))) }
 }
 
-/// Fields have ids that no option has.
+/// The id of a field, which differs from those of all options.
 fn id(argument: &Argument) -> String {
     format!("field {}", argument.name)
 }
@@ -121,7 +121,7 @@ fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Co
         .after_long_help(help::notes(spec, command))
 }
 
-/// A field's option, which must not be one of those that all commands have.
+/// The option of a field; its name must differ from those that all commands have.
 fn long(name: &str, taken: &mut BTreeSet<String>) -> String {
     let mut long = name.to_owned();
     while !taken.insert(long.clone()) {
@@ -151,7 +151,7 @@ fn field(argument: &Argument, long: &str) -> Arg {
         .value_parser(Listed::of(argument))
 }
 
-/// Takes any text, and tells of the values that are listed.
+/// Takes any text, and shows the listed values in help.
 #[derive(Debug, Clone)]
 struct Listed(Vec<PossibleValue>);
 

@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 use crate::number::fixed;
 use crate::output;
 
-/// A reply's JSON; its text as a JSON string where it is none, as a bare Python tuple, or where a key comes twice.
+/// A reply's JSON; its text as a JSON string where it is not JSON, as a bare Python tuple, or where a key comes twice.
 pub(crate) fn json(text: &str) -> Value {
     let mut reader = Reader::new(text);
     let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
@@ -47,7 +47,7 @@ impl ReplyTable<'_> {
         if self.rows.is_empty() {
             return "accepted\n".to_owned();
         }
-        // Names too may be the controller's.
+        // Names may come from the controller, too.
         let rows: Vec<_> = self.rows.iter().map(|(name, value)| (visible(name), visible(value))).collect();
         let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
         let lines: Vec<_> = rows.iter().map(|(name, value)| format!("{name:width$}  {value}")).collect();
@@ -104,7 +104,7 @@ impl ReplyTable<'_> {
             (Shape::Choice(choice), Value::Array(elements)) => self.choice(place, choice, elements),
             (shape, _) => {
                 let text = self.scalar(ty, value);
-                // What is no number has no unit, such as a word in place of a list.
+                // Only numbers have units, not a word in place of a list.
                 let is_number = matches!(shape, Shape::Scalar(scalar) if scalar.is_number());
                 self.add(place, with_unit(&text, unit.filter(|_| is_number)));
             }
@@ -122,7 +122,7 @@ impl ReplyTable<'_> {
         }
     }
 
-    /// True for a type whose values take rows of their own.
+    /// True for a type whose parts have rows of their own.
     fn has_parts(&self, ty: &Type) -> bool {
         match self.spec.shape(ty) {
             Shape::List(..) | Shape::Python(_) | Shape::Object(_) | Shape::Tuple { .. } | Shape::Choice(_) => true,
@@ -172,7 +172,7 @@ fn decimals(number: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A value as it came, but for what a terminal would act on.
+/// A value as it came, except for characters on which a terminal would act.
 fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => output::cell(text).into_owned(),

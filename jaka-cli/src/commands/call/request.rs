@@ -12,7 +12,7 @@ use crate::failure::Failure;
 /// A request that can be sent.
 #[derive(Debug)]
 pub(super) struct Request<'s> {
-    /// What the spec says of the command; nothing of one that is sent unchecked.
+    /// The command in the spec; none for a request that is sent unchecked.
     pub(super) command: Option<&'s Command>,
     /// `cmdName`.
     pub(super) name: String,
@@ -110,10 +110,10 @@ fn nameless() -> Failure {
 
 fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
     let lines: Vec<_> = problems.iter().map(|problem| format!("\n  {problem}")).collect();
-    let way_out = if problems.iter().all(|problem| problem.advisory) {
+    let hint = if problems.iter().all(|problem| problem.advisory) {
         "\n`--advisory-ranges ignore` leaves it to the controller"
     } else {
         ""
     };
-    Failure::Usage(format!("`{}` was not sent:{}{way_out}", command.wire, lines.concat()))
+    Failure::Usage(format!("`{}` was not sent:{}{hint}", command.wire, lines.concat()))
 }

@@ -12,7 +12,7 @@ use super::location::{self, Location};
 
 /// A pack with the keys that the spec does not know; none if there are no such keys.
 ///
-/// It loads as it is. What its author has to find out says `TODO`.
+/// It loads as it is. What its author has to find out is marked `TODO`.
 pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
     let mut draft =
@@ -30,14 +30,14 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
 
 fn head(version: &str, packs: &[String]) -> String {
     let title = quoted(&visible(&format!("What {version} sends beyond the spec")));
-    let behind = if packs.is_empty() {
+    let on_top_of = if packs.is_empty() {
         String::new()
     } else {
         format!("# It applies on top of {}.\n", visible(&packs.join(", ")))
     };
     format!(
         "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\n\
-         {behind}title = {title}\n"
+         {on_top_of}title = {title}\n"
     )
 }
 
@@ -129,7 +129,7 @@ fn snake(key: &str) -> String {
     name.trim_end_matches('_').to_owned()
 }
 
-/// A string in TOML, with escapes for all that cannot be seen, and the same string all the same.
+/// A string in TOML, with escapes for invisible characters, which stand for the same string.
 fn quoted(text: &str) -> String {
     let mut out = String::from('"');
     for c in text.chars() {

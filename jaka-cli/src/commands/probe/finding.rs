@@ -12,7 +12,7 @@ use jaka_sync::{Command, ErrorCode};
 pub(super) struct Findings {
     /// The controller's version, in its own words.
     pub(super) version: Option<String>,
-    /// The packs that were held against it, by their file names.
+    /// The packs that it was compared with, by their file names.
     pub(super) packs: Vec<String>,
     /// What each query showed.
     pub(super) commands: Vec<Finding>,
@@ -23,7 +23,7 @@ pub(super) struct Findings {
 /// What one message showed.
 #[derive(Debug)]
 pub(super) struct Finding {
-    /// `cmdName`, or what else was asked.
+    /// `cmdName`, or the name of another question.
     pub(super) name: String,
     pub(super) outcome: Outcome,
     /// Where the message departs from the spec.
@@ -32,10 +32,10 @@ pub(super) struct Finding {
     pub(super) raw: Option<String>,
 }
 
-/// What came of a question.
+/// The outcome of a question.
 #[derive(Debug)]
 pub(super) enum Outcome {
-    /// A message that fits the spec, or departs from it in ways that can be read.
+    /// A message that fits the spec, or departs from it and can still be read.
     Answered,
     /// A refusal.
     Refused {
@@ -46,9 +46,9 @@ pub(super) enum Outcome {
     },
     /// A message that cannot be read, and why.
     Unreadable(String),
-    /// No message came: why.
+    /// No message came, and why.
     NoReply(String),
-    /// Nothing was asked: why.
+    /// Nothing was asked, and why.
     NotProbed(String),
 }
 
@@ -68,7 +68,7 @@ impl Findings {
         self.all().filter(|finding| finding.is_asked()).count()
     }
 
-    /// How many of those are not as the spec has them, or were not answered.
+    /// How many of those depart from the spec, or were not answered.
     pub(super) fn departing(&self) -> usize {
         self.all().filter(|finding| finding.departs()).count()
     }
@@ -82,14 +82,14 @@ fn version(commands: &[Finding]) -> Option<String> {
 }
 
 impl Finding {
-    /// What a message showed that came.
+    /// The finding of a message that came.
     pub(super) fn of(name: impl Into<String>, departures: Vec<Departure>, raw: String) -> Self {
         let unreadable = departures.iter().find(|departure| departure.reading == Reading::Unreadable);
         let outcome = unreadable.map_or(Outcome::Answered, |_| Outcome::Unreadable(String::new()));
         Self { name: name.into(), outcome, departures, raw: Some(raw) }
     }
 
-    /// What came of a question that brought no message.
+    /// The finding of a question to which no message came.
     pub(super) fn without(name: impl Into<String>, outcome: Outcome) -> Self {
         Self { name: name.into(), outcome, departures: Vec::new(), raw: None }
     }
@@ -98,7 +98,7 @@ impl Finding {
         !matches!(self.outcome, Outcome::NotProbed(_))
     }
 
-    /// True for what is not as the spec has it, or was not answered.
+    /// True for a message that departs from the spec, or did not come.
     pub(super) fn departs(&self) -> bool {
         !self.departures.is_empty() || matches!(self.outcome, Outcome::Unreadable(_) | Outcome::NoReply(_))
     }

@@ -1,8 +1,8 @@
-//! Where in the spec a departure is.
+//! The place of a departure in the spec.
 
 use jaka_spec::{Field, Shape, Spec, Type};
 
-/// What of the spec a pack would change.
+/// The part of the spec that a pack would change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Location {
     /// A command's `cmdName` or a type's name.
@@ -20,7 +20,7 @@ pub(super) fn find(spec: &Spec, target: &str, part: &'static str, fields: &[Fiel
     let location =
         |key: &str, is_known| Some(Location { target: target.to_owned(), part, key: key.to_owned(), is_known });
     let steps = fields.iter().filter_map(|field| Some((field, rest(path, key(field))?)));
-    // Of keys one of which begins with another, the longer one is meant.
+    // Where one key begins with another, the longer one matches.
     let Some((field, rest)) = steps.min_by_key(|(_, rest)| rest.len()) else { return location(path, false) };
     let Some(inner) = inside(spec, &field.ty, rest) else { return location(key(field), true) };
     find(spec, inner.0, "field", inner.1, inner.2)
@@ -35,7 +35,7 @@ fn rest<'p>(path: &'p str, key: &str) -> Option<&'p str> {
     path.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
-/// The type with fields that a path goes on into, its fields, and what follows of the path.
+/// The type with fields into which a path continues, its fields, and the rest of the path.
 fn inside<'s, 'p>(spec: &'s Spec, ty: &'s Type, path: &'p str) -> Option<(&'s str, &'s [Field], &'p str)> {
     let ty = spec.unwrapped(ty);
     match spec.shape(ty) {

@@ -10,23 +10,23 @@ use crate::commands::call::reply_json;
 use crate::failure::{Failure, chain};
 use crate::target::Target;
 
-/// How often a connection that broke is made anew: a controller that ends it on every query is not pestered.
+/// How often to reconnect at most: a controller that ends the connection on every query is not pestered.
 const MOST_RECONNECTS: u32 = 3;
 
-/// Asks every query that needs no argument, and nothing else.
+/// Sends every query that needs no argument, and nothing else.
 ///
 /// # Errors
-/// No connection can be made to begin with. What goes wrong later is a finding.
+/// The first connection cannot be made. What goes wrong later is a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target) -> Result<Vec<Finding>, Failure> {
     let mut connection = Connection { target, client: Ok(target.client()?), reconnects: 0 };
     let queries = spec.commands().filter(|command| command.effect == Effect::Query);
     Ok(queries.map(|command| connection.ask(spec, command)).collect())
 }
 
-/// The connection to the controller, made anew where it breaks.
+/// The connection to the controller, and a new one where it breaks.
 struct Connection<'t> {
     target: &'t Target,
-    /// Why there is none, if there is none.
+    /// Why there is no connection, if there is none.
     client: Result<Client, String>,
     reconnects: u32,
 }
@@ -63,14 +63,14 @@ impl Connection<'_> {
             _ => {
                 let outcome = unanswered(&error);
                 if error.is_disconnected() {
-                    self.connect_anew(name);
+                    self.reconnect(name);
                 }
                 Finding::without(name, outcome)
             }
         }
     }
 
-    fn connect_anew(&mut self, command: &str) {
+    fn reconnect(&mut self, command: &str) {
         self.reconnects += 1;
         self.client = if self.reconnects > MOST_RECONNECTS {
             Err(format!("the connection broke {} times, the last time at `{command}`", self.reconnects))
@@ -88,7 +88,7 @@ fn names(arguments: &[Argument]) -> String {
     names.join(", ")
 }
 
-/// What an error without a reply says: that something came that is no message, or that nothing came.
+/// What an error without a reply means: bytes came that are not a message, or nothing came.
 fn unanswered(error: &Error) -> Outcome {
     match error.kind() {
         ErrorKind::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),

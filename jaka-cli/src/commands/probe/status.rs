@@ -9,10 +9,10 @@ use crate::commands::call::reply_json;
 use crate::failure::chain;
 use crate::target::Target;
 
-/// What the finding is called.
+/// The name of the finding.
 const NAME: &str = "status packet";
 
-/// Takes packets, and holds them against the spec. A departure that several packets have is told once.
+/// Reads packets, and compares them with the spec. A departure that several packets have is reported once.
 pub(super) fn take(spec: &Spec, target: &Target, count: u32) -> Finding {
     let mut stream = match target.status_stream() {
         Ok(stream) => stream,

@@ -9,7 +9,7 @@ use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
 use crate::packs;
 
-/// The options that say which entries are shown.
+/// The options that select entries.
 #[derive(Debug, Args)]
 pub(super) struct FilterArgs {
     /// Show only the connections to this port
@@ -41,7 +41,7 @@ pub(super) enum Filter {
 #[derive(Debug)]
 pub(super) struct CommandFilter {
     name: String,
-    /// The replies, also those that do not name their command, by the time at which they came.
+    /// The replies, including those that do not name their command, by the time at which they came.
     replies: HashSet<(Duration, Message)>,
 }
 
@@ -66,7 +66,7 @@ impl Filter {
         }
     }
 
-    /// The requests that are shown, with what came of them.
+    /// The requests that are shown, with their outcomes.
     pub(super) fn answers(&self, recording: &Recording) -> Vec<Answered> {
         let mut answers = recording.answers();
         match self {
@@ -81,7 +81,7 @@ impl Filter {
 }
 
 impl CommandFilter {
-    /// The command by its `cmdName` or its name in Rust, or one that no spec knows.
+    /// The command by its `cmdName` or its name in Rust, or a name that is not in the spec.
     fn new(called: &str, recording: &Recording) -> Self {
         let known = packs::builtin().command_called(called).map(|command| command.wire.clone());
         let command = known.unwrap_or_else(|| called.to_owned());

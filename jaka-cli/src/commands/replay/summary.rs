@@ -14,7 +14,7 @@ use crate::number::count;
 /// How many requests are listed.
 const LISTED: usize = 5;
 
-/// What a recording has in it. Displays a line for each number that is not 0.
+/// Counts of what a recording has in it. Displays a line for each that is not 0.
 #[derive(Debug)]
 pub(super) struct Summary {
     requests: usize,

@@ -43,7 +43,7 @@ impl Check {
     }
 }
 
-/// What was found, which is printed at once.
+/// What was found, which is printed immediately.
 #[derive(Debug, Default)]
 struct ErrorCount {
     errors: usize,
@@ -57,7 +57,7 @@ impl ErrorCount {
         })
     }
 
-    /// Holds the examples of the commands of a file against their fields.
+    /// Checks the examples of the commands of a file against their fields.
     fn examples(&mut self, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
         let mut misfits = commands.iter().flat_map(|command| jaka_dynamic::misfits(spec, command));
         misfits.try_for_each(|misfit| {
@@ -67,14 +67,14 @@ impl ErrorCount {
     }
 }
 
-/// Prints what is no error.
+/// Prints what is not an error.
 fn note(Error { path, line, column, message }: &Error) -> Result<(), Failure> {
     output::line(&format!("{path}:{line}:{column}: note: {message}"))
 }
 
 /// A misfit at the place of its example.
 fn error(misfit: &jaka_dynamic::Misfit, source: Source<'_>) -> Error {
-    // Its text stands there as it is where it needs no escapes, as between single quotes.
+    // The file has its text unchanged where it needs no escapes, as between single quotes.
     let place = source.text.find(&misfit.message).or_else(|| source.text.find(&misfit.command));
     source.error(place.unwrap_or_default(), misfit.to_string())
 }

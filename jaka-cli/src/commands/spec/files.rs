@@ -18,7 +18,7 @@ pub(super) struct Files(Vec<(String, String)>);
 impl Files {
     /// Reads a folder's files: those that the built-in spec has in its order, then the others by name.
     ///
-    /// A `Cargo.toml` is none of the spec's: its crate's folder has one.
+    /// A `Cargo.toml` is not part of the spec: the folder of its crate has one.
     pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
         let listed = fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
         let listed = listed.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", folder.display())))?;

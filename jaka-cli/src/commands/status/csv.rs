@@ -6,12 +6,12 @@ use serde_json::Value;
 use super::packets::Packet;
 use crate::fields::Field;
 
-/// The columns: those of the first packet, since a header comes but once.
+/// The columns: those of the first packet, since there is only one header.
 #[derive(Debug)]
 pub(super) enum Columns {
     /// The fields that are asked for.
     Wanted(Vec<Field>),
-    /// Each of them in its parts.
+    /// Each of them, divided into its parts.
     Found(Vec<Field>),
 }
 
@@ -38,7 +38,7 @@ fn row(first: String, rest: impl Iterator<Item = String>) -> String {
     cells.join(",") + "\n"
 }
 
-/// What cannot be seen is escaped, so that a packet is a line, whatever is in it. A spreadsheet would take text that begins like a
+/// Invisible characters are escaped, so that each packet is one line. A spreadsheet would take text that begins like a
 /// formula for one, and run it.
 fn cell(value: Option<Value>) -> String {
     let text = match value {

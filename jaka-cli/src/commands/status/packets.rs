@@ -1,4 +1,4 @@
-//! Packets at the pace that is asked for.
+//! Packets at the requested rate.
 
 use std::io::{Write, stderr};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
@@ -23,7 +23,7 @@ pub(super) struct Packets {
     stream: StatusStream,
     period: Duration,
     due: Option<Instant>,
-    /// Fields that were told not to fit.
+    /// Fields that were reported not to fit.
     told: Vec<String>,
 }
 
@@ -37,21 +37,24 @@ impl Packets {
         let status = self.next_due(StatusStream::next_packet)?;
         self.tell_unfit();
         let json = serde_json::to_value(status);
-        Ok(Packet { time: unix_time(), json: json.map_err(|error| Failure::local("no JSON", error.into()))? })
+        Ok(Packet {
+            time: unix_time(),
+            json: json.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?,
+        })
     }
 
-    /// Tells of each field that does not fit once: it is missing from what is printed.
+    /// Reports each field that does not fit once: it is missing from what is printed.
     fn tell_unfit(&mut self) {
         for error in self.stream.unfit() {
             if !self.told.iter().any(|told| told == error.field()) {
                 self.told.push(error.field().to_owned());
-                // Where nobody can be told, the packet is printed all the same.
+                // If standard error cannot be written, the packet is still printed.
                 writeln!(stderr(), "jaka: warning: {error}; it is left out").ok();
             }
         }
     }
 
-    /// The text of the next packet that is due, also of one that does not fit the spec.
+    /// The text of the next packet that is due, even if it does not fit the spec.
     pub(super) fn next_text(&mut self) -> Result<String, Failure> {
         self.next_due(|stream| match stream.next_packet() {
             Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => Err(error),
@@ -60,13 +63,13 @@ impl Packets {
         Ok(self.stream.packet_text().unwrap_or_default().to_owned())
     }
 
-    /// Reads until a packet is due. Those before are read too, so that none is old and the controller need not wait.
+    /// Reads until a packet is due. Those before are read and dropped, so that none is old and the controller is not held up.
     fn next_due<T>(&mut self, read: impl Fn(&mut StatusStream) -> Result<T, Error>) -> Result<T, Error> {
         loop {
             let found = read(&mut self.stream)?;
             let now = Instant::now();
             if self.due.is_none_or(|due| now >= due) {
-                // The beat is kept, unless it is lost. A period that is too long to count never ends.
+                // The times are multiples of the period, unless one was missed. A period that is too long to count never ends.
                 let next = self.due.unwrap_or(now).checked_add(self.period);
                 self.due = next.map(|next| next.max(now));
                 return Ok(found);

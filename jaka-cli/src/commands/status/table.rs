@@ -10,19 +10,19 @@ use crate::fields::{Field, Shape};
 use crate::number::fixed;
 use crate::output::{self, ABSENT};
 
-/// Lists with more values than this are told in short.
+/// Lists with more values than this are abbreviated.
 const SHORT: usize = 8;
 
 /// A table of these fields.
 #[derive(Debug)]
 pub(super) struct StatusTable {
     fields: Vec<Field>,
-    /// What comes before and behind each table.
+    /// What comes before and after each table.
     around: (&'static str, &'static str),
 }
 
 impl StatusTable {
-    /// Tables that follow each other replace each other on a terminal.
+    /// On a terminal, each table replaces the one before it.
     pub(super) fn new(fields: Vec<Field>, repeats: bool) -> Self {
         let around = match (repeats, stdout().is_terminal()) {
             (false, _) => ("", ""),
@@ -98,7 +98,7 @@ fn single(field: &Field, value: &Value) -> String {
     }
 }
 
-/// A list in short: which of its values are something.
+/// An abbreviated list: its values that are not zero.
 fn in_short(values: &[Value]) -> String {
     let count = values.len();
     if count == 0 {
@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_packet_does_not_have_is_no_zero() {
+    fn what_a_packet_does_not_have_is_not_a_zero() {
         let packet = json!({
             "din": [0, 1, 0, 1], "dout": [], "ain": [0, 0, 0, 0, 0, 0, 0, 0, 2.5], "errmsg": "a\u{1b}b",
             "torqsensor": 5, "curr_tcp_trans_vel": -0.0001, "task_mode": 9,

@@ -17,7 +17,7 @@ fn packets() -> Vec<Vec<u8>> {
     packets.map(|packet| packet.as_bytes().to_vec()).to_vec()
 }
 
-/// All frames, and how many bytes were dropped behind errors, at once or as they came.
+/// All frames, and how many bytes were dropped after errors, fed in one piece or in several.
 fn frames(stream: &[u8], piece: usize) -> (Vec<Vec<u8>>, usize) {
     let mut framer = Framer::for_status(10_000);
     let (mut found, mut dropped) = (Vec::new(), 0);
@@ -62,12 +62,12 @@ fn a_packet_that_is_cut_anywhere_costs_itself_and_at_most_the_next() {
                 kept.map(|(_, packet)| packet.clone()).collect::<Vec<_>>()
             };
             let broken = String::from_utf8_lossy(&sent[cut]);
-            assert!(found == without(1) || found == without(2), "behind {broken}");
+            assert!(found == without(1) || found == without(2), "after {broken}");
             // It is lost only where a value may follow what came.
             let may_follow = broken.trim_end().ends_with([':', ',', '[']) && found == without(2);
-            assert!(found == without(1) || may_follow, "behind {broken}");
+            assert!(found == without(1) || may_follow, "after {broken}");
             for piece in [1, 5] {
-                assert_eq!(frames(&stream, piece).0, found, "in pieces of {piece}, behind {broken}");
+                assert_eq!(frames(&stream, piece).0, found, "in pieces of {piece}, after {broken}");
             }
         }
     }
@@ -86,7 +86,7 @@ fn a_packet_whose_beginning_is_missing_costs_itself_alone() {
             let (found, _) = frames(&stream, stream.len());
             let real: Vec<_> = found.iter().filter(|frame| packets.contains(frame)).cloned().collect();
             let kept = packets.iter().enumerate().filter(|(at, _)| *at != cut).map(|(_, packet)| packet.clone());
-            assert_eq!(real, kept.collect::<Vec<_>>(), "behind {}", String::from_utf8_lossy(&left));
+            assert_eq!(real, kept.collect::<Vec<_>>(), "after {}", String::from_utf8_lossy(&left));
             for frame in found.iter().filter(|frame| !packets.contains(frame)) {
                 assert!(left.windows(frame.len()).any(|inner| inner == *frame), "it was made up");
             }
@@ -117,7 +117,7 @@ fn a_cut_is_told_with_what_came_last() {
 }
 
 #[test]
-fn a_tuple_is_no_packet() {
+fn a_tuple_is_not_a_packet() {
     let mut framer = Framer::for_status(1000);
     framer.push(b"(0, 1)");
     assert!(matches!(framer.next_frame(), Err(FrameError::Garbage { .. })));
@@ -132,7 +132,7 @@ fn replies_are_left_in_peace() {
 
 proptest! {
     #[test]
-    fn any_objects_are_found_behind_a_cut(
+    fn any_objects_are_found_after_a_cut(
         objects in prop::collection::vec(object(), 5),
         end in any::<prop::sample::Index>(),
         piece in 1..60_usize,

@@ -1,4 +1,4 @@
-//! Random angles, a good part of them at gimbal lock or beside it.
+//! Random angles, many of them at gimbal lock or close to it.
 
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
@@ -9,8 +9,8 @@ use crate::messages::types::{JointPosition, Pose};
 
 fn angle() -> impl Strategy<Value = f64> {
     let quarter = (-8..=8_i8).prop_map(|quarters| f64::from(quarters) * 90.0);
-    let beside = (quarter.clone(), -18..=0_i32).prop_map(|(quarter, power)| quarter + 10_f64.powi(power));
-    prop_oneof![2 => -720.0..720.0, 1 => quarter, 1 => beside]
+    let near = (quarter.clone(), -18..=0_i32).prop_map(|(quarter, power)| quarter + 10_f64.powi(power));
+    prop_oneof![2 => -720.0..720.0, 1 => quarter, 1 => near]
 }
 
 fn rotation() -> impl Strategy<Value = [f64; 3]> {

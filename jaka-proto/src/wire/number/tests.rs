@@ -54,8 +54,8 @@ proptest! {
 
     /// Where rounding is hardest: exactly in the middle between two floats, and next to it.
     #[test]
-    fn middles_between_two_floats(odd in 1_u64 << 53..1 << 54, shift in 0..8_u32, beside in -1_i64..=1, point in 0..19_usize) {
-        let digits = ((odd | 1) << shift).saturating_add_signed(beside).to_string();
+    fn middles_between_two_floats(odd in 1_u64 << 53..1 << 54, shift in 0..8_u32, neighbour in -1_i64..=1, point in 0..19_usize) {
+        let digits = ((odd | 1) << shift).saturating_add_signed(neighbour).to_string();
         check(&digits)?;
         let (whole, fraction) = digits.split_at(digits.len().saturating_sub(point).max(1));
         check(&format!("{whole}.{fraction}"))?;
@@ -82,9 +82,9 @@ proptest! {
     }
 
     #[test]
-    fn a_run_goes_up_to_what_is_no_usual_number(
+    fn a_run_goes_up_to_an_unusual_number(
         elements in prop::collection::vec((any::<i32>(), prop::sample::select(vec![",", ", "])), 1..9),
-        behind in prop::sample::select(vec!["]", ",]", ", ]", " ,1", ",  1]", ", \"1\"]", ",1e5]", ", 1"]),
+        after in prop::sample::select(vec!["]", ",]", ", ]", " ,1", ",  1]", ", \"1\"]", ",1e5]", ", 1"]),
     ) {
         let mut text = String::new();
         for (at, (number, comma)) in elements.iter().enumerate() {
@@ -92,7 +92,7 @@ proptest! {
             text += &number.to_string();
         }
         let (expected, len) = (elements.iter().map(|(number, _)| f64::from(*number)).collect::<Vec<_>>(), text.len());
-        text += behind;
+        text += after;
         let mut found = Vec::new();
         prop_assert_eq!(run(text.as_bytes(), |number: f64| found.push(number)), (expected.len(), len), "{}", text);
         prop_assert_eq!(found, expected, "{}", text);
@@ -112,7 +112,7 @@ fn what_is_usual_is_taken() {
     for (text, value) in [("0,", false), ("1]", true), ("false", false), ("true,", true)] {
         assert_eq!(bool::usual(text.as_bytes()), Some((value, text.trim_end_matches([',', ']']).len())), "{text}");
     }
-    // A number ends where something comes that is no part of one, such as the neighbours of the digits.
+    // A number ends at a byte that cannot be part of one, such as the neighbours of the digits.
     for text in ["7:", "7/"] {
         assert_eq!(
             (f64::usual(text.as_bytes()), i64::usual(text.as_bytes())),

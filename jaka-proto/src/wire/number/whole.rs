@@ -43,7 +43,7 @@ fn significant(digits: impl Iterator<Item = u8>) -> Option<(i64, u32)> {
     Some((value, zeros))
 }
 
-/// The value with so many zeros behind it.
+/// The value with this many zeros appended.
 fn shifted(value: i64, zeros: u32) -> Option<i64> {
     let shifted = 10_i64.checked_pow(zeros).and_then(|power| value.checked_mul(power));
     shifted.filter(|shifted| *shifted < BELOW)

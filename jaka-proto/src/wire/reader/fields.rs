@@ -57,7 +57,7 @@ impl Keys {
         self.names.iter().position(|name| begins_with(text, name))
     }
 
-    /// The place of a key that may be written in any way; the one behind the last if the type does not know it.
+    /// The place of a key that may be written in any way; the one after the last if the type does not know it.
     #[cold]
     fn place_of_any(&self, key: &str) -> usize {
         let mut quoted = Writer::new();
@@ -71,17 +71,17 @@ impl Reader<'_> {
     /// Enters an object whose keys are these, each given with its quotes and colon.
     ///
     /// # Errors
-    /// The next value is no object.
+    /// The next value is not an object.
     pub fn begin_fields(&mut self, names: &'static [&'static str]) -> Result<Keys, DecodeError> {
         self.begin_object()?;
         Ok(Keys { names, found: usize::MAX, seen: 0, captures: self.capture.enter(), lenient: false })
     }
 
-    /// Goes to the next key, and tells its place among those of the type: the one behind the last for any other key.
-    /// `None` behind the object's end.
+    /// Goes to the next key, and returns its place among those of the type: the one after the last for any other key.
+    /// `None` after the object's end.
     ///
     /// # Errors
-    /// The text is no JSON.
+    /// The text is not JSON.
     pub fn next_field(&mut self, keys: &mut Keys) -> Result<Option<usize>, DecodeError> {
         self.find_field(keys)
     }
@@ -91,7 +91,7 @@ impl Reader<'_> {
     #[inline(always)]
     fn find_field(&mut self, keys: &mut Keys) -> Result<Option<usize>, DecodeError> {
         while self.next(b'}', "`,` or `}`")? {
-            // Most often it is the key behind the last one, and needs no search.
+            // Most often it is the key after the last one, and needs no search.
             let guess = keys.found.wrapping_add(1);
             if let Some(name) = keys.names.get(guess).filter(|name| begins_with(self.rest(), name)) {
                 self.at += name.len();
@@ -119,7 +119,7 @@ impl Reader<'_> {
     /// Goes to the next key that is one of the type's, and [passes](Self::pass) over the values of others.
     ///
     /// # Errors
-    /// The text is no JSON, as far as it is looked at.
+    /// The text is not JSON, as far as it is read.
     pub fn next_wanted(&mut self, keys: &mut Keys) -> Result<Option<usize>, DecodeError> {
         while let Some(place) = self.find_field(keys)? {
             if place < keys.names.len() {
@@ -291,7 +291,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Goes to the next element of an array. Behind the last, the bracket is left in place: further optional elements
+    /// Goes to the next element of an array. After the last, the bracket is left in place: further optional elements
     /// see it too.
     #[inline]
     fn at_element(&mut self) -> Result<bool, DecodeError> {
@@ -301,7 +301,7 @@ impl Reader<'_> {
     /// Leaves an array; elements that the type does not know are skipped.
     ///
     /// # Errors
-    /// The text is no JSON.
+    /// The text is not JSON.
     pub fn end_array(&mut self) -> Result<(), DecodeError> {
         while self.next_element()? {
             self.skip()?;
@@ -336,7 +336,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether `text` begins with a quoted key; the byte behind the quote spares most comparisons.
+/// Whether `text` begins with a quoted key; the byte after the quote saves most comparisons.
 #[inline]
 fn begins_with(text: &[u8], key: &str) -> bool {
     text.get(1) == key.as_bytes().get(1) && text.starts_with(key.as_bytes())

@@ -5,26 +5,26 @@
 
 use std::borrow::Cow;
 
-use super::skip::behind_string;
+use super::skip::after_string;
 use super::{DecodeError, Reader};
 use crate::near::first_of;
 
 impl<'a> Reader<'a> {
-    /// Reads from the beginning of `text`, and passes over odd values of keys that nobody asks for.
+    /// Reads from the beginning of `text`, and passes over odd values of unknown keys.
     pub(crate) fn tolerant(text: &'a str) -> Self {
         Self { tolerant: true, ..Self::new(text) }
     }
 
-    /// The next key of an object, with U+FFFD for what stands for no text, or `None` behind the last.
+    /// The next key of an object, with U+FFFD for escapes that stand for no character, or `None` after the last.
     ///
     /// # Errors
-    /// It cannot be told where the key ends.
+    /// It is not clear where the key ends.
     pub(crate) fn next_odd_key(&mut self) -> Result<Option<Cow<'a, str>>, DecodeError> {
         if !self.next(b'}', "`,` or `}`")? {
             return Ok(None);
         }
         let start = self.at;
-        let end = if self.is_text() { behind_string(self.text.as_bytes(), self.at + 1) } else { None };
+        let end = if self.is_text() { after_string(self.text.as_bytes(), self.at + 1) } else { None };
         self.at = end.ok_or_else(|| self.malformed("a key"))?;
         let key = lossy_text(&self.text[start..self.at]);
         self.expect(b':', "`:`")?;
@@ -38,9 +38,9 @@ impl<'a> Reader<'a> {
     pub(crate) fn odd_value(&mut self) -> Result<&'a str, DecodeError> {
         let text = self.text;
         let end = match self.peek() {
-            Some(b'{' | b'[') => self.behind_nested(),
-            Some(b'"') => behind_string(text.as_bytes(), self.at + 1),
-            _ => self.behind_word(),
+            Some(b'{' | b'[') => self.after_nested(),
+            Some(b'"') => after_string(text.as_bytes(), self.at + 1),
+            _ => self.after_word(),
         };
         let start = self.at;
         self.at = end.ok_or_else(|| self.malformed("a value that ends"))?;
@@ -53,13 +53,13 @@ impl<'a> Reader<'a> {
     }
 
     /// Where the array or object ends that begins here; none if its brackets do not match.
-    fn behind_nested(&self) -> Option<usize> {
+    fn after_nested(&self) -> Option<usize> {
         let bytes = self.text.as_bytes();
         let (mut at, mut open) = (self.at, Vec::new());
         loop {
             at += first_of(*b"\"{}[]", bytes.get(at..)?)? + 1;
             match bytes[at - 1] {
-                b'"' => at = behind_string(bytes, at)?,
+                b'"' => at = after_string(bytes, at)?,
                 b'{' => open.push(b'}'),
                 b'[' => open.push(b']'),
                 close => {
@@ -73,7 +73,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Where the number or word ends that begins here; none if there is none.
-    fn behind_word(&self) -> Option<usize> {
+    fn after_word(&self) -> Option<usize> {
         let ends = |byte: &u8| byte.is_ascii_whitespace() || b",:\"{}[]".contains(byte);
         let len = self.rest().iter().position(ends)?;
         (len > 0).then_some(self.at + len)

@@ -1,4 +1,4 @@
-//! Values that nobody asked for.
+//! Values of unknown keys.
 
 use super::Reader;
 use crate::near::first_of;
@@ -12,7 +12,7 @@ impl Reader<'_> {
     /// Skips the next value, and checks that it is JSON throughout.
     ///
     /// # Errors
-    /// The text is no JSON, or nests deeper than 64 levels.
+    /// The text is not JSON, or nests deeper than 64 levels.
     pub fn skip(&mut self) -> Result<(), DecodeError> {
         if self.tolerant { self.skip_tolerantly() } else { self.skip_strictly() }
     }
@@ -85,10 +85,10 @@ impl Reader<'_> {
     #[inline]
     pub fn pass(&mut self) -> Result<(), DecodeError> {
         let end = match self.peek() {
-            Some(b'{') => self.behind_brackets(b'{', b'}'),
-            Some(b'[') => self.behind_brackets(b'[', b']'),
-            Some(b'"') => behind_string(self.text.as_bytes(), self.at + 1),
-            Some(b'-' | b'0'..=b'9') => self.behind_number(),
+            Some(b'{') => self.after_brackets(b'{', b'}'),
+            Some(b'[') => self.after_brackets(b'[', b']'),
+            Some(b'"') => after_string(self.text.as_bytes(), self.at + 1),
+            Some(b'-' | b'0'..=b'9') => self.after_number(),
             _ => return self.skip_strictly(),
         };
         self.at = end.ok_or_else(|| self.malformed("a value that ends"))?;
@@ -98,21 +98,21 @@ impl Reader<'_> {
 
     /// Where the number ends that begins here, unless it goes on as something else.
     #[inline]
-    fn behind_number(&self) -> Option<usize> {
+    fn after_number(&self) -> Option<usize> {
         let end = self.at + number::length(self.rest());
         let next = self.text.as_bytes().get(end);
         next.is_none_or(|next| matches!(next, b',' | b'}' | b']' | b' ' | b'\t' | b'\r' | b'\n')).then_some(end)
     }
 
     /// Where the array or object ends that begins here.
-    fn behind_brackets(&self, open: u8, close: u8) -> Option<usize> {
+    fn after_brackets(&self, open: u8, close: u8) -> Option<usize> {
         let bytes = self.text.as_bytes();
         let mut at = self.at + 1;
         let mut depth = 1;
         while depth > 0 {
             at += first_of([b'"', open, close], bytes.get(at..)?)? + 1;
             match bytes[at - 1] {
-                b'"' => at = behind_string(bytes, at)?,
+                b'"' => at = after_string(bytes, at)?,
                 bracket if bracket == open => depth += 1,
                 _ => depth -= 1,
             }
@@ -122,7 +122,7 @@ impl Reader<'_> {
 }
 
 /// Where the string ends whose first character is at `at`.
-pub(super) fn behind_string(bytes: &[u8], mut at: usize) -> Option<usize> {
+pub(super) fn after_string(bytes: &[u8], mut at: usize) -> Option<usize> {
     loop {
         at += first_of(*b"\"\\", bytes.get(at..)?)? + 1;
         if bytes[at - 1] == b'"' {

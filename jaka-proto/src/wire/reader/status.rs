@@ -8,7 +8,7 @@ impl Reader<'_> {
     /// another message nothing is left out.
     ///
     /// # Errors
-    /// The next value is no object.
+    /// The next value is not an object.
     pub fn begin_status(&mut self, names: &'static [&'static str]) -> Result<Keys, DecodeError> {
         self.peek();
         let is_message = self.text[..self.at].trim_ascii().is_empty();
@@ -18,7 +18,7 @@ impl Reader<'_> {
     }
 
     /// The fields that were left out of a status packet, each once, with what was expected and what was found. They are
-    /// told once.
+    /// reported once.
     ///
     /// ```
     /// use jaka_proto::messages::status::RobotStatus;
@@ -40,7 +40,7 @@ impl Reader<'_> {
     /// fit, or a key that comes twice.
     ///
     /// # Errors
-    /// It cannot be told where the value ends.
+    /// It is not clear where the value ends.
     pub fn status_field_into<T: Decode>(
         &mut self,
         name: &'static str,
@@ -71,7 +71,7 @@ impl Reader<'_> {
     /// [`status_field_into`](Self::status_field_into).
     ///
     /// # Errors
-    /// It cannot be told where the value ends.
+    /// It is not clear where the value ends.
     pub fn status_field<T>(
         &mut self,
         name: &'static str,
@@ -90,7 +90,7 @@ impl Reader<'_> {
     /// Skips the value of a key that the type does not know, whatever it is.
     ///
     /// # Errors
-    /// It cannot be told where the value ends.
+    /// It is not clear where the value ends.
     pub fn skip_unknown(&mut self, keys: &Keys) -> Result<(), DecodeError> {
         let start = self.mark();
         match self.skip() {

@@ -1,4 +1,4 @@
-//! The conventions against the vendor's own figures, and poses there and back.
+//! The conventions compared with the vendor's own figures, and poses converted both ways.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -7,7 +7,7 @@ use super::super::{Model, from_pose, to_pose};
 use super::{Random, apart, assert_close};
 
 /// The vendor's SDK examples (`example_kine_inverse`, `example_rpy_to_rot_matrix`,
-/// `example_quaternion_to_rot_matrix`) took these from some arm. Its lengths are no published model's (the Zu 7
+/// `example_quaternion_to_rot_matrix`) took these from some arm. Its lengths are not those of a published model (the Zu 7
 /// is nearest, 10 mm off), but orientation does not depend on lengths.
 const EXAMPLE_JOINTS: [f64; 6] = [0.558, 0.872, 0.872, 0.349, 0.191, 0.191];
 const EXAMPLE_RPY: [f64; 3] = [-1.81826, -0.834_253, -2.30243];
@@ -45,7 +45,7 @@ fn the_circle_example_starts_with_its_own_orientation() {
     assert!((rx + 90.0).abs() < 1e-6 && ry.abs() < 1e-6 && rz.abs() < 1e-6, "{rx} {ry} {rz}");
 }
 
-/// By hand: the arm lies along x, joint 4 stands off towards y, the wrist hangs down and the flange points back.
+/// By hand: the arm lies along x, joint 4 is offset towards y, the wrist points down and the flange points back.
 #[test]
 fn a_zu_5_at_zero_is_where_its_lengths_say() {
     let [x, y, z, rx, ry, rz] = to_pose(&Model::default().forward([0.0; 6]));

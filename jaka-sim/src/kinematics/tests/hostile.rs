@@ -1,4 +1,4 @@
-//! Targets out of reach and inputs nobody should send.
+//! Targets out of reach, and invalid inputs.
 
 use super::super::model::Wrist;
 use super::super::{Model, from_pose, to_pose};
@@ -15,7 +15,7 @@ fn too_far_is_out_of_reach() {
     }
 }
 
-/// The wrist cannot come nearer to the base axis than it stands off the arm's plane.
+/// The wrist cannot come nearer to the base axis than its distance from the arm's plane.
 #[test]
 fn too_near_the_base_axis_is_out_of_reach() {
     for model in Model::published() {
@@ -28,7 +28,7 @@ fn too_near_the_base_axis_is_out_of_reach() {
     }
 }
 
-/// Every way to reach this pose asks for joint 5 beyond its 120 degrees.
+/// Every solution for this pose has joint 5 beyond its 120 degrees.
 #[test]
 fn a_pose_that_needs_a_joint_beyond_its_limit_is_refused() {
     let arm = Model::named("MiniCobo").expect("published");

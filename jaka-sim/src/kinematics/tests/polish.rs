@@ -1,4 +1,4 @@
-//! The Newton step that takes off what rounding leaves.
+//! The Newton step that removes the error of rounding.
 
 use super::super::Model;
 use super::{Random, apart};

@@ -5,7 +5,7 @@ use super::super::{Model, from_pose, to_pose};
 use super::{Random, assert_close};
 
 const POSES: usize = 10_000;
-/// Looser than the sum of rounding, tighter than asked for.
+/// Looser than the sum of rounding, tighter than required.
 const CLOSE: (f64, f64) = (0.001, 0.0001);
 
 /// Whether two solutions meet at these joints, so that which of them is nearest is a matter of rounding.
@@ -30,7 +30,7 @@ fn a_close_reference_gives_the_joints_back() {
             }
             tried += 1;
             let reference = joints.map(|joint| joint + random.between(-0.5, 0.5));
-            // By way of the pose's numbers, as a client would.
+            // Through the pose's numbers, as a client would.
             let target = from_pose(to_pose(&model.forward(joints)));
             let found = model.inverse(&target, reference).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
             assert_close(&model.forward(found), &target, CLOSE, model.name());
@@ -72,7 +72,7 @@ fn nothing_nearer_to_the_reference_is_missed() {
     }
 }
 
-/// With the wrist in line the free joint keeps its place, at every multiple of a half turn and near it.
+/// With a singular wrist the free joint keeps its position, at every multiple of a half turn and near it.
 #[test]
 fn a_singular_wrist_keeps_the_reference() {
     for (seed, model) in (301..).zip(Model::published()) {

@@ -10,8 +10,7 @@ use super::{Random, assert_close};
 /// A joint of a URDF: origin xyz in metres, origin rpy in radians, and the sign of its axis along z.
 type Joint = [f64; 7];
 
-/// The base mesh may lie aside of the axis of joint 1 and on a floor of its own; only the height over the base
-/// counts.
+/// The base mesh may be off the axis of joint 1 and have a zero height of its own; only the height over the base counts.
 fn chain(urdf: &[Joint; 6], joints: &[f64; 6]) -> Isometry3<f64> {
     urdf.iter().zip(joints).enumerate().fold(Isometry3::identity(), |before, (index, (origin, joint))| {
         let [x, y, z, next_u64, pitch, yaw, axis] = *origin;
@@ -22,12 +21,12 @@ fn chain(urdf: &[Joint; 6], joints: &[f64; 6]) -> Isometry3<f64> {
     })
 }
 
-/// The mesh of the S7's last link is turned half way against those of its sisters; a flange is not.
+/// The mesh of the S7's last link is rotated by half a turn compared with those of the other arms; the flange is not.
 fn flange(name: &str) -> UnitQuaternion<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::z_axis(), if name == "S7" { PI } else { 0.0 })
 }
 
-/// The URDF rounds a quarter turn to 1.5708, which is put right below, and has up to 0.26 mm of noise a joint.
+/// The URDF rounds a quarter turn to 1.5708, which is corrected below, and has up to 0.26 mm of noise per joint.
 #[test]
 fn forward_follows_the_vendors_chain() {
     assert_eq!(URDF.len(), Model::published().len());
@@ -41,7 +40,7 @@ fn forward_follows_the_vendors_chain() {
     }
 }
 
-/// The default has no noise but 0.012 mm, and is held to that.
+/// The default model has only 0.012 mm of noise, and is tested with that.
 #[test]
 fn the_zu_5_follows_the_vendors_chain_closely() {
     let mut random = Random::new(11);

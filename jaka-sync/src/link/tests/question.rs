@@ -46,7 +46,7 @@ fn a_slice_that_ends_gives_nothing_up() {
     let next = ask(&link);
     assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextOnly).expect("it is not answered yet"));
     link.forget(&next);
-    // Nobody is given what comes for it, and it breaks nothing.
+    // Its reply is discarded, and breaks nothing.
     server.write_all(expected.as_bytes()).expect("the link reads");
     let last = ask(&link);
     server.write_all(expected.as_bytes()).expect("the link reads");
@@ -55,7 +55,7 @@ fn a_slice_that_ends_gives_nothing_up() {
 }
 
 #[test]
-fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
+fn a_question_is_answered_by_any_thread_that_reads_and_stops_pass_it() {
     let (link, mut server) = connection(Mode::Blocking);
     let question = ask(&link);
     let stop = |link: &Link| {
@@ -67,7 +67,7 @@ fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
     server.write_all(replies.as_bytes()).expect("the link reads");
     link.wait(&sent, &mut String::new(), &mut TextOnly).expect("the stop is accepted");
     assert!(poll(&link, &question).expect_err("the query is refused").is_refused());
-    // One that is never answered is told by a later reply.
+    // One that is never answered is detected by a later reply.
     let (question, sent) = (ask(&link), stop(&link));
     server.write_all(reply(StopProgram::INFO.name, 0, "").as_bytes()).expect("the link reads");
     link.wait(&sent, &mut String::new(), &mut TextOnly).expect("the stop is accepted");
@@ -76,7 +76,7 @@ fn a_question_is_answered_by_whoever_reads_and_stops_pass_it() {
 }
 
 #[test]
-fn the_oldest_posted_command_is_told_by_its_age() {
+fn the_oldest_posted_command_is_reported_by_its_age() {
     let (stream, mut server) = sockets(1 << 20);
     let link = Link::new(stream, Tap::default(), &Config::new());
     assert_eq!(link.oldest_posted(), None);

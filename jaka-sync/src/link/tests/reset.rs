@@ -63,7 +63,7 @@ fn a_reset_discards_what_is_queued_while_stop_handles_live() {
 }
 
 #[test]
-fn a_reset_discards_what_is_queued_beside_a_thread_that_reads() {
+fn a_reset_discards_what_is_queued_while_a_thread_reads() {
     let (link, server) = with_a_queue();
     let reading = {
         let link = Arc::clone(&link);
@@ -95,14 +95,14 @@ fn a_reset_after_an_orderly_end_still_discards_and_the_first_cause_stays() {
 }
 
 #[test]
-fn a_reset_discards_what_is_queued_beside_a_thread_that_writes() {
+fn a_reset_discards_what_is_queued_while_a_thread_writes() {
     let (stream, server) = sockets(4096);
     let link = Arc::new(Link::new(stream, Tap::default(), &Config::new()));
     let writing = {
         let link = Arc::clone(&link);
         thread::spawn(move || post(&link, LONG, 1000))
     };
-    // What is queued stays queued, since nobody reads.
+    // What is queued stays queued, since the other end does not read.
     let (since, mut last) = (Instant::now(), (0, Instant::now()));
     while last.1.elapsed() < Duration::from_millis(300) && since.elapsed() < LONG {
         let outstanding = link.outstanding();

@@ -30,7 +30,7 @@ fn send(link: &Link, timeout: Duration, len: usize) -> Result<Sent<'static>, Err
     send_named(link, "y", timeout, write)
 }
 
-/// Fills what is between the two ends, behind the link's back.
+/// Fills the buffers between the two ends without the link.
 fn fill(link: &Link) -> usize {
     let stream = link.lock().stream.clone().expect("it is open");
     stream.set_nonblocking(true).expect("it is open");
@@ -151,7 +151,7 @@ fn a_stop_that_waits_goes_out_before_other_commands_that_wait() {
     assert_eq!(String::from_utf8_lossy(&first), "{\"cmdName\":\"stop_program\"}"[..26]);
     server.write_all(reply("stop_program", 0, "").as_bytes()).expect("the link reads");
     stopping.join().expect("it does not panic").expect("it is answered");
-    calling.join().expect("it does not panic").expect("it goes out behind");
+    calling.join().expect("it does not panic").expect("it goes out afterwards");
 }
 
 #[cfg(target_os = "linux")]

@@ -82,7 +82,7 @@ impl<'s> Differ<'s> {
         self.flag(place, values, ("becomes `Copy`", Impact::Minor), ("is no longer `Copy`", Impact::Major));
     }
 
-    /// The changes, the gravest first, then by place.
+    /// The changes, those with the greatest impact first, then by place.
     pub(super) fn finish(mut self) -> Vec<Change> {
         self.changes.sort_by(|a, b| b.impact.cmp(&a.impact).then_with(|| a.place.cmp(&b.place)));
         self.changes

@@ -1,4 +1,4 @@
-//! The controller's events, code by code. Neighbours that change alike are told in one line.
+//! The controller's events, code by code. Neighbours that change alike are reported in one line.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -37,7 +37,7 @@ fn by_code(spec: &Spec) -> BTreeMap<u32, &Event> {
     spec.events().flat_map(|event| event.codes().map(move |code| (code, event))).collect()
 }
 
-/// What became of the event of one code.
+/// The change of the event of one code.
 fn changes(old: Option<&Event>, new: Option<&Event>) -> Vec<What> {
     let (old, new) = match (old, new) {
         (Some(old), Some(new)) => (old, new),

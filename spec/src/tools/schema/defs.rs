@@ -133,7 +133,7 @@ impl<'s> Defs<'s> {
     }
 }
 
-/// A reference to a definition. In its JSON pointer, what is no letter or digit is escaped.
+/// A reference to a definition. In its JSON pointer, everything but letters and digits is escaped.
 pub(super) fn reference(name: &str) -> Value {
     let escape = |byte: u8| match byte {
         b'~' => "~0".to_owned(),

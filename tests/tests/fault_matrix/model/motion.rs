@@ -11,7 +11,7 @@ pub(super) fn sent(replies: &Replies, packets: Packets) -> Expected {
         return unknown(replies, packets);
     }
     let expected = call(replies, Kind::Motion);
-    // What is left meets the query for the arm's position, without which nobody knows that the target is reached.
+    // What is left meets the query for the arm's position, without which it is not known that the target is reached.
     match (expected.first, expected.other) {
         (Outcome::Ok, Outcome::Broken(_)) => Expected { first: Outcome::AtRest, ..expected },
         _ => expected,

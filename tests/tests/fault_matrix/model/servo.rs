@@ -7,7 +7,7 @@ use crate::cell::Kind;
 use crate::outcome::{Cause, Outcome};
 
 /// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left, and a query tells whether it was:
-/// a lost reply is no reason to give up the connection, on which a stop can be sent.
+/// a lost reply is not a reason to give up the connection, on which a stop can be sent.
 pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     if !packets.are_known() {
         return unknown(replies, packets);
@@ -32,7 +32,7 @@ pub(super) fn asking_for_rest(replies: &Replies, packets: Packets) -> Expected {
     }
 }
 
-/// Where something goes wrong in servo mode: all that is found is read, and a lost answer is no error.
+/// Where something goes wrong in servo mode: all that is found is read, and a lost answer is not an error.
 pub(super) fn set_points(replies: &Replies, packets: Packets) -> Expected {
     // Neither set-points nor the end of servo mode are answered, so what is queued of them is discarded.
     if matches!(replies.when, When::Released | When::Never) {

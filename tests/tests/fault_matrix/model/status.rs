@@ -27,12 +27,12 @@ pub(super) enum Packets {
 }
 
 impl Packets {
-    /// True where the robot's state is known. A packet that says nothing of stops is no leave to move.
+    /// True where the robot's state is known. A packet that says nothing about stops does not allow a motion.
     pub(super) fn are_known(self) -> bool {
         matches!(self, Self::Good | Self::Noisy)
     }
 
-    /// True where they come again once nothing is wrong any more, to a monitor that does not connect anew.
+    /// True where they come again once nothing is wrong any more, to a monitor that does not reconnect.
     pub(super) fn come_again(self) -> bool {
         !matches!(self, Self::Gone | Self::End | Self::Old)
     }
@@ -54,10 +54,10 @@ pub(super) fn packets(fault: &StatusFault) -> Packets {
 
 pub(super) fn expected(packets: Packets) -> Expected {
     let (first, other) = reader(packets);
-    Expected { first, beside: None, other, same: None }
+    Expected { first, stop: None, other, same: None }
 }
 
-/// A stream and a monitor look for the next packet behind what is none.
+/// A stream and a monitor look for the next packet after bytes that are not one.
 fn reader(packets: Packets) -> (Outcome, Outcome) {
     let broken = |cause| (Outcome::Broken(cause), Outcome::Broken(cause));
     match packets {

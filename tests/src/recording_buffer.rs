@@ -8,9 +8,9 @@ use jaka_sync::{Config, Recorder};
 
 /// A file in memory.
 #[derive(Debug, Clone, Default)]
-pub struct Tape(Arc<Mutex<Vec<u8>>>);
+pub struct RecordingBuffer(Arc<Mutex<Vec<u8>>>);
 
-impl Write for Tape {
+impl Write for RecordingBuffer {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
         Ok(bytes.len())
@@ -21,7 +21,7 @@ impl Write for Tape {
     }
 }
 
-impl Tape {
+impl RecordingBuffer {
     /// A recorder that writes here.
     ///
     /// # Panics
@@ -33,7 +33,7 @@ impl Tape {
     /// What has been written.
     ///
     /// # Errors
-    /// It is no recording.
+    /// It is not a recording.
     pub fn read(&self) -> Result<Recording, String> {
         let bytes = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         Recording::read(&bytes).map_err(|error| format!("the recording cannot be read: {error}"))
@@ -59,10 +59,10 @@ impl Tape {
 /// # Panics
 /// Something was lost.
 pub fn recorded<T>(session: impl FnOnce(&Config) -> T) -> (T, Recording) {
-    let tape = Tape::default();
-    let recorder = tape.recorder();
+    let buffer = RecordingBuffer::default();
+    let recorder = buffer.recorder();
     let result = session(&Config::new().recorder(recorder.clone()));
-    (result, tape.finish(&recorder).expect("memory loses nothing"))
+    (result, buffer.finish(&recorder).expect("memory loses nothing"))
 }
 
 /// The requests of a recording.

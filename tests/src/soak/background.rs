@@ -1,4 +1,4 @@
-//! Threads beside the one that makes the calls: stop handles, and readers of the status port.
+//! Threads other than the one that makes the calls: stop handles, and readers of the status port.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -14,7 +14,7 @@ use super::account::{Fate, Stops};
 use super::host::{FIRST_RATE, Ports};
 use super::tally::Tally;
 
-/// How long a reader of the status port waits before it connects anew.
+/// How long a reader of the status port waits before it reconnects.
 const PAUSE: Duration = Duration::from_millis(20);
 
 /// What is wrong, told by any thread.
@@ -78,7 +78,7 @@ impl Hand {
 
     /// It stops some time from now.
     pub(super) fn go(&self) {
-        // A thread that has panicked is told of at its end.
+        // A thread that has panicked is reported at its end.
         self.go.send(()).ok();
     }
 
@@ -145,7 +145,7 @@ pub(super) fn observe(monitor: &Monitor, rate: &Rate, findings: &Findings) {
     });
 }
 
-/// A thread that reads status packets by a stream, and connects anew when it breaks.
+/// A thread that reads status packets by a stream, and reconnects when it breaks.
 #[derive(Debug)]
 pub(super) struct Reader {
     ends: Arc<AtomicBool>,
