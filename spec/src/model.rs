@@ -440,14 +440,18 @@ impl TypeKind {
 
     /// The types of all its fields, or the wrapped type.
     pub(crate) fn types(&self) -> impl Iterator<Item = &Type> {
-        let (fields, variants, wrapped) = match self {
-            Self::Object(fields) | Self::Array { fields, .. } => (fields.as_slice(), &[][..], None),
-            Self::Choice(choice) => (&[][..], choice.variants.as_slice(), None),
-            Self::Wrapper(ty, _) => (&[][..], &[][..], Some(ty)),
-            Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..], None),
+        let wrapped = if let Self::Wrapper(ty, _) = self { Some(ty) } else { None };
+        self.fields().map(|field| &field.ty).chain(wrapped)
+    }
+
+    /// Its fields, of all variants where there are some.
+    pub(crate) fn fields(&self) -> impl Iterator<Item = &Field> {
+        let (fields, variants) = match self {
+            Self::Object(fields) | Self::Array { fields, .. } => (fields.as_slice(), &[][..]),
+            Self::Choice(choice) => (&[][..], choice.variants.as_slice()),
+            Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..]),
         };
-        let fields = fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields));
-        fields.map(|field| &field.ty).chain(wrapped)
+        fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
     }
 }
 
@@ -477,10 +481,10 @@ pub struct ErrorCode {
     pub doc: String,
 }
 
-/// Events of the controller, as `errcode` tells of them: codes of one severity and, where that is stated, one meaning.
+/// Events of the controller, as `errcode` reports them: codes of one severity and, where that is stated, one meaning.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Event {
-    /// How grave they are.
+    /// How severe they are.
     pub severity: Severity,
     /// The codes, in the order of the file. No code is in two events.
     pub codes: Vec<RangeInclusive<u32>>,
@@ -512,7 +516,7 @@ impl Event {
     }
 }
 
-/// How grave an event is.
+/// How severe an event is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Something failed.

@@ -32,7 +32,7 @@ fn every_link_leads_to_one_heading() {
 }
 
 /// The anchors of a text, each of one heading.
-fn anchors(text: &str) -> BTreeSet<String> {
+pub(crate) fn anchors(text: &str) -> BTreeSet<String> {
     let mut anchors = BTreeSet::new();
     for heading in headings(text) {
         assert!(anchors.insert(anchor(heading)), "two headings have the anchor of `{heading}`");
@@ -94,6 +94,52 @@ fn headings(text: &str) -> impl Iterator<Item = &str> {
 fn anchor(heading: &str) -> String {
     let dashed = heading.to_lowercase().replace(' ', "-");
     dashed.chars().filter(|c| c.is_alphanumeric() || "-_".contains(*c)).collect()
+}
+
+#[test]
+fn most_errata_are_in_chinese() {
+    let (spec, text) = (spec(), reference_zh(&spec()));
+    let errata: Vec<_> = spec.commands().flat_map(|command| &command.errata).collect();
+    let english = errata.iter().filter(|erratum| text.contains(erratum.as_str())).count();
+    assert!(english * 10 < errata.len(), "{english} of {} are in English", errata.len());
+}
+
+#[test]
+fn docs_call_commands_and_fields_as_the_wire_does() {
+    let text = r#"
+title = "Lamps"
+doc = "See `set_lamp`."
+
+[[command]]
+wire = "set lamp"
+name = "set_lamp"
+effect = "setting"
+doc = "Sets a lamp to `colour`."
+errata = ["The text has the key `colour`."]
+
+[[command.request]]
+wire = "col"
+name = "colour"
+type = "text"
+doc = "Colour, which `level` dims. See `set_lamp`, not `set_lamps`."
+
+[[command.request]]
+wire = "level"
+type = "int"
+doc = "Level."
+"#;
+    let spec = load(&[Source { path: "spec/lamps.toml", text }]).expect("the spec is correct");
+    let text = reference(&spec);
+    for expected in [
+        "See `set lamp`.",
+        "Sets a lamp to `col`.",
+        "The text has the key `colour`.",
+        "Colour, which `level` dims.",
+        "See `set lamp`, not `set_lamps`.",
+        "`Client::set_lamp`",
+    ] {
+        assert!(text.contains(expected), "{expected}");
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod fields;
 mod markdown;
 mod pages;
 mod types;
+mod wire_names;
 
 use markdown::{Table, code, escape, link};
 
@@ -20,8 +21,10 @@ pub use chinese::reference_zh;
 /// A reference of the protocol in Markdown, for readers who write no Rust.
 ///
 /// It begins with pages of prose, which are the same for every spec. Then it has an index by topic and one by section, and a chapter
-/// for each topic with its commands, types, error codes and events. The anchors are those that GitHub gives to headings.
+/// for each topic with its commands, types, error codes and events. Docs call commands and fields as the wire does. The anchors are
+/// those that GitHub gives to headings.
 pub fn reference(spec: &Spec) -> String {
+    let spec = &wire_names::in_wire_names(spec);
     let mut out = String::from("# The JAKA TCP protocol\n\n");
     out += &pages::ENGLISH.join("\n");
     index_by_topic(&mut out, spec);

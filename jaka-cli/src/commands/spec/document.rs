@@ -15,7 +15,7 @@ use crate::packs::SpecArgs;
 /// Write the protocol's reference, in Markdown.
 #[derive(Debug, Args)]
 pub(super) struct Reference {
-    /// The language: the Chinese edition has the front matter, the traps and the indexes, and links to `REFERENCE.md`
+    /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to `REFERENCE.md`
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value_t)]
     lang: Language,
     #[command(flatten)]
@@ -52,7 +52,7 @@ pub(super) struct Document {
 }
 
 impl Document {
-    /// Writes what `make` makes of the built-in spec with its packs, with what cannot be seen in it made `visible`.
+    /// Writes what `make` makes of the built-in spec with its packs, with invisible characters made `visible`.
     pub(super) fn run(
         &self,
         make: impl Fn(&Spec) -> String,

@@ -1,6 +1,12 @@
-//! The Chinese edition: front matter, traps, and indexes that lead into the English one.
+//! The Chinese edition: front matter, traps, errata, and an index that leads into the English one.
 
-use super::markdown::{Table, code, link_into};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use toml::Spanned;
+use toml::de::DeTable;
+
+use super::markdown::{Table, code, escape, link_into};
 use super::{by_section, command_heading, pages};
 use crate::words;
 use crate::{Command, Spec};
@@ -9,7 +15,7 @@ use crate::{Command, Spec};
 const ENGLISH: &str = "REFERENCE.md";
 
 /// The Chinese edition of the [reference](super::reference), in Markdown: its front matter and its traps, and by section of the
-/// document which commands have errata, and all commands.
+/// document the errata and all commands. An erratum without a Chinese text is in English.
 ///
 /// It links to the English edition, which has the rest, as `REFERENCE.md` in the same folder.
 pub fn reference_zh(spec: &Spec) -> String {
@@ -24,12 +30,21 @@ pub fn reference_zh(spec: &Spec) -> String {
 fn errata(out: &mut String, spec: &Spec) {
     *out += "\n";
     *out += pages::CHINESE_ERRATA;
-    *out += "\n";
-    let mut table = Table::new(&["章节", "命令", "勘误条数"]);
+    let chinese = chinese_errata();
     for (_, command) in by_section(spec).into_iter().filter(|(_, command)| !command.errata.is_empty()) {
-        table.row([section(command), command_link(command), command.errata.len().to_string()]);
+        let _ = writeln!(out, "\n**{}** {}\n", section(command), command_link(command));
+        for erratum in &command.errata {
+            let _ = writeln!(out, "- {}", escape(chinese.get(erratum).unwrap_or(erratum)));
+        }
     }
-    table.render(out);
+    *out += "\n";
+}
+
+/// The Chinese texts of errata, by the English ones.
+fn chinese_errata() -> BTreeMap<String, String> {
+    let table = DeTable::parse(pages::CHINESE_ERRATA_TEXTS).map(Spanned::into_inner).unwrap_or_default();
+    let texts = table.iter().filter_map(|(english, chinese)| Some((english.get_ref(), chinese.get_ref().as_str()?)));
+    texts.map(|(english, chinese)| (english.to_string(), chinese.to_owned())).collect()
 }
 
 fn index(out: &mut String, spec: &Spec) {

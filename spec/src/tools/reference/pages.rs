@@ -26,3 +26,6 @@ pub(super) const CHINESE_ERRATA: &str = include_str!("../../../reference/zh/erra
 
 /// The heading of the Chinese edition's index.
 pub(super) const CHINESE_INDEX: &str = include_str!("../../../reference/zh/index.md");
+
+/// The texts of the Chinese edition's errata: TOML, the Chinese ones by the English ones.
+pub(super) const CHINESE_ERRATA_TEXTS: &str = include_str!("../../../reference/zh/errata.toml");
