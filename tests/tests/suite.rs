@@ -20,6 +20,7 @@ mod old_status;
 mod packs;
 mod pipeline;
 mod properties;
+mod readme;
 mod recording;
 mod reference;
 mod reference_pages;

@@ -1,0 +1,62 @@
+//! The pages that a reader begins with: their links lead somewhere, and the Chinese README has the code of the English one.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::reference::anchors;
+
+/// The project's folder.
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The blocks of code of a page, each with its language.
+fn blocks(page: &str) -> Vec<String> {
+    read(&root().join(page)).split("```").skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+#[test]
+fn the_chinese_readme_has_the_same_code() {
+    let english = blocks("README.md");
+    assert!(english.len() > 3);
+    assert_eq!(blocks("README.zh.md"), english);
+}
+
+#[test]
+fn every_link_of_a_page_leads_somewhere() {
+    let names = ["README.md", "README.zh.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
+    let docs =
+        fs::read_dir(root().join("docs")).expect("it is there").map(|entry| entry.expect("it can be read").path());
+    let pages: Vec<PathBuf> = names.map(|name| root().join(name)).into_iter().chain(docs).collect();
+    assert!(pages.len() > names.len());
+    let mut count = 0;
+    for page in pages {
+        let text = read(&page);
+        let prose = text.split("```").step_by(2);
+        for link in prose.flat_map(|prose| prose.split("](").skip(1)).filter_map(|rest| rest.split(')').next()) {
+            if link.starts_with("https://") {
+                continue;
+            }
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { page.clone() } else { page.with_file_name(file) };
+            assert!(target.exists(), "{}: {link}", page.display());
+            assert!(anchor.is_empty() || anchors(&read(&target)).contains(anchor), "{}: {link}", page.display());
+            count += 1;
+        }
+    }
+    assert!(count > 50, "the pages have links: {count}");
+}
+
+#[test]
+fn the_readmes_link_to_each_other_and_to_what_a_reader_must_know() {
+    for (page, other) in [("README.md", "README.zh.md"), ("README.zh.md", "README.md")] {
+        let text = read(&root().join(page));
+        for link in [other, "docs/safety.md", "jaka-cli/README.md", "spec/REFERENCE.md", "CONTRIBUTING.md"] {
+            assert!(text.contains(&format!("]({link})")), "{page}: {link}");
+        }
+    }
+}
