@@ -37,7 +37,7 @@ pub(crate) fn finish() -> Result<RecorderReport, Failure> {
     Ok(report)
 }
 
-/// Writes the lines of a recording in visible characters, for people who read the file. As JSON they are the same.
+/// Writes the lines of a recording in visible characters, for people who read the file. As JSON they are unchanged.
 #[derive(Debug)]
 struct VisibleJson(File);
 

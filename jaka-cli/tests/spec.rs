@@ -120,7 +120,7 @@ fn errors_of_all_packs_are_reported_at_their_places() {
     expect![[r#"
         first.toml:3:10: override of `moveJ`: the spec has no command and no type `moveJ`; there is `moveL`
         first.toml:6:1: extension of: `target` is missing
-        second.toml:11:12: command `get_zone`, request of an example: there is no field `id`; there are none
+        second.toml:11:12: command `get_zone`, request of an example: there is no field `id`; there are no fields
         second.toml:12:10: command `get_zone`, reply of an example: `zone` is [1]; expected is a number
         second.toml:14:10: note: command `get_zone`, reply of an example: `zone` is "1"; expected is a number
         second.toml: 1 addition, minor

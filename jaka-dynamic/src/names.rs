@@ -43,7 +43,7 @@ pub(super) fn suggestion<'k>(name: &str, known: impl Iterator<Item = [&'k str; 2
     match (nearest.is_empty(), known.is_empty()) {
         (false, _) => format!("did you mean {}?", nearest.join(" or ")),
         (true, false) => format!("the fields are {}", known.iter().map(quoted).collect::<Vec<_>>().join(", ")),
-        (true, true) => "there are none".to_owned(),
+        (true, true) => "there are no fields".to_owned(),
     }
 }
 
@@ -69,6 +69,6 @@ mod tests {
         assert_eq!(suggestion("sped", known()), "did you mean `speed`?");
         assert_eq!(suggestion("Accell", known()), "did you mean `acceleration`?");
         assert_eq!(suggestion("tolerance", known()), "the fields are `speed`, `acceleration`");
-        assert_eq!(suggestion("speed", [].into_iter()), "there are none");
+        assert_eq!(suggestion("speed", [].into_iter()), "there are no fields");
     }
 }

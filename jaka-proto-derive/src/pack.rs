@@ -36,7 +36,7 @@ pub(crate) fn expand(input: &Input) -> TokenStream {
         Ok(text) => text,
         Err(error) => {
             let message = format!(
-                "cannot read the pack `{}`: {error}; the path counts from the folder of the crate's Cargo.toml",
+                "cannot read the pack `{}`: {error}; the path is relative to the folder of the crate's Cargo.toml",
                 file.display()
             );
             return compile_error(path.span(), &message);

@@ -30,7 +30,7 @@ impl Parse for Input {
     }
 }
 
-/// The struct and how it is read, or an error at the first field that is none.
+/// The struct and how it is read, or an error at the first field that the status packet does not have.
 pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let spec = jaka_spec::builtin().map_err(|errors| syn::Error::new(input.name.span(), errors))?;
     let fields = fields(&spec, input)?;

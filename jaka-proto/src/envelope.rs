@@ -103,7 +103,7 @@ impl<'a> Envelope<'a> {
 #[derive(Default)]
 struct Parts<'a> {
     command: Option<Cow<'a, str>>,
-    /// Whether a name has come, also one that is none.
+    /// Whether a name has come, even an invalid one.
     has_command: bool,
     code: Option<Result<ErrorCode, DecodeError>>,
     message: Option<Cow<'a, str>>,
@@ -122,7 +122,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Two different names are none.
+    /// Two different names count as no name.
     fn take_command(&mut self, found: Option<Cow<'a, str>>) {
         let is_same = !self.has_command || self.command == found;
         (self.command, self.has_command) = (found.filter(|_| is_same), true);

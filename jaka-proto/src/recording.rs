@@ -34,7 +34,7 @@
 //! |---|---|
 //! | `connected` | `address`: address and port of the controller |
 //! | `sent` | `text` or `hex`: a message to the controller |
-//! | `received` | `text` or `hex`: a message of the controller, or bytes that are none |
+//! | `received` | `text` or `hex`: a message of the controller, or bytes that are not one |
 //! | `closed` | `by`: `client`, `controller` or `failure`; `why`: in words |
 //! | `error` | `text`: an error that was reported to the program, as text |
 //! | `dropped` | `count`: how many entries of this connection are missing here, since the file could not be written as fast |
@@ -152,7 +152,7 @@ pub enum Event {
     },
     /// The program sent a message.
     Sent(Message),
-    /// A message of the controller came, or bytes that are none.
+    /// A message of the controller came, or bytes that are not one.
     Received(Message),
     /// It ended.
     Closed {

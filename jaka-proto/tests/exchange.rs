@@ -285,7 +285,7 @@ fn what_is_out_of_sync_names_the_command() {
             "a reply to `jog` came, but no such request is outstanding",
             "a reply came to a request before any of it was sent",
             "a reply came that names no command",
-            "one of two replies to `jog` is lost, and it cannot be told which",
+            "one of two replies to `jog` is lost, and it is not known which",
         ]
     );
 }

@@ -59,7 +59,7 @@ fn none_answers(mut failed: Vec<(SocketAddr, io::Error)>) -> io::Error {
         return failed.remove(0).1;
     }
     let Some((_, last)) = failed.last() else {
-        return io::Error::new(io::ErrorKind::NotFound, "the name stands for no address");
+        return io::Error::new(io::ErrorKind::NotFound, "the name resolves to no address");
     };
     let (kind, mut text) = (last.kind(), String::new());
     for (address, error) in &failed {
@@ -143,7 +143,7 @@ mod tests {
         assert_eq!(error.kind(), io::ErrorKind::ConnectionRefused);
         assert_eq!(
             first_that_answers(&[], Duration::MAX).expect_err("there is none").to_string(),
-            "the name stands for no address"
+            "the name resolves to no address"
         );
     }
 

@@ -12,7 +12,7 @@ pub(crate) fn record_lost(framer: &Framer, tap: &Tap) -> usize {
     framer.lost().len()
 }
 
-/// Goes on at the next packet, and says how many bytes before it were dropped; firmware that sends text has none.
+/// Continues at the next packet, and returns how many bytes before it were dropped; firmware that sends text has no packets.
 pub(crate) fn resync(framer: &mut Framer, tap: &Tap, error: FrameError) -> Result<usize, Disconnect> {
     if is_text_line(&error) {
         return Err(Disconnect::Frame(error));

@@ -103,7 +103,7 @@ impl<'a, 's> Item<'a, 's> {
         self.typed(key, "a finite number", |value| number(value).filter(|number| number.is_finite()))
     }
 
-    /// A limit, where infinity is none.
+    /// A limit; infinity means that there is none.
     pub(crate) fn bound(&self, key: &'static str) -> Option<Placed<'s, f64>> {
         self.typed(key, "a number, or inf or -inf for no limit", |value| {
             number(value).filter(|number| !number.is_nan())

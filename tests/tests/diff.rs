@@ -249,7 +249,7 @@ fn fields_of_replies() {
         &expect![[r#"
             major: command `disable_robot`, reply field `note`: added
             major: command `get_joint_pos`, reply field `joint_pos`: type changed from `JointPosition` to `float[6]`
-            major: command `get_robot_state`, reply field `errcode`: has no other shape any more
+            major: command `get_robot_state`, reply field `errcode`: can no longer have another shape
             major: command `power_on`, reply: is no longer `Copy`
             minor: command `enable_robot`, reply field `note`: added
             minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written ["robot_disabled", "robot_enabled"]` to `bool written [0, 1]`

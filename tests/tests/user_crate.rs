@@ -114,7 +114,7 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
     let code = "jaka_sync::pack!(\"newer.toml\");\n";
     let user = UserCrate::new("pack", "2024", code);
     user.expect(&expect![[r#"
-        error: cannot read the pack `FOLDER/newer.toml`: No such file or directory (os error 2); the path counts from the folder of the crate's Cargo.toml
+        error: cannot read the pack `FOLDER/newer.toml`: No such file or directory (os error 2); the path is relative to the folder of the crate's Cargo.toml
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!("newer.toml");

@@ -33,7 +33,7 @@ impl fmt::Display for OutOfSync {
             Self::BeforeSent => f.write_str("a reply came to a request before any of it was sent"),
             Self::Nameless => f.write_str("a reply came that names no command"),
             Self::Ambiguous { command } => {
-                write!(f, "one of two replies to `{}` is lost, and it cannot be told which", Visible(command))
+                write!(f, "one of two replies to `{}` is lost, and it is not known which", Visible(command))
             }
         }
     }

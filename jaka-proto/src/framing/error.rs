@@ -32,7 +32,7 @@ pub enum FrameError {
 impl fmt::Display for FrameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Garbage { excerpt } => write!(f, "bytes that begin no frame: `{excerpt}`"),
+            Self::Garbage { excerpt } => write!(f, "bytes that do not begin a frame: `{excerpt}`"),
             Self::TooLong { limit, excerpt } => write!(f, "frame longer than {limit} bytes: `{excerpt}`"),
             Self::Cut { excerpt } => write!(f, "packet that breaks off at `{excerpt}`"),
         }

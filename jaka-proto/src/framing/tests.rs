@@ -125,7 +125,7 @@ fn garbage_is_an_error_that_stays() {
 
 #[test]
 fn errors_show_what_they_met() {
-    assert_eq!(garbage(b"\0a`~\x7f\xff\n").to_string(), r"bytes that begin no frame: `\x00a`~\x7f\xff\x0a`");
+    assert_eq!(garbage(b"\0a`~\x7f\xff\n").to_string(), r"bytes that do not begin a frame: `\x00a`~\x7f\xff\x0a`");
     assert_eq!(too_long(9, b"{\"a\": [1,").to_string(), "frame longer than 9 bytes: `{\"a\": [1,`");
 }
 

@@ -172,7 +172,7 @@ fn take_eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     (value, at)
 }
 
-/// The number that eight digits make, or `None` if they are none.
+/// The number that eight digits make, or `None` if they are not all digits.
 #[inline]
 fn eight_digits(text: [u8; 8]) -> Option<u64> {
     // A byte for each digit; then a pair of bytes for two, four for four, eight for eight.

@@ -98,7 +98,7 @@ impl FaultPlan {
 
     /// Gives one of these faults, each as likely as the others, to one in this many replies on average.
     ///
-    /// One in 1 is each, one in 0 is none. The seed is that of [`random`](Self::random), or 0.
+    /// One in 1 is every reply, one in 0 none. The seed is that of [`random`](Self::random), or 0.
     #[must_use]
     pub fn one_in(mut self, replies: u64, faults: impl IntoIterator<Item = Fault>) -> Self {
         if self.generator.is_none() {

@@ -29,7 +29,7 @@ impl Reconnect {
         Self::Attempts { limit, delay: Duration::from_millis(100), longest: Duration::from_secs(5) }
     }
 
-    /// How long to wait before an attempt, counted from 0; `None` if there is none any more.
+    /// How long to wait before an attempt, counted from 0; `None` if there are no more attempts.
     pub(super) fn delay(self, attempt: u32) -> Option<Duration> {
         match self {
             Self::Attempts { limit, delay, longest } if attempt < limit => {

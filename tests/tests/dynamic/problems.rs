@@ -159,7 +159,7 @@ fn a_command_without_fields_has_none() {
         "power_on",
         json!({"now": true}),
         &expect![[r#"
-        there is no field `now`; there are none
+        there is no field `now`; there are no fields
     "#]],
     );
 }

@@ -133,7 +133,7 @@ impl Reader<'_> {
         Ok(None)
     }
 
-    /// Goes over a key that is none of the type's, if it is written as usual.
+    /// Skips a key that the type does not have, if it is written as usual.
     #[inline]
     fn pass_usual_key(&mut self) -> bool {
         let Some((b'"', text)) = self.rest().split_first() else { return false };

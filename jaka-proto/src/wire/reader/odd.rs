@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Where the number or word ends that begins here; none if there is none.
+    /// Where the number or word that begins here ends, if one does.
     fn after_word(&self) -> Option<usize> {
         let ends = |byte: &u8| byte.is_ascii_whitespace() || b",:\"{}[]".contains(byte);
         let len = self.rest().iter().position(ends)?;

@@ -140,9 +140,9 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     d.flag(place, (old.optional, new.optional), optional, ("is no longer optional", Impact::Major));
     let or_raw = ("may have another shape, kept as raw JSON", Impact::Major);
     let constructors = ("gets a constructor for each value", Impact::Minor);
-    let none = ("has no constructors any more", Impact::Major);
+    let none = ("no longer has constructors", Impact::Major);
     d.flag(place, (old.constructors, new.constructors), constructors, none);
-    d.flag(place, (old.or_raw, new.or_raw), or_raw, ("has no other shape any more", Impact::Major));
+    d.flag(place, (old.or_raw, new.or_raw), or_raw, ("can no longer have another shape", Impact::Major));
     d.reworded(place, "doc", &old.doc, &new.doc);
     d.reworded(place, "disputed readings", &old.disputed, &new.disputed);
     versions(d, place, &old.versions, &new.versions);
