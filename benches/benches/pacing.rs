@@ -16,7 +16,7 @@ use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig, ServoReport};
 
 const PERIOD: Duration = Duration::from_millis(8);
 
-/// Answers are late by so many set-points in the last part.
+/// Answers are late by this many set-points in the last part.
 const LATE: &str = "5";
 
 type Failure = Box<dyn Error>;

@@ -95,7 +95,7 @@ fn together<'a>(name: &'static str, address: SocketAddr, window: usize, count: u
     }))
 }
 
-/// The same window by hand, with so many set-points in a write: the answers are told from one another by their length alone.
+/// The same window by hand, with this many set-points in a write: the answers are told apart by their length alone.
 fn bare<'a>(
     name: &'static str,
     address: SocketAddr,

@@ -27,7 +27,7 @@ impl<'a> Contender<'a> {
         self.name
     }
 
-    /// Does the work so many times.
+    /// Does the task this many times.
     pub fn run(&mut self, times: u32) {
         (self.run)(times);
     }
@@ -44,7 +44,7 @@ impl std::fmt::Debug for Contender<'_> {
 pub enum Target {
     /// At most this many times as long.
     AtMost(&'static str, f64, &'static str),
-    /// At least so many times as long.
+    /// At least this many times as long.
     AtLeast(&'static str, f64, &'static str),
 }
 

@@ -3,7 +3,7 @@ pub mod power {
     //!
     //! The arm is ready to move when it has power and is enabled, in this order.
     //!
-    //! A reply to [`power_on`](type@PowerOn) or [`enable_robot`](type@EnableRobot), even with errorCode 0, is no proof of the new state: firmware 1.5.14 replies when the state is
+    //! A reply to [`power_on`](type@PowerOn) or [`enable_robot`](type@EnableRobot), even with errorCode 0, is not proof of the new state: firmware 1.5.14 replies when the state is
     //! there, newer firmware at once. Poll [`get_robot_state`](type@GetRobotState) or the status of port 10000 until the state is there.
     //!
     //! Leave the states in the reverse order, from an arm at rest: powering off wants a disabled arm, a shutdown one without power (events in the

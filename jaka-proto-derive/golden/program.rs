@@ -107,7 +107,7 @@ pub mod program {
     /// Stops the program, or the motion, that is running.
     ///
     /// This is also the usual way to abort [`joint_move`](crate::messages::motion::JointMove), [`end_move`](crate::messages::motion::EndMove) or [`move_l`](crate::messages::motion::MoveL) with no program loaded. No source says whether
-    /// it ends [`move_c`](crate::messages::motion::MoveC), a jog or servo motion too, nor what becomes of motions that wait their turn. It is no emergency stop:
+    /// it ends [`move_c`](crate::messages::motion::MoveC), a jog or servo motion too, nor what becomes of motions that wait their turn. It is not an emergency stop:
     /// the command travels over the network.
     ///
     /// Sends `stop_program` (4.23).

@@ -28,7 +28,7 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
     }
 }
 
-/// Constants for the codes that a pack adds, and a function that knows them beside all others.
+/// Constants for the codes that a pack adds, and a function that knows them and all others.
 pub(crate) fn in_pack(docs: Docs<'_>, codes: &[ErrorCode]) -> Option<TokenStream> {
     let codes: Vec<_> = codes.iter().collect();
     let consts = consts(docs, &codes, &quote!(proto::ErrorCode));

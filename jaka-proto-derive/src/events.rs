@@ -62,7 +62,7 @@ fn meanings(events: &[&Event], row: impl Fn(Literal, Literal, &str) -> TokenStre
     table(events, |event| event.meaning.as_deref(), row)
 }
 
-/// What events say of ranges of codes, in the order of the codes. Neighbours of which the same is said are one range.
+/// The events of ranges of codes, in the order of the codes. Neighbours with the same event are one range.
 fn table<'s, T: PartialEq>(
     events: &[&'s Event],
     say: impl Fn(&'s Event) -> Option<T>,

@@ -1,4 +1,4 @@
-//! Does one thing so many times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where WHAT is `call` for
+//! Does one thing a number of times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where WHAT is `call` for
 //! calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points without a cycle.
 
 use std::error::Error;

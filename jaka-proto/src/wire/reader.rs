@@ -388,7 +388,7 @@ pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
     let mut reader = Reader::tolerant(text);
     let message = T::read_fields(&mut reader)?;
     reader.end()?;
-    // Nobody would be told what is left out of a reply that has the keys of a status packet.
+    // Otherwise nothing would report what is left out of a reply that has the keys of a status packet.
     reader.left_out.into_iter().next().map_or(Ok(message), Err)
 }
 

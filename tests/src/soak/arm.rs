@@ -76,7 +76,7 @@ impl Arm {
         }
     }
 
-    /// Does so many things, and tells what was sent and what came of it.
+    /// Does this many things, and reports what was sent and the outcomes.
     pub(super) fn run(mut self, operations: u32) -> Done {
         let reader = Reader::new(config(), self.place.ports, &self.place.rate, &self.place.findings);
         let mut session = None;

@@ -121,7 +121,7 @@ pub(crate) fn turned(mut joints: [f64; 6], angle: f64) -> [f64; 6] {
     joints
 }
 
-/// A pose upwards of this one, by so many millimetres.
+/// A pose upwards of this one, by this many millimetres.
 pub(crate) fn raised(mut pose: [f64; 6], by: f64) -> Pose {
     pose[2] += by;
     pose.into()

@@ -4,7 +4,7 @@
 //! passes before a call was sent, or a reply was read, a few cells are tried again, alone. Wrong data, a wrong `Reached` and a motion
 //! after an error that denies it fail at once.
 //!
-//! With `JAKA_RELIABILITY`, the matrix is gone through so many times; after the first, the faults and the pauses between
+//! With `JAKA_RELIABILITY`, the matrix runs this many times; after the first, the faults and the pauses between
 //! calls are random.
 //!
 //! One test, alone in its process, so that threads can be counted. `docs/reliability.md` has the table that it makes.
