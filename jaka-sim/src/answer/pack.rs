@@ -11,7 +11,7 @@ pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
 }
 
-/// Gives a reply the shape that the pack says and the simulator does not know.
+/// Gives a reply the shape that the pack describes, which the handlers do not know.
 pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
     let Some(mut reply) = accepted(out.as_str()) else { return };
     let before = reply.clone();

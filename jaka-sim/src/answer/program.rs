@@ -28,7 +28,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     }
 }
 
-/// Starts and stops. Where there is nothing to pause, to resume or to stop, nothing is done.
+/// Starts and stops programs. Where there is nothing to pause, to resume or to stop, nothing happens.
 fn run(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::PlayProgram(command) => match world.programs.get(&world.state.loaded_program) {

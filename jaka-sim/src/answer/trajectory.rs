@@ -63,7 +63,7 @@ fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
     true
 }
 
-/// Files that there are not are refused.
+/// Files that do not exist are refused.
 fn files(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::RenameTrajFileName(command) if rename(world, &command.source, &command.destination) => {
