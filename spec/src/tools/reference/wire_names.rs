@@ -50,7 +50,9 @@ fn of_choice(choice: &mut Choice, names: &Names) {
 }
 
 fn of_fields(fields: &mut [Field], names: &Names) {
-    fields.iter_mut().for_each(|field| names.rewrite(&mut field.doc));
+    for field in fields {
+        names.rewrite(&mut field.doc);
+    }
 }
 
 /// Names on the wire, by the names in Rust.
