@@ -15,7 +15,6 @@ pub mod collision {
     pub struct ProtectiveStopStatus {}
     impl ProtectiveStopStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@ProtectiveStopStatus`].
@@ -49,7 +48,6 @@ pub mod collision {
         /// With the required fields alone.
         ///
         /// - `level`: 0 to 5
-        #[must_use]
         pub const fn new(level: i64) -> Self {}
     }
     /// Reads the collision level.
@@ -64,7 +62,6 @@ pub mod collision {
     pub struct GetClsnSensitivity {}
     impl GetClsnSensitivity {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetClsnSensitivity`].
@@ -86,7 +83,6 @@ pub mod collision {
     pub struct ClearError {}
     impl ClearError {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
 }

@@ -18,7 +18,6 @@ pub mod force {
     }
     impl SetTorqueControl {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
     /// Reads whether the robot is in drag mode.
@@ -29,7 +28,6 @@ pub mod force {
     pub struct DragStatus {}
     impl DragStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@DragStatus`].
@@ -55,7 +53,6 @@ pub mod force {
     }
     impl SetTorqueSensorBrand {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(brand: TorqueSensorBrand) -> Self {}
     }
     /// Reads the brand of the torque sensor.
@@ -71,7 +68,6 @@ pub mod force {
     pub struct GetTorqueSensorBrand {}
     impl GetTorqueSensorBrand {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTorqueSensorBrand`].
@@ -113,7 +109,6 @@ pub mod force {
     }
     impl SetAdmitCtrlConfig {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(
             axis: CartesianAxis,
             enabled: super::types::Switch,
@@ -135,7 +130,6 @@ pub mod force {
     pub struct GetAdmitCtrlConfig {}
     impl GetAdmitCtrlConfig {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetAdmitCtrlConfig`].
@@ -171,7 +165,6 @@ pub mod force {
         /// With the required fields alone.
         ///
         /// - `mode`: 0 to 1
-        #[must_use]
         pub const fn new(mode: i64) -> Self {}
     }
     /// Moves the arm to a joint position to identify the payload at the end of the tool.
@@ -196,7 +189,6 @@ pub mod force {
         /// With the required fields alone.
         ///
         /// - `joint_position`: in deg
-        #[must_use]
         pub fn new(joint_position: impl Into<super::types::JointPosition>) -> Self {}
     }
     /// Reads how far the identification of the payload is.
@@ -211,7 +203,6 @@ pub mod force {
     pub struct GetTorqSensorIdentifyStatus {}
     impl GetTorqSensorIdentifyStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTorqSensorIdentifyStatus`].
@@ -231,7 +222,6 @@ pub mod force {
     pub struct GetTorqSensorPayloadIdentifyResult {}
     impl GetTorqSensorPayloadIdentifyResult {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTorqSensorPayloadIdentifyResult`].
@@ -264,7 +254,6 @@ pub mod force {
         /// With the required fields alone.
         ///
         /// - `mass`: in kg, at least 0
-        #[must_use]
         pub fn new(mass: f64, centroid: impl Into<super::payload::Centroid>) -> Self {}
     }
     /// Reads the mass and the centroid of the payload at the torque sensor.
@@ -277,7 +266,6 @@ pub mod force {
     pub struct GetToolPayload {}
     impl GetToolPayload {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetToolPayload`].
@@ -312,7 +300,6 @@ pub mod force {
         /// With the required fields alone.
         ///
         /// - `condition`: in N for the forces, Nm for the torques
-        #[must_use]
         pub const fn new(condition: [f64; 6]) -> Self {}
     }
     /// Switches admittance control on or off.
@@ -328,7 +315,6 @@ pub mod force {
     }
     impl EnableAdmittanceCtrl {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(enable_flag: super::types::Switch) -> Self {}
     }
     /// Reads the type of force control, and whether the sensor is compensated.
@@ -339,7 +325,6 @@ pub mod force {
     pub struct GetCompliantType {}
     impl GetCompliantType {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetCompliantType`].
@@ -364,7 +349,6 @@ pub mod force {
     }
     impl SetCompliantType {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(
             sensor_compensation: super::types::Switch,
             compliance_type: ComplianceType,
@@ -393,7 +377,6 @@ pub mod force {
         /// With the required fields alone.
         ///
         /// - `port`: 0 to 65535
-        #[must_use]
         pub fn new(
             communication: TorqueSensorCommunication,
             address: impl Into<String>,
@@ -412,7 +395,6 @@ pub mod force {
     pub struct GetTorqueSensorComm {}
     impl GetTorqueSensorComm {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTorqueSensorComm`].
@@ -436,7 +418,6 @@ pub mod force {
     pub struct DisableForceControl {}
     impl DisableForceControl {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Sets the parameters of compliance in velocity.
@@ -450,7 +431,6 @@ pub mod force {
     }
     impl SetVelCompliantCtrl {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(compliance: VelocityCompliance) -> Self {}
     }
     /// Brand of a torque sensor. The document names three; newer firmware has 4 to 6 and 10 as well (field notes).
@@ -592,7 +572,6 @@ pub mod force {
         /// - `rate2`: 0 to 1
         /// - `rate3`: 0 to 1
         /// - `rate4`: 0 to 1
-        #[must_use]
         pub const fn new(
             level: i64,
             rate1: f64,

@@ -31,7 +31,6 @@ pub mod frames {
         /// With the required fields alone.
         ///
         /// - `id`: 1 to 10
-        #[must_use]
         pub fn new(
             offset: impl Into<super::types::Pose>,
             id: i64,
@@ -55,7 +54,6 @@ pub mod frames {
         /// With the required fields alone.
         ///
         /// - `tool_id`: 0 to 10
-        #[must_use]
         pub const fn new(tool_id: i64) -> Self {}
     }
     /// Reads the offsets of all tool frames.
@@ -70,7 +68,6 @@ pub mod frames {
     pub struct GetToolOffsets {}
     impl GetToolOffsets {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetToolOffsets`].
@@ -103,7 +100,6 @@ pub mod frames {
         /// With the required fields alone.
         ///
         /// - `id`: 1 to 10
-        #[must_use]
         pub fn new(
             offset: impl Into<super::types::Pose>,
             id: i64,
@@ -129,7 +125,6 @@ pub mod frames {
         /// With the required fields alone.
         ///
         /// - `user_frame_id`: 0 to 10
-        #[must_use]
         pub const fn new(user_frame_id: i64) -> Self {}
     }
     /// Reads the offsets of all user frames.
@@ -145,7 +140,6 @@ pub mod frames {
     pub struct GetUserOffsets {}
     impl GetUserOffsets {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetUserOffsets`].

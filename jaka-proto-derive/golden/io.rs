@@ -24,7 +24,6 @@ pub mod io {
         /// With the required fields alone.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn new(
             kind: DigitalOutputKind,
             index: i64,
@@ -33,37 +32,30 @@ pub mod io {
         /// In the control cabinet.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn cabinet(index: i64, value: super::types::Switch) -> Self {}
         /// At the tool end of the arm.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn tool(index: i64, value: super::types::Switch) -> Self {}
         /// On an extension I/O module.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn extension(index: i64, value: super::types::Switch) -> Self {}
         /// A relay output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn relay(index: i64, value: super::types::Switch) -> Self {}
         /// An output of the Modbus slave.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn modbus_slave(index: i64, value: super::types::Switch) -> Self {}
         /// A Profinet output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn profinet(index: i64, value: super::types::Switch) -> Self {}
         /// An EtherNet/IP output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn ethernet_ip(index: i64, value: super::types::Switch) -> Self {}
     }
     /// Reads the states of all digital inputs.
@@ -83,7 +75,6 @@ pub mod io {
     pub struct GetDigitalInputStatus {}
     impl GetDigitalInputStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetDigitalInputStatus`].
@@ -117,42 +108,34 @@ pub mod io {
         /// With the required fields alone.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn new(kind: AnalogOutputKind, index: i64, value: f64) -> Self {}
         /// In the control cabinet.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn cabinet(index: i64, value: f64) -> Self {}
         /// At the tool end of the arm (one client).
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn tool(index: i64, value: f64) -> Self {}
         /// On an extension I/O module.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn extension(index: i64, value: f64) -> Self {}
         /// Reserved, by the same list; a relay where the output is digital.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn reserved(index: i64, value: f64) -> Self {}
         /// An output of the Modbus slave.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn modbus_slave(index: i64, value: f64) -> Self {}
         /// A Profinet output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn profinet(index: i64, value: f64) -> Self {}
         /// An EtherNet/IP output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn ethernet_ip(index: i64, value: f64) -> Self {}
     }
     /// Reads the configuration and state of the extension I/O modules.
@@ -172,7 +155,6 @@ pub mod io {
     pub struct GetExtioStatus {}
     impl GetExtioStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetExtioStatus`].
@@ -216,7 +198,6 @@ pub mod io {
     pub struct GetFuncdiStatus {}
     impl GetFuncdiStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetFuncdiStatus`].
@@ -258,7 +239,6 @@ pub mod io {
         ///
         /// - `output_enable`: 0 to 1
         /// - `output_voltage`: 0 to 1
-        #[must_use]
         pub const fn new(output_enable: i64, output_voltage: i64) -> Self {}
     }
     /// Reads the settings of the voltage output of a version 3 tool I/O board.
@@ -271,7 +251,6 @@ pub mod io {
     pub struct GetTioVoutParam {}
     impl GetTioVoutParam {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTioVoutParam`].

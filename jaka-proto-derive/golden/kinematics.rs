@@ -19,7 +19,6 @@ pub mod kinematics {
         /// With the required fields alone.
         ///
         /// - `joint_position`: in deg
-        #[must_use]
         pub fn new(joint_position: impl Into<super::types::JointPosition>) -> Self {}
     }
     /// What the controller answers to [`type@KineForward`].
@@ -54,7 +53,6 @@ pub mod kinematics {
         /// With the required fields alone.
         ///
         /// - `reference_joint_position`: in deg
-        #[must_use]
         pub fn new(
             reference_joint_position: impl Into<super::types::JointPosition>,
             pose: impl Into<super::types::Pose>,
@@ -77,7 +75,6 @@ pub mod kinematics {
     pub struct GetJointPos {}
     impl GetJointPos {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetJointPos`].
@@ -103,7 +100,6 @@ pub mod kinematics {
     pub struct GetTcpPos {}
     impl GetTcpPos {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTcpPos`].
@@ -124,7 +120,6 @@ pub mod kinematics {
     pub struct GetDhParam {}
     impl GetDhParam {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetDhParam`].

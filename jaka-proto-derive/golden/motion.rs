@@ -72,20 +72,17 @@ pub mod motion {
         /// Stops the jog of one axis.
         ///
         /// - `axis`: 0 to 5
-        #[must_use]
         pub const fn stop(frame: JogFrame, axis: i64) -> Self {}
         /// Moves on and on.
         ///
         /// - `axis`: 0 to 5
         /// - `velocity`: in deg/s for a joint or a rotation, mm/s for a translation
-        #[must_use]
         pub const fn continuous(frame: JogFrame, axis: i64, velocity: f64) -> Self {}
         /// Moves by a distance from the present position.
         ///
         /// - `axis`: 0 to 5
         /// - `velocity`: in deg/s for a joint or a rotation, mm/s for a translation
         /// - `distance`: in deg for a joint or a rotation, mm for a translation
-        #[must_use]
         pub const fn increment(
             frame: JogFrame,
             axis: i64,
@@ -97,7 +94,6 @@ pub mod motion {
         /// - `axis`: 0 to 5
         /// - `velocity`: in deg/s for a joint or a rotation, mm/s for a translation
         /// - `position`: in deg for a joint or a rotation, mm for a translation
-        #[must_use]
         pub const fn absolute(
             frame: JogFrame,
             axis: i64,
@@ -129,7 +125,6 @@ pub mod motion {
         ///
         /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn new(
             mode: super::types::MoveMode,
             joint_position: impl Into<super::types::JointPosition>,
@@ -139,7 +134,6 @@ pub mod motion {
         ///
         /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn absolute(
             joint_position: impl Into<super::types::JointPosition>,
             speed: f64,
@@ -148,13 +142,11 @@ pub mod motion {
         ///
         /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn relative(
             joint_position: impl Into<super::types::JointPosition>,
             speed: f64,
         ) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
-        #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
     }
     /// Moves all joints so that the tool centre point reaches a pose.
@@ -181,10 +173,8 @@ pub mod motion {
         /// With the required fields alone.
         ///
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn new(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
-        #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
     }
     /// Moves the tool centre point along a straight line to a pose, or by an offset (MoveL).
@@ -220,7 +210,6 @@ pub mod motion {
         /// With the required fields alone.
         ///
         /// - `speed`: in mm/s, at least 0
-        #[must_use]
         pub fn new(
             mode: LineMode,
             pose: impl Into<super::types::Pose>,
@@ -229,26 +218,21 @@ pub mod motion {
         /// The pose is the target.
         ///
         /// - `speed`: in mm/s, at least 0
-        #[must_use]
         pub fn absolute(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
         /// The pose is an offset from the present one along the axes of the selected user frame.
         ///
         /// - `speed`: in mm/s, at least 0
-        #[must_use]
         pub fn relative(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
         /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual).
         ///
         /// - `speed`: in mm/s, at least 0
-        #[must_use]
         pub fn relative_to_tool(
             pose: impl Into<super::types::Pose>,
             speed: f64,
         ) -> Self {}
         /// Acceleration of the tool centre point along the line. In mm/s², at least 0. `accel` on the wire.
-        #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
         /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
-        #[must_use]
         pub fn tolerance(mut self, tolerance: f64) -> Self {}
     }
     /// Moves the tool centre point along an arc, through one pose to another (MoveC).
@@ -290,7 +274,6 @@ pub mod motion {
         /// - `speed`: in mm/s, at least 0
         /// - `acceleration`: in mm/s², at least 0
         /// - `tolerance`: in mm, at least 0
-        #[must_use]
         pub fn new(
             mode: super::types::MoveMode,
             mid_pose: impl Into<super::types::Pose>,
@@ -304,7 +287,6 @@ pub mod motion {
         /// - `speed`: in mm/s, at least 0
         /// - `acceleration`: in mm/s², at least 0
         /// - `tolerance`: in mm, at least 0
-        #[must_use]
         pub fn absolute(
             mid_pose: impl Into<super::types::Pose>,
             end_pose: impl Into<super::types::Pose>,
@@ -317,7 +299,6 @@ pub mod motion {
         /// - `speed`: in mm/s, at least 0
         /// - `acceleration`: in mm/s², at least 0
         /// - `tolerance`: in mm, at least 0
-        #[must_use]
         pub fn relative(
             mid_pose: impl Into<super::types::Pose>,
             end_pose: impl Into<super::types::Pose>,
@@ -343,7 +324,6 @@ pub mod motion {
     pub struct WaitComplete {}
     impl WaitComplete {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What a jog moves along or about.

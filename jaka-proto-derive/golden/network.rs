@@ -24,7 +24,6 @@ pub mod network {
         /// With the required fields alone.
         ///
         /// - `delay`: in ms, at least 0
-        #[must_use]
         pub const fn new(delay: i64, action: NetworkExceptionAction) -> Self {}
     }
     /// What the arm does when the network fails.

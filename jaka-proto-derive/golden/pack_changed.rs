@@ -11,7 +11,6 @@ pub mod changed {
     pub struct ReadWholeState {}
     impl ReadWholeState {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
@@ -42,7 +41,6 @@ pub mod changed {
         ///
         /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn new(
             mode: ::jaka_sync::types::MoveMode,
             joint_position: impl Into<::jaka_sync::types::JointPosition>,
@@ -52,7 +50,6 @@ pub mod changed {
         ///
         /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn absolute(
             joint_position: impl Into<::jaka_sync::types::JointPosition>,
             speed: f64,
@@ -61,16 +58,13 @@ pub mod changed {
         ///
         /// - `joint_position`: in deg
         /// - `speed`: in deg/s, at least 0
-        #[must_use]
         pub fn relative(
             joint_position: impl Into<::jaka_sync::types::JointPosition>,
             speed: f64,
         ) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
-        #[must_use]
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
         /// Distance from the target at which the next motion may begin. In mm, at least 0.
-        #[must_use]
         pub fn zone(mut self, zone: f64) -> Self {}
     }
     /// Sets the rate by which the controller scales the speed of motion.
@@ -89,7 +83,6 @@ pub mod changed {
         /// With the required fields alone.
         ///
         /// - `rate`: 0 to 1.5
-        #[must_use]
         pub const fn new(rate: f64) -> Self {}
     }
     /// Sets the voltage output of a version 3 tool I/O board.
@@ -120,7 +113,6 @@ pub mod changed {
         /// With the required fields alone.
         ///
         /// - `output_enable`: 0 to 1
-        #[must_use]
         pub const fn new(output_enable: i64, output_voltage: ToolVoltage) -> Self {}
     }
     /// Voltage of the tool's output.

@@ -11,7 +11,6 @@ pub mod newer {
     pub struct GetMotionState {}
     impl GetMotionState {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetMotionState`].
@@ -35,7 +34,6 @@ pub mod newer {
     pub struct EmergencyStopStatus {}
     impl EmergencyStopStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@EmergencyStopStatus`].
@@ -58,7 +56,6 @@ pub mod newer {
         /// With the required fields alone.
         ///
         /// - `period`: in ms, at least 1
-        #[must_use]
         pub const fn new(period: i64) -> Self {}
     }
     /// The commands of [`newer`](self) as methods: of a client, of a robot, and of all else that takes commands.

@@ -23,7 +23,6 @@ pub mod payload {
         /// With the required fields alone.
         ///
         /// - `mass`: in kg, at least 0
-        #[must_use]
         pub fn new(mass: f64, centroid: impl Into<Centroid>) -> Self {}
     }
     /// Reads the mass and the centroid of the payload.
@@ -34,7 +33,6 @@ pub mod payload {
     pub struct GetPayload {}
     impl GetPayload {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetPayload`].

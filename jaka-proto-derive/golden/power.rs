@@ -23,7 +23,6 @@ pub mod power {
     pub struct PowerOn {}
     impl PowerOn {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@PowerOn`].
@@ -43,7 +42,6 @@ pub mod power {
     pub struct PowerOff {}
     impl PowerOff {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Enables the arm, so that it can move.
@@ -61,7 +59,6 @@ pub mod power {
     pub struct EnableRobot {}
     impl EnableRobot {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@EnableRobot`].
@@ -81,7 +78,6 @@ pub mod power {
     pub struct DisableRobot {}
     impl DisableRobot {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Shuts down the arm and the controller.
@@ -95,7 +91,6 @@ pub mod power {
     pub struct Shutdown {}
     impl Shutdown {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Reads whether the arm has power and is enabled.
@@ -109,7 +104,6 @@ pub mod power {
     pub struct GetRobotState {}
     impl GetRobotState {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetRobotState`].
@@ -138,7 +132,6 @@ pub mod power {
     pub struct GetVersion {}
     impl GetVersion {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetVersion`].

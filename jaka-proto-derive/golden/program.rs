@@ -20,7 +20,6 @@ pub mod program {
         /// With the required fields alone.
         ///
         /// - `rate`: 0 to 1
-        #[must_use]
         pub const fn new(rate: f64) -> Self {}
     }
     /// Loads a program that is stored on the controller.
@@ -43,7 +42,6 @@ pub mod program {
     }
     impl LoadProgram {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(program_name: impl Into<String>) -> Self {}
     }
     /// Reads the name of the loaded program.
@@ -54,7 +52,6 @@ pub mod program {
     pub struct GetLoadedProgram {}
     impl GetLoadedProgram {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetLoadedProgram`].
@@ -75,7 +72,6 @@ pub mod program {
     pub struct PlayProgram {}
     impl PlayProgram {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Pauses the program that is running.
@@ -88,7 +84,6 @@ pub mod program {
     pub struct PauseProgram {}
     impl PauseProgram {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Resumes the program that is paused.
@@ -101,7 +96,6 @@ pub mod program {
     pub struct ResumeProgram {}
     impl ResumeProgram {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Stops the program, or the motion, that is running.
@@ -118,7 +112,6 @@ pub mod program {
     pub struct StopProgram {}
     impl StopProgram {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Reads the state of the program.
@@ -131,7 +124,6 @@ pub mod program {
     pub struct GetProgramState {}
     impl GetProgramState {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetProgramState`].

@@ -18,7 +18,6 @@ pub mod servo {
     pub struct IsInServomove {}
     impl IsInServomove {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@IsInServomove`].
@@ -47,7 +46,6 @@ pub mod servo {
     }
     impl SetServoMode {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(servo_mode: super::types::Switch) -> Self {}
     }
     /// Moves all joints to a set-point, or by an offset, within one servo period.
@@ -81,7 +79,6 @@ pub mod servo {
         /// With the required fields alone.
         ///
         /// - `joint_position`: in deg
-        #[must_use]
         pub fn new(
             mode: super::types::MoveMode,
             joint_position: impl Into<super::types::JointPosition>,
@@ -89,15 +86,12 @@ pub mod servo {
         /// The coordinates are the target.
         ///
         /// - `joint_position`: in deg
-        #[must_use]
         pub fn absolute(joint_position: impl Into<super::types::JointPosition>) -> Self {}
         /// The coordinates are an offset.
         ///
         /// - `joint_position`: in deg
-        #[must_use]
         pub fn relative(joint_position: impl Into<super::types::JointPosition>) -> Self {}
         /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. `stepNum` on the wire.
-        #[must_use]
         pub fn step_count(mut self, step_count: i64) -> Self {}
     }
     /// Moves the tool centre point to a set-point, or by an offset, within one servo period.
@@ -129,19 +123,15 @@ pub mod servo {
     }
     impl ServoP {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(
             pose: impl Into<super::types::Pose>,
             mode: super::types::MoveMode,
         ) -> Self {}
         /// The coordinates are the target.
-        #[must_use]
         pub fn absolute(pose: impl Into<super::types::Pose>) -> Self {}
         /// The coordinates are an offset.
-        #[must_use]
         pub fn relative(pose: impl Into<super::types::Pose>) -> Self {}
         /// Length of the servo period as a multiple of the controller cycle of 8 ms. At least 1. `stepNum` on the wire.
-        #[must_use]
         pub fn step_count(mut self, step_count: i64) -> Self {}
     }
     /// Sets the filter that smooths the set-points of servo mode.
@@ -227,19 +217,16 @@ pub mod servo {
     }
     impl SetServoMoveFilter {
         /// No filter.
-        #[must_use]
         pub const fn disabled() -> Self {}
         /// First-order low-pass filter on the joints.
         ///
         /// - `cutoff_frequency`: in Hz, at least 0
-        #[must_use]
         pub const fn joint_low_pass(cutoff_frequency: f64) -> Self {}
         /// Nonlinear filter on the joints.
         ///
         /// - `max_joint_speed`: in deg/s, at least 0
         /// - `max_joint_acceleration`: in deg/s², at least 0
         /// - `max_joint_jerk`: in deg/s³, at least 0
-        #[must_use]
         pub const fn joint_nonlinear(
             max_joint_speed: f64,
             max_joint_acceleration: f64,
@@ -248,7 +235,6 @@ pub mod servo {
         /// Multi-stage mean filter on the joints.
         ///
         /// - `window_width`: at least 0
-        #[must_use]
         pub const fn joint_mean(
             window_width: i64,
             position_coefficient: f64,
@@ -263,7 +249,6 @@ pub mod servo {
         /// - `max_translation_speed`: in mm/s, at least 0
         /// - `max_translation_acceleration`: in mm/s², at least 0
         /// - `max_translation_jerk`: in mm/s³, at least 0
-        #[must_use]
         pub const fn cartesian_nonlinear(
             max_rotation_speed: f64,
             max_rotation_acceleration: f64,
@@ -275,7 +260,6 @@ pub mod servo {
         /// Speed look-ahead.
         ///
         /// - `buffer_size`: at least 0
-        #[must_use]
         pub const fn speed_lookahead(
             buffer_size: i64,
             position_coefficient: f64,

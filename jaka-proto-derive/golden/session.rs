@@ -16,7 +16,6 @@ pub mod session {
     pub struct Quit {}
     impl Quit {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
 }

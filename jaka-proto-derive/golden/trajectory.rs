@@ -27,7 +27,6 @@ pub mod trajectory {
         /// - `speed`: in mm/s, at least 0
         /// - `position_interval`: at least 0
         /// - `orientation_interval`: at least 0
-        #[must_use]
         pub const fn new(
             acceleration: f64,
             speed: f64,
@@ -43,7 +42,6 @@ pub mod trajectory {
     pub struct GetTrajConfig {}
     impl GetTrajConfig {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTrajConfig`].
@@ -76,7 +74,6 @@ pub mod trajectory {
     }
     impl SetTrajSampleMode {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(mode: super::types::Switch, file_name: impl Into<String>) -> Self {}
     }
     /// Reads whether a trajectory is being recorded.
@@ -87,7 +84,6 @@ pub mod trajectory {
     pub struct GetTrajSampleStatus {}
     impl GetTrajSampleStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTrajSampleStatus`].
@@ -105,7 +101,6 @@ pub mod trajectory {
     pub struct GetExistTrajFileName {}
     impl GetExistTrajFileName {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetExistTrajFileName`].
@@ -128,7 +123,6 @@ pub mod trajectory {
     }
     impl RenameTrajFileName {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(source: impl Into<String>, destination: impl Into<String>) -> Self {}
     }
     /// Deletes a trajectory file.
@@ -146,7 +140,6 @@ pub mod trajectory {
     }
     impl RemoveTrajFile {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(file_name: impl Into<String>) -> Self {}
     }
     /// Writes a program for the controller from a trajectory file.
@@ -166,7 +159,6 @@ pub mod trajectory {
     }
     impl GenerateTrajExeFile {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(file_name: impl Into<String>) -> Self {}
     }
 }

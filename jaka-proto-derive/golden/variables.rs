@@ -16,7 +16,6 @@ pub mod variables {
     pub struct QueryUserDefinedVariable {}
     impl QueryUserDefinedVariable {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@QueryUserDefinedVariable`].
@@ -47,7 +46,6 @@ pub mod variables {
     }
     impl ModifyUserDefinedVariable {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(id: i64, alias: impl Into<String>, value: f64) -> Self {}
     }
     /// A user-defined system variable.
