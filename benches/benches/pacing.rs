@@ -92,14 +92,14 @@ impl Way {
         let mut session =
             robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
         let (cpu, start) = (process::thread_cpu(), Instant::now());
-        let mut lateness = Vec::new();
+        let mut late = Vec::new();
         while session.time() < time {
             let due = session.time();
             session.send_joint_offset([0.0; 6])?;
-            lateness.push((due, micros(start.elapsed()) - micros(due)));
+            late.push((due, micros(start.elapsed()) - micros(due)));
         }
         let run_time = session.time();
-        self.ran(start, cpu, &lateness);
+        self.ran(start, cpu, &late);
         let report = session.finish()?;
         self.late.extend(lateness(&report));
         self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())? - report.cycles;

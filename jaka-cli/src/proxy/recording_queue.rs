@@ -231,22 +231,22 @@ mod tests {
 
     #[test]
     fn what_an_open_connection_has_sent_in_part_is_recorded_at_the_end() {
-        let tape = Tape::default();
-        let recorder = Recorder::new(tape.clone()).expect("a thread can be had");
+        let buffer = RecordingBuffer::default();
+        let recorder = Recorder::new(buffer.clone()).expect("a thread can be had");
         let queue = RecordingQueue::start().expect("a thread can be had");
         let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         queue.take(&connection, Passed::Bytes(Direction::ToRobot, b"{\"a\":1}{\"cut".to_vec()));
         assert_eq!(queue.finish(), 0);
         recorder.finish().expect("memory can be written");
-        let recording: Recording = tape.read().expect("it has just been written");
+        let recording: Recording = buffer.read().expect("it has just been written");
         let sent = recording.entries.iter().filter_map(|entry| entry.event.message()).map(ToString::to_string);
         assert_eq!(sent.collect::<Vec<_>>(), ["{\"a\":1}", "{\"cut"]);
     }
 
     #[test]
     fn what_does_not_fit_is_missing_and_counted_and_nobody_waits() {
-        let tape = Tape::default();
-        let recorder = Recorder::new(tape.clone()).expect("a thread can be had");
+        let buffer = RecordingBuffer::default();
+        let recorder = Recorder::new(buffer.clone()).expect("a thread can be had");
         let queue = RecordingQueue::with_limit(2 * OVERHEAD).expect("a thread can be had");
         let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         let bytes = |direction, text: &str| Passed::Bytes(direction, text.as_bytes().to_vec());
