@@ -70,7 +70,10 @@ impl<'s> Decoder<'s> {
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
             Shape::Tuple { fields, exact } => match value.as_array() {
-                Some(found) => self.elements(slot, fields, found, exact),
+                Some(found) => {
+                    self.length(slot, fields, (found, value), exact);
+                    self.elements(slot, fields, found);
+                }
                 None => self.unfit(slot, DepartureKind::Form, value),
             },
             Shape::IntEnum(values) => match scalar::int(value) {
@@ -88,12 +91,16 @@ impl<'s> Decoder<'s> {
         }
     }
 
-    /// Reads the elements of a struct that is an array on the wire.
-    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], found: &[Value], exact: bool) {
+    /// Tells of elements beyond the fields; they are those of the whole value, perhaps without its tag.
+    fn length(&mut self, slot: &Slot<'_>, fields: &[Field], (found, whole): (&[Value], &Value), exact: bool) {
         if found.len() > fields.len() {
             let reading = if exact { Reading::Unreadable } else { Reading::Lenient };
-            self.at(slot, DepartureKind::Length, &Value::from(found), reading);
+            self.at(slot, DepartureKind::Length, whole, reading);
         }
+    }
+
+    /// Reads the elements of a struct that is an array on the wire.
+    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], found: &[Value]) {
         for (index, field) in fields.iter().enumerate() {
             self.field(&member(slot.place, &field.name), field, found.get(index));
         }
@@ -105,7 +112,10 @@ impl<'s> Decoder<'s> {
             return self.unfit(slot, DepartureKind::Form, value);
         };
         match choice.variants.iter().find(|variant| variant.wire == tag) {
-            Some(variant) => self.elements(slot, &variant.fields, rest, false),
+            Some(variant) => {
+                self.length(slot, &variant.fields, (rest, value), false);
+                self.elements(slot, &variant.fields, rest);
+            }
             None => self.lenient(slot, DepartureKind::Unlisted, value),
         }
     }

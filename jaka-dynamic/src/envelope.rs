@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use super::decode::Decoder;
 use super::departure::{Departure, DepartureKind, Reading};
 use super::scalar::{Fit, error_code};
-use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Spec};
+use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Reply, Spec};
 
 /// How a reply differs from the spec: in its envelope, in unknown keys, and then in the order of the spec.
 ///
@@ -20,7 +20,7 @@ pub fn departures(spec: &Spec, command: &Command, reply: &Value) -> Vec<Departur
     let mut decoder = Decoder::new(spec);
     match (reply, bare_reply(command, reply)) {
         (Value::Object(found), _) => {
-            if envelope(&mut decoder, command, found) {
+            if envelope(&mut decoder, command, found) && command.reply != Reply::Raw {
                 decoder.object("", spec.reply_fields(command), found, ENVELOPE);
             }
         }

@@ -362,3 +362,141 @@ impl Client {
     /// Ends the connection.
     pub fn quit(&mut self) -> Result<(), Error> {}
 }
+/// # State and positions, beyond the document
+///
+/// With the messages of [`beyond_state`](crate::beyond_state).
+impl Client {
+    /// Reads one status packet on the command port.
+    pub fn get_data(&mut self) -> Result<self::status::RobotStatus, Error> {}
+    /// Reads whether the robot is in drag mode, by the name.
+    pub fn get_drag_status(&mut self) -> Result<::jaka_proto::wire::Value, Error> {}
+    /// Reads the speed rate, by the name.
+    pub fn get_rapid_rate(&mut self) -> Result<::jaka_proto::wire::Value, Error> {}
+    /// Reads the id of the selected tool frame.
+    pub fn get_curr_tool_id(
+        &mut self,
+    ) -> Result<self::beyond_state::GetCurrToolIdReply, Error> {}
+    /// Reads the id of the selected user frame.
+    pub fn get_curr_user_id(
+        &mut self,
+    ) -> Result<self::beyond_state::GetCurrUserIdReply, Error> {}
+    /// Reads the actual positions of the six joints.
+    pub fn get_actual_joint_pos(
+        &mut self,
+    ) -> Result<self::beyond_state::GetActualJointPosReply, Error> {}
+    /// Reads the actual pose of the tool centre point.
+    pub fn get_actual_tcp_pos(
+        &mut self,
+    ) -> Result<self::beyond_state::GetActualTcpPosReply, Error> {}
+}
+/// # Inputs, outputs and the tool's serial channels, beyond the document
+///
+/// With the messages of [`beyond_io`](crate::beyond_io).
+impl Client {
+    /// Reads one digital output.
+    pub fn get_digital_output(
+        &mut self,
+        request: &self::beyond_io::GetDigitalOutput,
+    ) -> Result<self::beyond_io::GetDigitalOutputReply, Error> {}
+    /// Reads one digital input.
+    pub fn get_digital_input(
+        &mut self,
+        request: &self::beyond_io::GetDigitalInput,
+    ) -> Result<self::beyond_io::GetDigitalInputReply, Error> {}
+    /// Reads one analog output.
+    pub fn get_analog_output(
+        &mut self,
+        request: &self::beyond_io::GetAnalogOutput,
+    ) -> Result<self::beyond_io::GetAnalogOutputReply, Error> {}
+    /// Sends bytes on a serial channel of the tool.
+    pub fn send_tio_rs_command(
+        &mut self,
+        request: &self::beyond_io::SendTioRsCommand,
+    ) -> Result<(), Error> {}
+    /// Reads what pins of the tool are used for.
+    pub fn get_tio_pin_mode(
+        &mut self,
+        pin_type: i64,
+    ) -> Result<::jaka_proto::wire::Value, Error> {}
+    /// Sets what pins of the tool are used for.
+    pub fn set_tio_pin_mode(
+        &mut self,
+        request: &self::beyond_io::SetTioPinMode,
+    ) -> Result<(), Error> {}
+    /// Reads the mode of a serial channel of the tool.
+    pub fn get_rs485_chn_mode(
+        &mut self,
+        channel: i64,
+    ) -> Result<self::beyond_io::GetRs485ChnModeReply, Error> {}
+    /// Sets the mode of a serial channel of the tool.
+    pub fn set_rs485_chn_mode(
+        &mut self,
+        request: &self::beyond_io::SetRs485ChnMode,
+    ) -> Result<(), Error> {}
+    /// Reads the line settings of a serial channel of the tool.
+    pub fn get_rs485_chn_comm(
+        &mut self,
+        channel: i64,
+    ) -> Result<::jaka_proto::wire::Value, Error> {}
+    /// Sets the line of a serial channel of the tool.
+    pub fn set_rs485_chn_comm(
+        &mut self,
+        request: &self::beyond_io::SetRs485ChnComm,
+    ) -> Result<(), Error> {}
+    /// Reads the signals that are defined on the tool's serial channels.
+    pub fn get_rs485_signal_list(&mut self) -> Result<::jaka_proto::wire::Value, Error> {}
+    /// Reads the signals that are defined on the tool's serial channels, with their values.
+    pub fn get_tio_signals(
+        &mut self,
+    ) -> Result<self::beyond_io::GetTioSignalsReply, Error> {}
+    /// Defines a signal on a serial channel of the tool; there are at most 8.
+    pub fn add_tio_rs_signal(
+        &mut self,
+        request: &self::beyond_io::AddTioRsSignal,
+    ) -> Result<(), Error> {}
+    /// Removes a signal from a serial channel of the tool.
+    pub fn delete_tio_rs_signal(
+        &mut self,
+        name: impl Into<String>,
+    ) -> Result<(), Error> {}
+}
+/// # Motion, mounting and packets, beyond the document
+///
+/// With the messages of [`beyond_settings`](crate::beyond_settings).
+impl Client {
+    /// Sets the currents that the controller adds to those of the joints, such as those that hold the arm against gravity.
+    pub fn torque_feedforward(
+        &mut self,
+        request: &self::beyond_settings::TorqueFeedforward,
+    ) -> Result<(), Error> {}
+    /// Sets the kind of planner that drives motions.
+    pub fn set_motion_planner(
+        &mut self,
+        planner: self::beyond_settings::MotionPlanner,
+    ) -> Result<(), Error> {}
+    /// Sets how far from a limit the controller warns, by the name.
+    pub fn set_motion_limit_warning_range(&mut self, level: i64) -> Result<(), Error> {}
+    /// Reads how far from a limit the controller warns, by the name.
+    pub fn get_motion_limit_warning_range(
+        &mut self,
+    ) -> Result<self::beyond_settings::GetMotionLimitWarningRangeReply, Error> {}
+    /// Sets how the arm is mounted.
+    pub fn set_installation_angle(
+        &mut self,
+        request: &self::beyond_settings::SetInstallationAngle,
+    ) -> Result<(), Error> {}
+    /// Reads the time between two packets of port 10000.
+    pub fn get_port10000_delay_ms(
+        &mut self,
+    ) -> Result<self::beyond_settings::GetPort10000DelayMsReply, Error> {}
+    /// Sets an entry of the controller's configuration of port 10000.
+    pub fn set_optional_info_config(
+        &mut self,
+        request: &self::beyond_settings::SetOptionalInfoConfig,
+    ) -> Result<(), Error> {}
+    /// Reads an entry of the controller's configuration of port 10000: see [`set_optional_info_config`](crate::Client::set_optional_info_config).
+    pub fn get_optional_info_config(
+        &mut self,
+        request: &self::beyond_settings::GetOptionalInfoConfig,
+    ) -> Result<self::beyond_settings::GetOptionalInfoConfigReply, Error> {}
+}

@@ -115,6 +115,22 @@ pub mod changed {
         /// - `output_enable`: 0 to 1
         pub const fn new(output_enable: i64, output_voltage: ToolVoltage) -> Self {}
     }
+    /// Reads one status packet on the command port.
+    ///
+    /// The reply has the keys of the packets of port 10000 next to its own, 1.5 to 9 KB of them, and arrives in pieces. Clients use it for what
+    /// no query of the document tells, such as the tool's inputs and the selected frames. Some controllers add `executing_line`, which is skipped.
+    ///
+    /// Sends `get_data`. Changes nothing on the robot. The reply is [`type@RobotStatus`]. The method is [`ChangedCommands::get_data_changed`].
+    ///
+    /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetData {}
+    impl GetData {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
     /// Voltage of the tool's output.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
@@ -209,6 +225,24 @@ pub mod changed {
             &mut self,
             request: &SetTioVoutParam,
         ) -> Result<(), ::jaka_sync::Error>;
+        /// Reads one status packet on the command port.
+        ///
+        /// The reply has the keys of the packets of port 10000 next to its own, 1.5 to 9 KB of them, and arrives in pieces. Clients use it for what
+        /// no query of the document tells, such as the tool's inputs and the selected frames. Some controllers add `executing_line`, which is skipped.
+        ///
+        /// Sends [`get_data`](type@GetData). Changes nothing on the robot.
+        ///
+        /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
+        ///
+        /// # Example
+        /// ```text
+        /// -> {"cmdName":"get_data"}
+        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "get_data", "tio_din": [0, 0, 0, 0, 0, 0, 0, 0], "current_tool_id": 0, "current_user_id": 0, "inpos": true}
+        /// ```
+        ///
+        /// # Errors
+        /// As `Call::call`.
+        fn get_data_changed(&mut self) -> Result<RobotStatus, ::jaka_sync::Error>;
     }
     impl<T: ::jaka_sync::Call + ?Sized> ChangedCommands for T {}
     /// The payload is too heavy for the motion.

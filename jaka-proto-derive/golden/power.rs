@@ -116,11 +116,9 @@ pub mod power {
         pub powered_on: bool,
         /// Code of the controller's event, which is not always an error; newer firmware adds the key. `errcode` on the wire.
         ///
-        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, which is kept as raw JSON; the vendor's own SDK reads nothing else. Clients
-        /// of newer firmware have met a hexadecimal string such as `0x0`, as on port 10000. The Rust method `event` reads both.
-        ///
-        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        pub error_code: Option<wire::Typed<String>>,
+        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, and the vendor's own SDK reads nothing else. Clients of newer firmware have met
+        /// a hexadecimal string such as `0x0`, as on port 10000. So it is passed on as it comes; the Rust method `event` reads both.
+        pub error_code: Option<wire::Value>,
         /// The message that goes with `error_code`, which newer firmware adds. `msg` on the wire.
         pub error_message: Option<String>,
     }
@@ -140,5 +138,13 @@ pub mod power {
     pub struct GetVersionReply {
         /// Version, such as `1.6.5_01_X86`.
         pub version: String,
+        /// Name of the robot. Sent by version 3.2.10 (one client).
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub robot_name: Option<wire::Typed<String>>,
+        /// Id of the robot. Sent by version 3.2.10 (one client).
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub robot_id: Option<wire::Typed<String>>,
     }
 }

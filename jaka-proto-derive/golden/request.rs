@@ -166,6 +166,64 @@ pub enum Request {
     SetNetworkExceptionHandle(network::SetNetworkExceptionHandle),
     /// `quit`
     Quit(session::Quit),
+    /// `get_data`
+    GetData(beyond_state::GetData),
+    /// `get_drag_status`
+    GetDragStatus(beyond_state::GetDragStatus),
+    /// `get_rapid_rate`
+    GetRapidRate(beyond_state::GetRapidRate),
+    /// `get_curr_tool_id`
+    GetCurrToolId(beyond_state::GetCurrToolId),
+    /// `get_curr_user_id`
+    GetCurrUserId(beyond_state::GetCurrUserId),
+    /// `get_actual_joint_pos`
+    GetActualJointPos(beyond_state::GetActualJointPos),
+    /// `get_actual_tcp_pos`
+    GetActualTcpPos(beyond_state::GetActualTcpPos),
+    /// `get_digital_output`
+    GetDigitalOutput(beyond_io::GetDigitalOutput),
+    /// `get_digital_input`
+    GetDigitalInput(beyond_io::GetDigitalInput),
+    /// `get_analog_output`
+    GetAnalogOutput(beyond_io::GetAnalogOutput),
+    /// `send_tio_rs_command`
+    SendTioRsCommand(beyond_io::SendTioRsCommand),
+    /// `get_tio_pin_mode`
+    GetTioPinMode(beyond_io::GetTioPinMode),
+    /// `set_tio_pin_mode`
+    SetTioPinMode(beyond_io::SetTioPinMode),
+    /// `get_rs485_chn_mode`
+    GetRs485ChnMode(beyond_io::GetRs485ChnMode),
+    /// `set_rs485_chn_mode`
+    SetRs485ChnMode(beyond_io::SetRs485ChnMode),
+    /// `get_rs485_chn_comm`
+    GetRs485ChnComm(beyond_io::GetRs485ChnComm),
+    /// `set_rs485_chn_comm`
+    SetRs485ChnComm(beyond_io::SetRs485ChnComm),
+    /// `get_rs485_signal_list`
+    GetRs485SignalList(beyond_io::GetRs485SignalList),
+    /// `get_tio_signals`
+    GetTioSignals(beyond_io::GetTioSignals),
+    /// `add_tio_rs_signal`
+    AddTioRsSignal(beyond_io::AddTioRsSignal),
+    /// `del_tio_rs_signal`
+    DeleteTioRsSignal(beyond_io::DeleteTioRsSignal),
+    /// `torque_feedforward`
+    TorqueFeedforward(beyond_settings::TorqueFeedforward),
+    /// `set_motion_planner`
+    SetMotionPlanner(beyond_settings::SetMotionPlanner),
+    /// `set_motion_limit_warning_range`
+    SetMotionLimitWarningRange(beyond_settings::SetMotionLimitWarningRange),
+    /// `get_motion_limit_warning_range`
+    GetMotionLimitWarningRange(beyond_settings::GetMotionLimitWarningRange),
+    /// `set_installation_angle`
+    SetInstallationAngle(beyond_settings::SetInstallationAngle),
+    /// `get_port10000_delay_ms`
+    GetPort10000DelayMs(beyond_settings::GetPort10000DelayMs),
+    /// `setOptionalInfoConfig`
+    SetOptionalInfoConfig(beyond_settings::SetOptionalInfoConfig),
+    /// `getOptionalInfoConfig`
+    GetOptionalInfoConfig(beyond_settings::GetOptionalInfoConfig),
 }
 impl Request {
     /// What the spec says about each command, topic by topic.
@@ -255,3 +313,32 @@ impl From<force::DisableForceControl> for Request {}
 impl From<force::SetVelCompliantCtrl> for Request {}
 impl From<network::SetNetworkExceptionHandle> for Request {}
 impl From<session::Quit> for Request {}
+impl From<beyond_state::GetData> for Request {}
+impl From<beyond_state::GetDragStatus> for Request {}
+impl From<beyond_state::GetRapidRate> for Request {}
+impl From<beyond_state::GetCurrToolId> for Request {}
+impl From<beyond_state::GetCurrUserId> for Request {}
+impl From<beyond_state::GetActualJointPos> for Request {}
+impl From<beyond_state::GetActualTcpPos> for Request {}
+impl From<beyond_io::GetDigitalOutput> for Request {}
+impl From<beyond_io::GetDigitalInput> for Request {}
+impl From<beyond_io::GetAnalogOutput> for Request {}
+impl From<beyond_io::SendTioRsCommand> for Request {}
+impl From<beyond_io::GetTioPinMode> for Request {}
+impl From<beyond_io::SetTioPinMode> for Request {}
+impl From<beyond_io::GetRs485ChnMode> for Request {}
+impl From<beyond_io::SetRs485ChnMode> for Request {}
+impl From<beyond_io::GetRs485ChnComm> for Request {}
+impl From<beyond_io::SetRs485ChnComm> for Request {}
+impl From<beyond_io::GetRs485SignalList> for Request {}
+impl From<beyond_io::GetTioSignals> for Request {}
+impl From<beyond_io::AddTioRsSignal> for Request {}
+impl From<beyond_io::DeleteTioRsSignal> for Request {}
+impl From<beyond_settings::TorqueFeedforward> for Request {}
+impl From<beyond_settings::SetMotionPlanner> for Request {}
+impl From<beyond_settings::SetMotionLimitWarningRange> for Request {}
+impl From<beyond_settings::GetMotionLimitWarningRange> for Request {}
+impl From<beyond_settings::SetInstallationAngle> for Request {}
+impl From<beyond_settings::GetPort10000DelayMs> for Request {}
+impl From<beyond_settings::SetOptionalInfoConfig> for Request {}
+impl From<beyond_settings::GetOptionalInfoConfig> for Request {}

@@ -180,8 +180,10 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub ethernet_ip_adapter_analog_outputs: Option<wire::Typed<Vec<f64>>>,
-        /// Serial signals at the tool, by the name; 8 of them. Sent by newer firmware; shape not known. `tio_rs_signals` on the wire.
-        pub tool_rs_signals: Option<wire::Value>,
+        /// Signals on the tool's serial channels; 8 of them. Sent by newer firmware. `tio_rs_signals` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub tool_rs_signals: Option<wire::Typed<Vec<super::beyond_io::ToolSignal>>>,
         /// A line that belongs to a motion, by the name. Sent by newer firmware, not explained.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
@@ -302,6 +304,10 @@ pub mod status {
             connection: wire::Typed<super::io::ExtioRtu>,
             /// The module's pins.
             pins: ExtioReportPins,
+            /// A fifth value, which newer firmware sends and no source explains: a text that begins with `ext_` in a capture.
+            ///
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+            fifth: Option<wire::Typed<String>>,
         },
         /// Connected by Modbus TCP.
         #[non_exhaustive]
@@ -312,6 +318,10 @@ pub mod status {
             connection: super::io::ExtioTcp,
             /// The module's pins.
             pins: ExtioReportPins,
+            /// A fifth value, which newer firmware sends and no source explains: a text that begins with `ext_` in a capture.
+            ///
+            /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+            fifth: Option<wire::Typed<String>>,
         },
         /// A kind that the spec does not list, as raw JSON.
         Other(wire::Value),
@@ -365,6 +375,14 @@ pub mod status {
         pub bus_average_current: f64,
         /// Measurements of joints 1 to 6.
         pub joints: Vec<JointMonitor>,
+        /// A seventh value, which newer firmware sends and no source explains; 0 in a capture.
+        pub seventh: Option<f64>,
+        /// An eighth value, which newer firmware sends and no source explains; 0 in a capture.
+        pub eighth: Option<f64>,
+        /// A ninth value, which newer firmware sends and no source explains; 0 in a capture.
+        pub ninth: Option<f64>,
+        /// A tenth value, which newer firmware sends and no source explains. 23.39 in a capture, a voltage of the bus by the look of it.
+        pub tenth: Option<f64>,
     }
     /// Measurements of one joint.
     ///
@@ -487,5 +505,9 @@ pub mod status {
         pub contact_force: [f64; 6],
         /// Raw reading of the sensor, six values. Unit and order not stated.
         pub raw_reading: [f64; 6],
+        /// Six further values, which newer firmware sends and no source explains.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub fifth: Option<wire::Typed<[f64; 6]>>,
     }
 }

@@ -71,6 +71,7 @@ impl<'s> Scope<'s> {
                 quote!(#module #name)
             }
             (Reply::Fields(_), None) => quote!(()),
+            (Reply::Raw, _) => self.rust_type(&Type::Scalar(Scalar::Json)),
         }
     }
 

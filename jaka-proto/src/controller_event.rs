@@ -5,7 +5,7 @@ use std::num::NonZeroU32;
 
 use crate::messages::power::GetRobotStateReply;
 use crate::messages::status::RobotStatus;
-use crate::wire::{Decode as _, Reader, Typed};
+use crate::wire::{Decode as _, Reader, Value};
 
 /// An event of the controller, identified by its code in `errcode`: an error, a warning or information.
 ///
@@ -173,9 +173,9 @@ impl GetRobotStateReply {
     pub fn event(&self) -> Result<Option<ControllerEvent>, UnreadableEvent> {
         match &self.error_code {
             None => Ok(None),
-            Some(Typed::Known(text)) if is_ambiguous(text) => Err(UnreadableEvent::new(text)),
-            Some(Typed::Known(text)) => ControllerEvent::from_text(text),
-            Some(Typed::Raw(value)) => {
+            Some(Value::String(text)) if is_ambiguous(text) => Err(UnreadableEvent::new(text)),
+            Some(Value::String(text)) => ControllerEvent::from_text(text),
+            Some(value) => {
                 let text = value.to_string();
                 let number = value.is_number().then(|| i64::decode(&mut Reader::new(&text)).ok()).flatten();
                 let code = number.and_then(|number| u32::try_from(number).ok());

@@ -10,7 +10,7 @@ use crate::wire::{Decode, DecodeError, Reader, lossy_text, trimmed};
 const COMMAND: &str = "cmdName";
 const CODE: &str = "errorCode";
 const MESSAGE: &str = "errorMsg";
-const ENVELOPE: [&str; 3] = [COMMAND, CODE, MESSAGE];
+pub(crate) const ENVELOPE: [&str; 3] = [COMMAND, CODE, MESSAGE];
 
 /// The same with their quotes and colons.
 pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";

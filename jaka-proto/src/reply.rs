@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use crate::command::CommandInfo;
-use crate::envelope::{Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, code};
+use crate::envelope::{ENVELOPE, Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, code};
 use crate::error_code::ErrorCode;
-use crate::wire::{DecodeError, Encode, Fields, Reader, Writer, read_message};
+use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, read_message};
 
 /// A reply: whose it is, whether the command was accepted, and its payload.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -16,6 +16,27 @@ pub struct Reply<'a, R> {
     /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it was,
     /// so that a missing field never hides a refusal.
     pub payload: Option<Result<R, DecodeError>>,
+}
+
+/// A reply whose keys no source tells: an object, without the keys that every reply has.
+impl Fields for Value {
+    fn write_fields(&self, out: &mut Writer) {
+        for (key, value) in self.as_object().into_iter().flatten() {
+            out.comma();
+            out.text(key);
+            out.raw(":");
+            value.encode(out);
+        }
+    }
+
+    fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let mut value = Self::decode(reader)?;
+        match value.as_object_mut() {
+            Some(object) => object.retain(|key, _| !ENVELOPE.contains(&key.as_str())),
+            None => return Err(DecodeError::unfit("an object", &value.to_string())),
+        }
+        Ok(value)
+    }
 }
 
 /// Reads a reply as that to `command`, whosever it is: what [`Envelope::read`] and [`read_payload`] read, in one pass.

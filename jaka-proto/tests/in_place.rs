@@ -41,7 +41,7 @@ const UNFIT: [(&str, &str); 21] = [
 ];
 
 /// Packets that differ in everything that can be used again.
-const PACKETS: [&str; 15] = [
+const PACKETS: [&str; 19] = [
     "{}",
     r#"{"len": 1, "errmsg": "a long message", "din": [0, 1, 0], "ain": [1.5, 2], "tio_rs_signals": [1, "two", {"x": 3}]}"#,
     r#"{"errmsg": "", "din": [1], "ain": ["0.25", 1e3, -7], "tio_rs_signals": ["one", [2]], "homed": [0, 1]}"#,
@@ -58,6 +58,11 @@ const PACKETS: [&str; 15] = [
     r#"{"extio": {"status": [[],[],[],[]], "setup": [], "num": 0, "pinmap": []}}"#,
     r#"{"extio": {"mode": 1, "status": [[],[],[],[]], "setup": [], "num": null, "pinmap": []}}"#,
     r#"{"extio": {"mode": 1, "status": [[],[],[],[]], "setup": [], "num": 0, "pinmap": [], "mode": 2}}"#,
+    // Tails of arrays that newer firmware sends.
+    r#"{"monitor_data": [1, 2, 3, 4, 5, [[1,2,3,4,5,6,7,8,9,10]], 0, 0, 0, 23.39]}"#,
+    r#"{"monitor_data": [1, 2, 3, 4, 5, [[1,2,3,4,5,6,7,8,9,10]], 0, 0]}"#,
+    r#"{"tio_rs_signals": [["", 0, 0, 0, 0, 0.0], ["force", 1, 0, 1, 7, 10.0]]}"#,
+    r#"{"tio_rs_signals": [[]]}"#,
 ];
 
 fn afresh(packet: &str) -> Result<RobotStatus, DecodeError> {

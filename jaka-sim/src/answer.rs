@@ -3,6 +3,7 @@
 //! Each topic of the spec has a module of its own that changes the state and replies. Commands without a handler
 //! get the spec's example, so a new command in the spec is answered without code.
 
+mod beyond;
 mod collision;
 mod force;
 mod frames;
@@ -62,7 +63,7 @@ struct Draft<'r> {
 
 type Topic = fn(&Request, &mut World, &mut Draft<'_>) -> Outcome;
 
-const TOPICS: [Topic; 14] = [
+const TOPICS: [Topic; 15] = [
     power::answer,
     motion::answer,
     servo::answer,
@@ -77,6 +78,7 @@ const TOPICS: [Topic; 14] = [
     force::answer,
     torque_sensor::answer,
     network::answer,
+    beyond::answer,
 ];
 
 /// Carries out a request, and writes the reply.
@@ -88,6 +90,7 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         }
         Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => {
             match spec_index.entry(&command) {
+                Some(_) if !is_in_firmware(&command, world) => refuse_unknown(spec_index, out),
                 Some(entry) if entry.packed => {
                     carry_out_packed(text, entry, spec_index, world, out);
                     return usual_sequel(entry, world);
@@ -138,7 +141,8 @@ pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
 
 fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) {
     let name = request.info().name;
-    let Some(entry) = spec_index.entry(name) else { return refuse_unknown(spec_index, out) };
+    let known = spec_index.entry(name).filter(|_| is_in_firmware(name, world));
+    let Some(entry) = known else { return refuse_unknown(spec_index, out) };
     if let Some(refusal) = refusal(entry, world) {
         return refuse(name, &refusal, out);
     }
@@ -148,7 +152,11 @@ fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut 
         request.check(AdvisoryRanges::Ignored).is_ok()
     };
     let mut draft = Draft { sample: &entry.typed_sample, out };
-    let outcome = if is_allowed { ask_topics(request, world, &mut draft) } else { Outcome::Refused };
+    let outcome = match request {
+        _ if !is_allowed => Outcome::Refused,
+        Request::GetData(_) => beyond::whole_status(world, spec_index, draft.out),
+        _ => ask_topics(request, world, &mut draft),
+    };
     match outcome {
         Outcome::Replied if entry.packed => pack::complete(&spec_index.spec, &entry.command, out),
         Outcome::Replied => {}
@@ -156,6 +164,13 @@ fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut 
         Outcome::Unhandled => out.raw(&entry.sample),
     }
     world.make_consistent();
+}
+
+/// Whether firmware of the controller's version has the command, where the document does not. One whose version cannot be read has all.
+fn is_in_firmware(command: &str, world: &World) -> bool {
+    let beyond = Request::COMMANDS.iter().find(|info| info.name == command && info.section.is_empty());
+    let version = world.state.version.parse().ok();
+    beyond.zip(version).is_none_or(|(info, version)| info.firmware.contains(version))
 }
 
 /// Answers a command that only a pack has, or a request that only a pack allows.

@@ -88,6 +88,8 @@ fn replies(controller: &Controller, requests: &[(String, bool)]) -> Vec<String> 
             state.powered = true;
             state.enabled = true;
             state.servo_mode = *servo_mode;
+            // That of a firmware that knows all of them.
+            "1.7.2".clone_into(&mut state.version);
         });
         peer.send(text);
         let reply = peer.receive();

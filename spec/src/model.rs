@@ -95,6 +95,7 @@ impl Spec {
         match &command.reply {
             Reply::Fields(fields) => fields,
             Reply::Object(id) => self.object_fields(*id),
+            Reply::Raw => &[],
         }
     }
 
@@ -124,6 +125,8 @@ pub struct Topic {
     pub name: String,
     /// One line that says what the topic is about.
     pub title: String,
+    /// The same in Chinese: the document's title where that has the topic as a chapter.
+    pub title_zh: Option<String>,
     /// The text below the title.
     pub doc: String,
     /// Types defined in this file.
@@ -152,10 +155,16 @@ pub struct Command {
     pub name: String,
     /// Section of the vendor's document, such as `4.7`.
     pub section: Option<String>,
+    /// The section's title in the document, which is Chinese.
+    pub title_zh: Option<String>,
+    /// What shows the command, where the document does not have it: how far to trust that, and the sources.
+    pub evidence: Option<String>,
     /// What the command does to the robot.
     pub effect: Effect,
     /// States without which the controller refuses.
     pub requires: Vec<Requirement>,
+    /// What says so.
+    pub requires_source: Option<String>,
     /// How long a reply may take, where the client's default does not fit.
     pub deadline: Option<Duration>,
     /// False where the controller may go away instead of replying.
@@ -180,7 +189,7 @@ pub struct Command {
     pub bare_reply: Option<String>,
     /// What the controller answers when a requirement is not met, where it is not the usual refusal.
     pub refusal: Option<Refusal>,
-    /// The document's own messages.
+    /// The document's own messages, as far as it prints them.
     pub examples: Vec<Example>,
 }
 
@@ -273,6 +282,8 @@ pub enum Reply {
     Fields(Vec<Field>),
     /// The keys of a named type, which is an object.
     Object(TypeId),
+    /// Keys that no source tells: raw JSON.
+    Raw,
 }
 
 impl Reply {
@@ -543,4 +554,8 @@ pub struct Example {
     pub request: Option<String>,
     /// What comes back, where the document prints it.
     pub reply: Option<String>,
+    /// True where values of the request are ours: the document prints placeholders, or nothing.
+    pub request_is_ours: bool,
+    /// The same for the reply.
+    pub reply_is_ours: bool,
 }

@@ -170,7 +170,8 @@ fn bare_command(command: &Command) -> Command {
     bare.doc.clear();
     bare.errata.clear();
     bare.examples.clear();
-    (bare.section, bare.reconstructed) = (None, None);
+    (bare.section, bare.reconstructed, bare.title_zh) = (None, None, None);
+    (bare.evidence, bare.requires_source) = (None, None);
     match &mut bare.request {
         Request::Fields(fields) => bare_fields(fields),
         Request::Choice(choice) => choice.variants.iter_mut().for_each(|variant| {

@@ -9,6 +9,7 @@ use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, 
 use crate::names::{RESERVED_MODULES, is_snake};
 use crate::report::{At, Report};
 use crate::resolve::Index;
+use crate::scalar::Scalar;
 use crate::version::Versions;
 
 mod common;
@@ -48,6 +49,7 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     }
     let mut topic = Topic {
         title: root.required_text("title").value,
+        title_zh: root.text("title_zh").map(|text| text.value),
         doc: doc(&root).unwrap_or_default(),
         commands: Vec::new(),
         types: Vec::new(),
@@ -71,6 +73,10 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         item.error(wire.at, "blanks around a command's name are lost in replies, which are read without them");
     }
     let section = item.text("section");
+    let evidence = item.text("evidence");
+    if let Some(evidence) = evidence.as_ref().filter(|_| section.is_some()) {
+        item.error(evidence.at, "`evidence` is for a command without `section`, which the document does not have");
+    }
     index.command(item, &wire, section.as_ref());
     let name = snake_name(item, &wire);
     index.method(item, &name);
@@ -88,8 +94,11 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
     }
     let command = Command {
         section: section.map(|text| text.value),
+        title_zh: item.text("title_zh").map(|text| text.value),
+        evidence: evidence.map(|text| text.value),
         effect: keyword(item, "effect", EFFECTS).unwrap_or(Effect::Query),
         requires: requires(item),
+        requires_source: item.text("requires_source").map(|text| text.value),
         deadline: deadline(item),
         reply_certain,
         ends_session: item.flag("ends_session").is_some_and(|flag| flag.value),
@@ -166,6 +175,9 @@ fn reply<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Reply {
         return Reply::Fields(fields(item, ("reply", "reply field"), ENVELOPE, index));
     }
     let name = item.required_text("reply");
+    if name.value == Scalar::Json.name() {
+        return Reply::Raw;
+    }
     let id = index.type_id(&name.value);
     index.reply_use(item, Placed { at: name.at, value: id });
     Reply::Object(id)
@@ -192,11 +204,19 @@ fn refusal(item: &Item<'_, '_>) -> Refusal {
 }
 
 fn example(item: &Item<'_, '_>) -> Example {
-    let example =
-        Example { request: item.text("request").map(|t| t.value), reply: item.text("reply").map(|t| t.value) };
+    let ours: Vec<_> = item.texts("ours").iter().filter_map(|text| word(item, "ours", text, &PARTS)).collect();
+    let example = Example {
+        request: item.text("request").map(|t| t.value),
+        reply: item.text("reply").map(|t| t.value),
+        request_is_ours: ours.contains(&PARTS[0].0),
+        reply_is_ours: ours.contains(&PARTS[1].0),
+    };
     if example.request.is_none() && example.reply.is_none() {
         item.error(item.at, "an example has a `request`, a `reply` or both");
     }
     item.finish();
     example
 }
+
+/// The parts of an example.
+const PARTS: [(&str, &str); 2] = [("request", "request"), ("reply", "reply")];

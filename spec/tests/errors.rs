@@ -39,8 +39,8 @@ fn syntax_errors_stand_at_their_place_and_do_not_hide_each_other() {
         "title = \"Test\nother = 1\nthird = = 2\n",
         &expect![[r#"
             spec/test.toml:1:14: not valid TOML: invalid basic string, expected `"`
-            spec/test.toml:2:1: unknown key `other`; the keys are command, doc, error, event, title, type
-            spec/test.toml:3:1: unknown key `third`; the keys are command, doc, error, event, title, type
+            spec/test.toml:2:1: unknown key `other`; the keys are command, doc, error, event, title, title_zh, type
+            spec/test.toml:3:1: unknown key `third`; the keys are command, doc, error, event, title, title_zh, type
             spec/test.toml:3:9: not valid TOML: extra `=`, expected nothing
             spec/test.toml:3:11: not valid TOML: unexpected key or value, expected newline, `#`
         "#]],
@@ -67,17 +67,17 @@ min = "zero"
 units = "mm/s"
 doc = "Speed."
 "#,
-        &expect![[r"
+        &expect![[r#"
             spec/test.toml:2:9: `title` must be a string
             spec/test.toml:4:1: command `move`: `effect` is missing
             spec/test.toml:5:8: command `move`: `move` is not a snake_case Rust name; give one as `name`
-            spec/test.toml:6:1: command `move`: unknown key `efect`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, example, name, reconstructed, refusal, reply, reply_certain, request, requires, section, since, until, wire
+            spec/test.toml:6:1: command `move`: unknown key `efect`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, evidence, example, name, reconstructed, refusal, reply, reply_certain, request, requires, requires_source, section, since, title_zh, until, wire
             spec/test.toml:7:15: command `move`: `deadline_ms` must be a whole number
             spec/test.toml:8:24: command `move`: `requires` is one of powered, enabled, servo_mode, not_servo_mode, not `awake`
             spec/test.toml:9:7: command `move`: `doc` is empty
             spec/test.toml:14:7: command `move`, field `speed`: `min` must be a finite number
             spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advisory, ascii, constructors, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
-        "]],
+        "#]],
     );
 }
 
@@ -388,10 +388,10 @@ fn errors_of_several_files_come_together() {
     let sources =
         [Source { path: "spec/b.toml", text: "titel = 1" }, Source { path: "spec/a.toml", text: "title = \"\"" }];
     let errors = load(&sources).expect_err("both files are wrong");
-    expect![[r"
+    expect![[r#"
         spec/a.toml:1:9: `title` is empty
         spec/b.toml:1:1: `title` is missing
-        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, event, title, type"]]
+        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, event, title, title_zh, type"#]]
     .assert_eq(&errors.to_string());
 }
 

@@ -28,6 +28,8 @@ pub struct Printed {
     pub section: String,
     /// True for a request, false for a reply.
     pub is_request: bool,
+    /// True where the document prints placeholders.
+    pub has_placeholders: bool,
     /// The message as printed, with numbers in place of placeholders.
     pub text: String,
 }
@@ -40,7 +42,13 @@ pub fn printed() -> Vec<Printed> {
     let line = |line: &str| {
         let line: Value = serde_json::from_str(line).expect("each line is JSON");
         let text = |key: &str| line[key].as_str().expect("each line has the key").to_owned();
-        Printed { section: text("section"), is_request: text("direction") == "request", text: text("text") }
+        let has_placeholders = line["placeholders_filled"] == true;
+        Printed {
+            section: text("section"),
+            is_request: text("direction") == "request",
+            has_placeholders,
+            text: text("text"),
+        }
     };
     include_str!("../data/examples.jsonl").lines().map(line).collect()
 }

@@ -243,13 +243,13 @@ fn fields_of_replies() {
             ("power/disable_robot", "[[command.example]]", &with(&number)),
             ("power/get_version", "[[command.example]]", &with(&number)),
             ("power/get_robot_state/enable", r#"written = ["robot_disabled", "robot_enabled"]"#, "written = [0, 1]"),
-            ("power/get_robot_state/errcode", "or_raw = true\n", ""),
+            ("power/get_version/robot_id", "or_raw = true\n", ""),
             ("kinematics/get_joint_pos", r#"type = "JointPosition""#, "type = \"float[6]\"\nmin = -360\nmax = 360"),
         ],
         &expect![[r#"
             major: command `disable_robot`, reply field `note`: added
             major: command `get_joint_pos`, reply field `joint_pos`: type changed from `JointPosition` to `float[6]`
-            major: command `get_robot_state`, reply field `errcode`: can no longer have another shape
+            major: command `get_version`, reply field `robot_id`: can no longer have another shape
             major: command `power_on`, reply: is no longer `Copy`
             minor: command `enable_robot`, reply field `note`: added
             minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written ["robot_disabled", "robot_enabled"]` to `bool written [0, 1]`
@@ -261,8 +261,8 @@ fn fields_of_replies() {
             major: command `disable_robot`, reply field `note`: removed
             major: command `enable_robot`, reply field `note`: removed
             major: command `get_joint_pos`, reply field `joint_pos`: type changed from `float[6]` to `JointPosition`
-            major: command `get_robot_state`, reply field `errcode`: may have another shape, kept as raw JSON
             major: command `get_version`, reply field `note`: removed
+            major: command `get_version`, reply field `robot_id`: may have another shape, kept as raw JSON
             major: command `power_on`, reply field `note`: removed
             minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written [0, 1]` to `bool written ["robot_disabled", "robot_enabled"]`
             minor: command `power_on`, reply: becomes `Copy`

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use expect_test::{expect, expect_file};
+use jaka_spec::prose::prose;
 use jaka_spec::tools::{reference, reference_zh};
 use jaka_spec::{Source, load, words};
 use jaka_tests::spec;
@@ -45,8 +46,10 @@ fn everything_of_the_spec_is_in_it() {
     let (spec, text) = (spec(), reference(&spec()));
     let headings: Vec<_> = headings(&text).collect();
     for command in spec.commands() {
-        let section = command.section.as_deref().expect("the built-in commands have sections");
+        let section = command.section.as_deref().unwrap_or("Command");
         assert!(headings.contains(&format!("{section} `{}`", command.wire).as_str()), "{}", command.wire);
+        let facts = [&command.evidence, &command.requires_source, &command.title_zh];
+        assert!(facts.into_iter().flatten().all(|fact| text.contains(&prose(fact))), "{}", command.wire);
         for message in command.examples.iter().flat_map(|example| example.request.iter().chain(&example.reply)) {
             assert!(text.contains(&format!("```json\n{message}\n```")), "{}: {message}", command.wire);
         }

@@ -5,7 +5,6 @@
 mod parts;
 
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::wire::Value;
 
 use self::parts::{bits, floats, inputs, ints, known};
 use super::scan::Scan;
@@ -115,7 +114,7 @@ keys! {
     50 br#""eip_adpt_dout":"# ethernet_ip_adapter_digital_outputs |scan, slot| known(slot, bits, scan);
     51 br#""eip_adpt_ain":"# ethernet_ip_adapter_analog_inputs |scan, slot| known(slot, floats, scan);
     52 br#""eip_adpt_aout":"# ethernet_ip_adapter_analog_outputs |scan, slot| known(slot, floats, scan);
-    53 br#""tio_rs_signals":"# tool_rs_signals |scan: &mut Scan<'_>, slot: &mut Option<Value>| scan.json_into(slot.get_or_insert_default());
+    53 br#""tio_rs_signals":"# tool_rs_signals |scan, slot| known(slot, parts::signals, scan);
     54 br#""motion_line":"# motion_line |scan, slot| known(slot, parts::int, scan);
     55 br#""err_add_line":"# error_add_line |scan, slot| known(slot, parts::int, scan);
 }

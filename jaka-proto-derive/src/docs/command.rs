@@ -44,11 +44,12 @@ impl<'s> Docs<'s> {
 
 fn remarks(command: &Command) -> String {
     let withdrawn = command.deprecated.as_ref().map(|instead| format!("\n\nWithdrawn by the vendor: {instead}."));
+    let evidence = command.evidence.as_ref().map(|evidence| format!("\n\nNot in the document. {evidence}"));
     let reconstructed = command.reconstructed.as_ref();
     let reconstructed =
         reconstructed.map(|evidence| format!("\n\nReconstructed, since the document's page is lost: {evidence}"));
     let errata = (!command.errata.is_empty()).then(|| format!("\n\n# Errata\n\n{}", list(&command.errata)));
-    [versions(&command.versions), withdrawn, reconstructed, errata].into_iter().flatten().collect()
+    [versions(&command.versions), withdrawn, evidence, reconstructed, errata].into_iter().flatten().collect()
 }
 
 /// What is sent and what comes back, a message in a line. Behind the arrows, no message of a pack ends the block.

@@ -11,6 +11,8 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::ProtectiveStopStatus(command) => {
             reply(command, out, |reply| reply.protective_stop = state.protective_stop)
         }
+        // The levels of newer firmware.
+        Request::SetClsnSensitivity(command) if !(0..=7).contains(&command.level) => Outcome::Refused,
         Request::SetClsnSensitivity(command) => {
             state.collision_level = command.level;
             accept(command, out)

@@ -169,6 +169,7 @@ impl<'s> Draft<'s, '_> {
         let before = command.clone();
         if item.has("requires") {
             command.requires = read::requires(item);
+            command.requires_source = item.text("requires_source").map(|text| text.value);
         }
         command.deadline = read::deadline(item).or(command.deadline);
         command.versions = read::versions(item, &before.versions);
@@ -279,6 +280,10 @@ fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part)
                     Reply::Object(id) => {
                         let name = &spec.types[id.0].name;
                         item.error(item.at, &format!("the reply is a `{name}`; change that type"));
+                        None
+                    }
+                    Reply::Raw => {
+                        item.error(item.at, "the reply is raw JSON, without fields");
                         None
                     }
                 };

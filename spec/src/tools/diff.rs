@@ -88,7 +88,7 @@ impl fmt::Display for Change {
 /// | bare reply read | minor | a reply is understood that was not; major where it is given up |
 /// | event of the controller: added, removed, or of another severity | minor | a program that waits acts otherwise at run time |
 /// | deprecated | minor | the method gets `#[deprecated]`: a warning; patch where that goes |
-/// | doc, errata, disputed readings, firmware versions, section, evidence, refusal, examples, message of an error code, meaning of an event | patch | documentation, and what the simulator answers |
+/// | doc, errata, disputed readings, firmware versions, section, titles, evidence, sources, refusal, examples, message of an error code, meaning of an event | patch | documentation, and what the simulator answers |
 pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     let mut differ = Differ::new(old, new);
     topics(&mut differ);
@@ -151,6 +151,7 @@ fn topics(d: &mut Differ<'_>) {
         if let Pair::Both(old, new) = pair {
             let place = format!("topic `{}`", new.name);
             d.reworded(&place, "title", &old.title, &new.title);
+            d.reworded(&place, "Chinese title", &old.title_zh, &new.title_zh);
             d.reworded(&place, "doc", &old.doc, &new.doc);
         }
     }

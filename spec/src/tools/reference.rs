@@ -59,11 +59,11 @@ fn index_by_topic(out: &mut String, spec: &Spec) {
 
 fn index_by_section(out: &mut String, spec: &Spec) {
     *out += "## Sections of the document\n\n";
-    let mut table = Table::new(&["section", "command", "topic", "effect"]);
+    let mut table = Table::new(&["section", "title in the document", "command", "topic", "effect"]);
     for (topic, command) in by_section(spec) {
-        let section = command.section.clone().unwrap_or_default();
+        let [section, title] = [&command.section, &command.title_zh].map(|text| text.clone().unwrap_or_default());
         let effect = words::effect(command.effect).to_owned();
-        table.row([section, command_link(command), link(&topic.title, &topic.title), effect]);
+        table.row([section, title, command_link(command), link(&topic.title, &topic.title), effect]);
     }
     table.render(out);
 }

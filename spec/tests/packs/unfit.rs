@@ -44,11 +44,11 @@ fn a_file_whose_name_is_not_a_module() {
 fn no_toml() {
     wrong(
         "\n[[command]\nwire = \"go\"\n",
-        &expect![[r"
+        &expect![[r#"
             newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]` or `[[override]]`
             newer.toml:2:11: not valid TOML: unclosed array table, expected `]`
-            newer.toml:3:1: unknown key `wire`; the keys are command, doc, error, event, extend, override, title, type
-        "]],
+            newer.toml:3:1: unknown key `wire`; the keys are command, doc, error, event, extend, override, title, title_zh, type
+        "#]],
     );
 }
 

@@ -168,6 +168,7 @@ fn typed(argument: &Argument, message: &Map<String, Value>) -> Option<String> {
     let value = message.get(&argument.wire)?;
     Some(match (argument.values.iter().find(|listed| listed.wire == *value), value) {
         (Some(listed), _) => listed.name.clone(),
+        (None, Value::String(_)) if argument.hint == "JSON" => value.to_string(),
         (None, Value::String(text)) => text.clone(),
         (None, Value::Array(_)) => value.to_string().trim_matches(['[', ']']).to_owned(),
         (None, value) => value.to_string(),

@@ -1,5 +1,6 @@
 //! The nested parts of a status packet.
 
+use jaka_proto::messages::beyond_io::{ToolSignal, literal as beyond_literal};
 use jaka_proto::messages::io::literal as io_literal;
 use jaka_proto::messages::io::{ExtioPinRange, ExtioRtu, ExtioTcp, FunctionInput};
 use jaka_proto::messages::status::literal as status_literal;
@@ -65,7 +66,39 @@ pub(super) fn monitor(scan: &mut Scan<'_>, into: &mut MonitorData) -> Option<()>
     into.bus_average_power = first(scan, Scan::float)?;
     into.bus_average_current = first(scan, Scan::float)?;
     scan.list(&mut into.joints, joint)?;
-    last(scan)
+    let mut more = scan.comma(b']')?;
+    for tail in [&mut into.seventh, &mut into.eighth, &mut into.ninth] {
+        *tail = None;
+        if more {
+            *tail = Some(Typed::Known(scan.int()?));
+            more = scan.comma(b']')?;
+        }
+    }
+    into.tenth = None;
+    if more {
+        into.tenth = Some(scan.float()?);
+        more = scan.comma(b']')?;
+    }
+    (!more).then_some(())
+}
+
+pub(super) fn signals(scan: &mut Scan<'_>, into: &mut Vec<ToolSignal>) -> Option<()> {
+    scan.list(into, |scan| {
+        let mut name = String::new();
+        scan.need(b"[")?;
+        scan.text_into(&mut name)?;
+        scan.comma(b']')?.then_some(())?;
+        let signal = ToolSignal::from(beyond_literal::ToolSignal {
+            name,
+            channel: first(scan, Scan::int)?,
+            signal_type: first(scan, Scan::int)?,
+            address: first(scan, Scan::int)?,
+            value: first(scan, Scan::int)?,
+            frequency: scan.float()?,
+        });
+        last(scan)?;
+        Some(signal)
+    })
 }
 
 fn joint(scan: &mut Scan<'_>) -> Option<JointMonitor> {
@@ -125,7 +158,11 @@ pub(super) fn torque_sensor(scan: &mut Scan<'_>, into: &mut TorqueSensorReport) 
     into.state.error_code = Typed::Known(first(scan, Scan::int)?);
     into.state.contact_force = first(scan, |scan| scan.array::<f64, 6>(Scan::float))?;
     into.state.raw_reading = scan.array::<f64, 6>(Scan::float)?;
-    last(scan)?;
+    into.state.fifth = None;
+    if scan.comma(b']')? {
+        into.state.fifth = Some(Typed::Known(scan.array::<f64, 6>(Scan::float)?));
+        last(scan)?;
+    }
     last(scan)
 }
 
@@ -216,9 +253,12 @@ fn rtu(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
             name: String::new(),
             connection: Typed::Known(connection),
             pins: no_pins(),
+            fifth: None,
         });
     }
-    let ExtioReportSetup::Rtu { name, connection: Typed::Known(connection), pins, .. } = into else { return None };
+    let ExtioReportSetup::Rtu { name, connection: Typed::Known(connection), pins, fifth, .. } = into else {
+        return None;
+    };
     scan.text_into(name)?;
     scan.comma(b']')?.then_some(())?;
     scan.need(b"[")?;
@@ -232,7 +272,7 @@ fn rtu(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
     last(scan)?;
     scan.comma(b']')?.then_some(())?;
     *pins = pin_ranges(scan)?;
-    last(scan)
+    fifth_of_setup(scan, fifth)
 }
 
 fn tcp(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
@@ -242,9 +282,10 @@ fn tcp(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
             name: String::new(),
             connection,
             pins: no_pins(),
+            fifth: None,
         });
     }
-    let ExtioReportSetup::Tcp { name, connection, pins, .. } = into else { return None };
+    let ExtioReportSetup::Tcp { name, connection, pins, fifth, .. } = into else { return None };
     scan.text_into(name)?;
     scan.comma(b']')?.then_some(())?;
     scan.need(b"[")?;
@@ -258,6 +299,19 @@ fn tcp(scan: &mut Scan<'_>, into: &mut ExtioReportSetup) -> Option<()> {
     }
     scan.comma(b']')?.then_some(())?;
     *pins = pin_ranges(scan)?;
+    fifth_of_setup(scan, fifth)
+}
+
+fn fifth_of_setup(scan: &mut Scan<'_>, into: &mut Option<Typed<String>>) -> Option<()> {
+    if !scan.comma(b']')? {
+        *into = None;
+        return Some(());
+    }
+    if !matches!(into, Some(Typed::Known(_))) {
+        *into = Some(Typed::Known(String::new()));
+    }
+    let Some(Typed::Known(text)) = into else { return None };
+    scan.text_into(text)?;
     last(scan)
 }
 
@@ -309,6 +363,10 @@ impl Blank for MonitorData {
             bus_average_power: 0.0,
             bus_average_current: 0.0,
             joints: Vec::new(),
+            seventh: None,
+            eighth: None,
+            ninth: None,
+            tenth: None,
         })
     }
 }
@@ -326,6 +384,7 @@ impl Blank for TorqueSensorReport {
                 error_code: Typed::Known(0),
                 contact_force: [0.0; 6],
                 raw_reading: [0.0; 6],
+                fifth: None,
             }),
         })
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use jaka_dynamic::{Argument, arguments};
 use jaka_spec::words::{first_sentence, requirements};
-use jaka_spec::{Command, Effect, Request, Spec};
+use jaka_spec::{Command, Effect, Reply, Request, Spec};
 use jaka_sync::proto::text::{visible, visible_lines};
 
 /// What a command does, in one sentence.
@@ -19,6 +19,9 @@ pub(super) fn long_about(command: &Command) -> String {
     for erratum in &command.errata {
         // A string takes all that is written.
         let _ = write!(text, "\n\nErratum: {erratum}");
+    }
+    if let Some(evidence) = &command.evidence {
+        let _ = write!(text, "\n\nNot in the document. Evidence: {evidence}");
     }
     if let Some(evidence) = &command.reconstructed {
         let _ = write!(text, "\n\nThe document's text is lost. Evidence: {evidence}");
@@ -54,6 +57,9 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     // What describes the fields of a request describes those of a reply as well.
     let as_request = Command { request: Request::Fields(spec.reply_fields(command).to_vec()), ..command.clone() };
     let fields = arguments(spec, &as_request);
+    if command.reply == Reply::Raw {
+        return "Reply:\n  keys that no source tells".to_owned();
+    }
     if fields.is_empty() {
         return "Reply:\n  accepted, or refused with code and message".to_owned();
     }

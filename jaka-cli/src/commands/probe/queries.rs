@@ -2,7 +2,7 @@
 
 use jaka_dynamic::{AdvisoryRanges, Argument, departures};
 use jaka_spec::{Command, Effect, Spec};
-use jaka_sync::{Client, Disconnect, Error, ErrorKind};
+use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
 
 use super::finding::{Finding, Outcome};
@@ -55,7 +55,11 @@ impl Connection<'_> {
         match error.kind() {
             ErrorKind::Refused { refusal, .. } => {
                 let outcome = Outcome::Refused { code: refusal.code, message: refusal.message.clone() };
-                Finding { outcome, ..finding(reply) }
+                // So firmware refuses what it does not know, without a name.
+                let is_unknown = command.evidence.is_some() && refusal.code == ErrorCode::EXCEPTION;
+                let finding = finding(reply);
+                let departures = if is_unknown { Vec::new() } else { finding.departures };
+                Finding { outcome, departures, ..finding }
             }
             ErrorKind::UnexpectedReply { source, .. } => {
                 Finding { outcome: Outcome::Unreadable(source.to_string()), ..finding(reply) }

@@ -4,7 +4,7 @@ use super::collect::Differ;
 use super::field::{Holder, fields};
 use super::{Impact, types};
 use crate::words;
-use crate::{Command, Reply, Request, Spec};
+use crate::{Command, Reply, Request, Scalar, Spec};
 
 /// Compares one command of both specs.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
@@ -43,7 +43,10 @@ fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     versions(d, place, &old.versions, &new.versions);
     d.reworded(place, "doc", &old.doc, &new.doc);
     d.reworded(place, "errata", &old.errata, &new.errata);
+    d.reworded(place, "Chinese title", &old.title_zh, &new.title_zh);
+    d.reworded(place, "evidence", &old.evidence, &new.evidence);
     d.reworded(place, "evidence of the reconstruction", &old.reconstructed, &new.reconstructed);
+    d.reworded(place, "source of the requirement", &old.requires_source, &new.requires_source);
     d.reworded(place, "refusal", &old.refusal, &new.refusal);
     d.reworded(place, "examples", &old.examples, &new.examples);
 }
@@ -56,7 +59,11 @@ pub(super) fn versions(d: &mut Differ<'_>, place: &str, old: &crate::Versions, n
 
 fn reply(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     let (Reply::Fields(was), Reply::Fields(is)) = (&old.reply, &new.reply) else {
-        let object = |spec: &Spec, command: &Command| command.reply.object().map(|id| spec[id].name.clone());
+        let object = |spec: &Spec, command: &Command| match command.reply {
+            Reply::Fields(_) => None,
+            Reply::Object(id) => Some(spec[id].name.clone()),
+            Reply::Raw => Some(Scalar::Json.name().to_owned()),
+        };
         let (was, is) = (object(d.old, old), object(d.new, new));
         return d.option(place, "type of the reply", (was.as_ref(), is.as_ref()), Impact::Major);
     };

@@ -32,7 +32,8 @@ fn errata(out: &mut String, spec: &Spec) {
     *out += pages::CHINESE_ERRATA;
     let chinese = chinese_errata();
     for (_, command) in by_section(spec).into_iter().filter(|(_, command)| !command.errata.is_empty()) {
-        let _ = writeln!(out, "\n**{}** {}\n", section(command), command_link(command));
+        let title = command.title_zh.as_deref().unwrap_or_default();
+        let _ = writeln!(out, "\n**{} {title}** {}\n", section(command), command_link(command));
         for erratum in &command.errata {
             let _ = writeln!(out, "- {}", escape(chinese.get(erratum).unwrap_or(erratum)));
         }
@@ -50,9 +51,11 @@ fn chinese_errata() -> BTreeMap<String, String> {
 fn index(out: &mut String, spec: &Spec) {
     *out += pages::CHINESE_INDEX;
     *out += "\n";
-    let mut table = Table::new(&["章节", "命令", "作用"]);
-    for (_, command) in by_section(spec) {
-        table.row([section(command), command_link(command), words::effect(command.effect).to_owned()]);
+    let mut table = Table::new(&["章节", "标题", "命令", "主题", "作用"]);
+    for (topic, command) in by_section(spec) {
+        let [title, topic] = [&command.title_zh, &topic.title_zh].map(|text| text.clone().unwrap_or_default());
+        let effect = words::effect(command.effect).to_owned();
+        table.row([section(command), title, command_link(command), topic, effect]);
     }
     table.render(out);
 }

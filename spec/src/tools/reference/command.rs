@@ -30,11 +30,18 @@ pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
 fn facts(command: &Command) -> Vec<String> {
     let mut facts =
         vec![format!("Effect: {}.", words::effect(command.effect)), format!("In Rust: `Client::{}`.", command.name)];
+    if let Some(title) = &command.title_zh {
+        facts.push(format!("In the document: {title}."));
+    }
+    if let Some(evidence) = &command.evidence {
+        facts.push(format!("Not in the document. {evidence}"));
+    }
     if let Some(states) = words::requirements(&command.requires) {
         let refusal = command.refusal.as_ref().map(|refusal| {
             format!(" Otherwise the controller answers error code {}, `{}`.", refusal.code, refusal.message)
         });
-        facts.push(format!("The robot must be {states}.{}", refusal.unwrap_or_default()));
+        let source = command.requires_source.as_ref().map(|source| format!(" Source: {source}"));
+        facts.push(format!("The robot must be {states}.{}{}", refusal.unwrap_or_default(), source.unwrap_or_default()));
     }
     if let Some(deadline) = command.deadline {
         facts.push(format!("The reply may take up to {} s.", deadline.as_secs_f64()));
@@ -88,6 +95,10 @@ fn reply(out: &mut String, spec: &Spec, command: &Command) {
                 writeln!(out, "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`: the keys of {name}.\n");
             return;
         }
+        Reply::Raw => {
+            *out += "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`: keys that no source tells.\n\n";
+            return;
+        }
     };
     *out += "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`:\n\n";
     fields::render(out, spec, fields, 0);
@@ -99,9 +110,12 @@ fn reply(out: &mut String, spec: &Spec, command: &Command) {
 
 fn examples(out: &mut String, command: &Command) {
     for example in &command.examples {
-        for (title, message) in [("Sent", &example.request), ("Answered", &example.reply)] {
+        let request = ("Sent", &example.request, example.request_is_ours);
+        let reply = ("Answered", &example.reply, example.reply_is_ours);
+        for (title, message, is_ours) in [request, reply] {
             if let Some(message) = message {
-                let _ = writeln!(out, "{title}:\n\n```json\n{message}\n```\n");
+                let mark = if is_ours { " (values of our own)" } else { "" };
+                let _ = writeln!(out, "{title}{mark}:\n\n```json\n{message}\n```\n");
             }
         }
     }

@@ -1,0 +1,492 @@
+pub mod beyond_io {
+    //! Inputs, outputs and the tool's serial channels, beyond the document.
+    //!
+    //! Commands that the document does not have. Newer firmware answers them, and public clients use them; firmware 1.5.14 refuses them as commands
+    //! that it does not know.
+    //!
+    //! From which firmware on a controller has them is not known: `since` is the first version of which no refusal is known. The tool's serial
+    //! channels and their signals come from one client, on port 10001 of a newer MiniCobo.
+    /// Reads one digital output.
+    ///
+    /// Sends `get_digital_output`. Changes nothing on the robot. The reply is [`GetDigitalOutputReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: two clients, on version 1.7.2 and newer.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetDigitalOutput {
+        /// Where the output is. `type` on the wire.
+        pub kind: super::io::DigitalOutputKind,
+        /// Number of the output, sent as given: counted from 1 on version 1.7.2 (one client), from 0 on other firmware. At least 0.
+        pub index: i64,
+    }
+    impl GetDigitalOutput {
+        /// With the required fields alone.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn new(kind: super::io::DigitalOutputKind, index: i64) -> Self {}
+        /// In the control cabinet.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn cabinet(index: i64) -> Self {}
+        /// At the tool end of the arm.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn tool(index: i64) -> Self {}
+        /// On an extension I/O module.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn extension(index: i64) -> Self {}
+        /// A relay output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn relay(index: i64) -> Self {}
+        /// An output of the Modbus slave.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn modbus_slave(index: i64) -> Self {}
+        /// A Profinet output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn profinet(index: i64) -> Self {}
+        /// An EtherNet/IP output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn ethernet_ip(index: i64) -> Self {}
+    }
+    /// What the controller answers to [`type@GetDigitalOutput`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetDigitalOutputReply {
+        /// State of the output.
+        pub value: bool,
+    }
+    /// Reads one digital input.
+    ///
+    /// Sends `get_digital_input`. Changes nothing on the robot. The reply is [`GetDigitalInputReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: two clients.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetDigitalInput {
+        /// Where the input is: 0 for the cabinet. At least 0. No source lists the others; clients number them as digital outputs. `type` on the wire.
+        pub kind: i64,
+        /// Number of the input, sent as given: counted from 0 or from 1, depending on the firmware. At least 0.
+        pub index: i64,
+    }
+    impl GetDigitalInput {
+        /// With the required fields alone.
+        ///
+        /// - `kind`: at least 0
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn new(kind: i64, index: i64) -> Self {}
+    }
+    /// What the controller answers to [`type@GetDigitalInput`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetDigitalInputReply {
+        /// State of the input.
+        pub value: bool,
+    }
+    /// Reads one analog output.
+    ///
+    /// Sends `get_analog_output`. Changes nothing on the robot. The reply is [`GetAnalogOutputReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetAnalogOutput {
+        /// Where the output is. `type` on the wire.
+        pub kind: super::io::AnalogOutputKind,
+        /// Number of the output, sent as given: counted from 0 or from 1, depending on the firmware. At least 0.
+        pub index: i64,
+    }
+    impl GetAnalogOutput {
+        /// With the required fields alone.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn new(kind: super::io::AnalogOutputKind, index: i64) -> Self {}
+        /// In the control cabinet.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn cabinet(index: i64) -> Self {}
+        /// At the tool end of the arm (one client).
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn tool(index: i64) -> Self {}
+        /// On an extension I/O module.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn extension(index: i64) -> Self {}
+        /// Reserved, by the same list; a relay where the output is digital.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn reserved(index: i64) -> Self {}
+        /// An output of the Modbus slave.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn modbus_slave(index: i64) -> Self {}
+        /// A Profinet output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn profinet(index: i64) -> Self {}
+        /// An EtherNet/IP output.
+        ///
+        /// - `index`: at least 0
+        #[must_use]
+        pub const fn ethernet_ip(index: i64) -> Self {}
+    }
+    /// What the controller answers to [`type@GetAnalogOutput`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetAnalogOutputReply {
+        /// Value of the output. Unit not stated.
+        pub value: f64,
+    }
+    /// Sends bytes on a serial channel of the tool.
+    ///
+    /// What is connected there may move: a gripper, say.
+    ///
+    /// Sends `send_tio_rs_command`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Certain: two independent clients.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct SendTioRsCommand {
+        /// Number of the channel. At least 0. `chn_id` on the wire.
+        pub channel: i64,
+        /// The bytes, in order. 0 to 255. `cmdBuf` on the wire.
+        pub bytes: Vec<i64>,
+    }
+    impl SendTioRsCommand {
+        /// With the required fields alone.
+        ///
+        /// - `channel`: at least 0
+        /// - `bytes`: 0 to 255
+        #[must_use]
+        pub const fn new(channel: i64, bytes: Vec<i64>) -> Self {}
+    }
+    /// Reads what pins of the tool are used for.
+    ///
+    /// The reply's keys are not known, so they are given as they come.
+    ///
+    /// Sends `get_tio_pin_mode`. Changes nothing on the robot.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client; no source shows the reply.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetTioPinMode {
+        /// Which pins. At least 0. The values are not explained. `pinType` on the wire.
+        pub pin_type: i64,
+    }
+    impl GetTioPinMode {
+        /// With the required fields alone.
+        ///
+        /// - `pin_type`: at least 0
+        #[must_use]
+        pub const fn new(pin_type: i64) -> Self {}
+    }
+    /// Sets what pins of the tool are used for.
+    ///
+    /// Sends `set_tio_pin_mode`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetTioPinMode {
+        /// Which pins. At least 0. The values are not explained. `pinType` on the wire.
+        pub pin_type: i64,
+        /// What for. At least 0. The values are not explained. `pinMode` on the wire.
+        pub pin_mode: i64,
+    }
+    impl SetTioPinMode {
+        /// With the required fields alone.
+        ///
+        /// - `pin_type`: at least 0
+        /// - `pin_mode`: at least 0
+        #[must_use]
+        pub const fn new(pin_type: i64, pin_mode: i64) -> Self {}
+    }
+    /// Reads the mode of a serial channel of the tool.
+    ///
+    /// Sends `get_rs485_chn_mode`. Changes nothing on the robot. The reply is [`GetRs485ChnModeReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetRs485ChnMode {
+        /// Number of the channel. At least 0. `chnId` on the wire.
+        pub channel: i64,
+    }
+    impl GetRs485ChnMode {
+        /// With the required fields alone.
+        ///
+        /// - `channel`: at least 0
+        #[must_use]
+        pub const fn new(channel: i64) -> Self {}
+    }
+    /// What the controller answers to [`type@GetRs485ChnMode`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetRs485ChnModeReply {
+        /// Mode of the channel. The values are not explained. `chnMode` on the wire.
+        pub mode: i64,
+    }
+    /// Sets the mode of a serial channel of the tool.
+    ///
+    /// Sends `set_rs485_chn_mode`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetRs485ChnMode {
+        /// Number of the channel. At least 0. `chnId` on the wire.
+        pub channel: i64,
+        /// Mode of the channel. At least 0. The values are not explained. `chnMode` on the wire.
+        pub mode: i64,
+    }
+    impl SetRs485ChnMode {
+        /// With the required fields alone.
+        ///
+        /// - `channel`: at least 0
+        /// - `mode`: at least 0
+        #[must_use]
+        pub const fn new(channel: i64, mode: i64) -> Self {}
+    }
+    /// Reads the line settings of a serial channel of the tool.
+    ///
+    /// The reply's keys are not known, so they are given as they come. [`set_rs485_chn_comm`](type@SetRs485ChnComm) has the settings.
+    ///
+    /// Sends `get_rs485_chn_comm`. Changes nothing on the robot.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client; no source shows the reply.
+    ///
+    /// # Errata
+    ///
+    /// - The key is `chn_id` here and `chnId` in [`get_rs485_chn_mode`](type@GetRs485ChnMode).
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetRs485ChnComm {
+        /// Number of the channel. At least 0. `chn_id` on the wire.
+        pub channel: i64,
+    }
+    impl GetRs485ChnComm {
+        /// With the required fields alone.
+        ///
+        /// - `channel`: at least 0
+        #[must_use]
+        pub const fn new(channel: i64) -> Self {}
+    }
+    /// Sets the line of a serial channel of the tool.
+    ///
+    /// Sends `set_rs485_chn_comm`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    ///
+    /// # Errata
+    ///
+    /// - The key is `chn_id` here and `chnId` in [`set_rs485_chn_mode`](type@SetRs485ChnMode).
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetRs485ChnComm {
+        /// Number of the channel. At least 0. `chn_id` on the wire.
+        pub channel: i64,
+        /// Number of the Modbus slave. At least 0. `slaveId` on the wire.
+        pub slave_id: i64,
+        /// Baud rate. At least 0. `baudrate` on the wire.
+        pub baud_rate: i64,
+        /// Data bits. At least 0. `databit` on the wire.
+        pub data_bits: i64,
+        /// Stop bits. At least 0. `stopbit` on the wire.
+        pub stop_bits: i64,
+        /// Parity.
+        pub parity: SerialParity,
+    }
+    impl SetRs485ChnComm {
+        /// With the required fields alone.
+        ///
+        /// - `channel`: at least 0
+        /// - `slave_id`: at least 0
+        /// - `baud_rate`: at least 0
+        /// - `data_bits`: at least 0
+        /// - `stop_bits`: at least 0
+        #[must_use]
+        pub const fn new(
+            channel: i64,
+            slave_id: i64,
+            baud_rate: i64,
+            data_bits: i64,
+            stop_bits: i64,
+            parity: SerialParity,
+        ) -> Self {}
+    }
+    /// Reads the signals that are defined on the tool's serial channels.
+    ///
+    /// The reply has a key for each signal, which is its name, with an object of `sigType`, `sigAddr`, `chnId`, `frequency` and `value`, and the
+    /// number of signals as `num`.
+    ///
+    /// Sends `get_rs485_signal_list`. Changes nothing on the robot.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetRs485SignalList {}
+    impl GetRs485SignalList {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// Reads the signals that are defined on the tool's serial channels, with their values.
+    ///
+    /// Sends `get_tio_signals`. Changes nothing on the robot. The reply is [`GetTioSignalsReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetTioSignals {}
+    impl GetTioSignals {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetTioSignals`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetTioSignalsReply {
+        /// One entry for each signal.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub signals: wire::Typed<Vec<ToolSignal>>,
+    }
+    /// Defines a signal on a serial channel of the tool; there are at most 8.
+    ///
+    /// Sends `add_tio_rs_signal`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct AddTioRsSignal {
+        /// Name of the signal. `tio_signal_name` on the wire.
+        pub name: String,
+        /// Number of the channel. At least 0. `tio_signal_chnId` on the wire.
+        pub channel: i64,
+        /// Type of the signal. At least 0. The values are not explained. `tio_signal_sigType` on the wire.
+        pub signal_type: i64,
+        /// Address of the signal's register, by the name. At least 0. `tio_signal_sigAddr` on the wire.
+        pub address: i64,
+        /// How often the signal is read. At least 0. Unit not stated.
+        pub frequency: f64,
+    }
+    impl AddTioRsSignal {
+        /// With the required fields alone.
+        ///
+        /// - `channel`: at least 0
+        /// - `signal_type`: at least 0
+        /// - `address`: at least 0
+        /// - `frequency`: at least 0
+        #[must_use]
+        pub fn new(
+            name: impl Into<String>,
+            channel: i64,
+            signal_type: i64,
+            address: i64,
+            frequency: f64,
+        ) -> Self {}
+    }
+    /// Removes a signal from a serial channel of the tool.
+    ///
+    /// Sends `del_tio_rs_signal`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct DeleteTioRsSignal {
+        /// Name of the signal. `tio_signal_name` on the wire.
+        pub name: String,
+    }
+    impl DeleteTioRsSignal {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(name: impl Into<String>) -> Self {}
+    }
+    /// Parity of a serial line: the code of a letter.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum SerialParity {
+        /// No parity, N. `78` on the wire.
+        None,
+        /// Odd parity, O. `79` on the wire.
+        Odd,
+        /// Even parity, E. `69` on the wire.
+        Even,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for SerialParity {}
+    impl From<SerialParity> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for SerialParity {}
+    /// A signal on a serial channel of the tool.
+    ///
+    /// The order is that of [`get_tio_signals`](type@GetTioSignals). Packets of port 10000 have eight of the same length and the same types, where none is defined
+    /// `["", 0, 0, 0, 0, 0.0]`.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct ToolSignal {
+        /// Name of the signal; empty where none is defined.
+        pub name: String,
+        /// Number of the channel.
+        pub channel: i64,
+        /// Type of the signal. The values are not explained.
+        pub signal_type: i64,
+        /// Address of the signal's register, by the name.
+        pub address: i64,
+        /// Value that was read last.
+        pub value: i64,
+        /// How often the signal is read. Unit not stated.
+        pub frequency: f64,
+    }
+}

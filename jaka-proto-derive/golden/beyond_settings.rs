@@ -1,0 +1,215 @@
+pub mod beyond_settings {
+    //! Motion, mounting and packets, beyond the document.
+    //!
+    //! Commands that the document does not have. Newer firmware answers them, and public clients use them; firmware 1.5.14 refuses them as commands
+    //! that it does not know.
+    //!
+    //! From which firmware on a controller has them is not known: `since` is the first version of which no refusal is known.
+    /// Sets the currents that the controller adds to those of the joints, such as those that hold the arm against gravity.
+    ///
+    /// No source says which state of the robot it needs, or what happens to an arm with wrong currents: keep clear of it.
+    ///
+    /// Sends `torque_feedforward`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Certain: two independent clients.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct TorqueFeedforward {
+        /// Current for each joint. Unit not stated. `grvCurrent` on the wire.
+        pub currents: [f64; 6],
+        /// Whether gravity is included, by the name: 0, 1 or 2, which no source explains. 0 to 2. `includeGrvFlag` on the wire.
+        pub include_gravity: i64,
+    }
+    impl TorqueFeedforward {
+        /// With the required fields alone.
+        ///
+        /// - `include_gravity`: 0 to 2
+        #[must_use]
+        pub const fn new(currents: [f64; 6], include_gravity: i64) -> Self {}
+    }
+    /// Sets the kind of planner that drives motions.
+    ///
+    /// Sends `set_motion_planner`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetMotionPlanner {
+        /// Kind of planner. `type` on the wire.
+        pub planner: MotionPlanner,
+    }
+    impl SetMotionPlanner {
+        /// With the required fields alone.
+        #[must_use]
+        pub const fn new(planner: MotionPlanner) -> Self {}
+    }
+    /// Sets how far from a limit the controller warns, by the name.
+    ///
+    /// Sends `set_motion_limit_warning_range`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetMotionLimitWarningRange {
+        /// Level of the range. 1 to 5. What the levels mean is not explained. `range_level` on the wire.
+        pub level: i64,
+    }
+    impl SetMotionLimitWarningRange {
+        /// With the required fields alone.
+        ///
+        /// - `level`: 1 to 5
+        #[must_use]
+        pub const fn new(level: i64) -> Self {}
+    }
+    /// Reads how far from a limit the controller warns, by the name.
+    ///
+    /// Sends `get_motion_limit_warning_range`. Changes nothing on the robot. The reply is [`GetMotionLimitWarningRangeReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetMotionLimitWarningRange {}
+    impl GetMotionLimitWarningRange {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetMotionLimitWarningRange`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetMotionLimitWarningRangeReply {
+        /// Level of the range, from 1 to 5. `range_level` on the wire.
+        pub level: i64,
+    }
+    /// Sets how the arm is mounted.
+    ///
+    /// A wrong angle lets the arm sag or leap when it is enabled or led by hand, since gravity then pulls otherwise than the controller expects.
+    ///
+    /// Sends `set_installation_angle`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client, which copies the vendor's English page.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetInstallationAngle {
+        /// Rotation about x. In deg, 0 to 180. `angleX` on the wire.
+        pub angle_x: f64,
+        /// Rotation about z. In deg, 0 to 360. `angleZ` on the wire.
+        pub angle_z: f64,
+    }
+    impl SetInstallationAngle {
+        /// With the required fields alone.
+        ///
+        /// - `angle_x`: in deg, 0 to 180
+        /// - `angle_z`: in deg, 0 to 360
+        #[must_use]
+        pub const fn new(angle_x: f64, angle_z: f64) -> Self {}
+    }
+    /// Reads the time between two packets of port 10000.
+    ///
+    /// Sends `get_port10000_delay_ms`. Changes nothing on the robot. The reply is [`GetPort10000DelayMsReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Certain: two independent clients.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetPort10000DelayMs {}
+    impl GetPort10000DelayMs {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetPort10000DelayMs`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetPort10000DelayMsReply {
+        /// Time between two packets. In ms. `port10000_delay_ms` on the wire.
+        pub delay: i64,
+    }
+    /// Sets an entry of the controller's configuration of port 10000.
+    ///
+    /// Section `ATTROPTIONALDATA` has a key for each key of the status packet, such as `joint_actual_position`, with the value 1 where it is sent:
+    /// so packets may lack even those. In section `PORTCONFIG`, `port10000_delay_ms` is the time between two packets. Leave the entries of port
+    /// 10004 alone, which the vendor's own comment warns about.
+    ///
+    /// Sends `setOptionalInfoConfig`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Certain: two independent clients, one for each of the two sections; the configuration file with both is published.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetOptionalInfoConfig {
+        /// Section of the configuration, `ATTROPTIONALDATA` or `PORTCONFIG`.
+        pub section: String,
+        /// Key of the entry. `key` on the wire.
+        pub entry: String,
+        /// Value of the entry: a number such as 1 in `ATTROPTIONALDATA`, a string such as `50` in `PORTCONFIG`.
+        pub value: wire::Value,
+    }
+    impl SetOptionalInfoConfig {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(
+            section: impl Into<String>,
+            entry: impl Into<String>,
+            value: wire::Value,
+        ) -> Self {}
+    }
+    /// Reads an entry of the controller's configuration of port 10000: see [`set_optional_info_config`](type@SetOptionalInfoConfig).
+    ///
+    /// Sends `getOptionalInfoConfig`. Changes nothing on the robot. The reply is [`GetOptionalInfoConfigReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Certain: two independent clients, one for each of the two sections; the configuration file with both is published.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetOptionalInfoConfig {
+        /// Section of the configuration.
+        pub section: String,
+        /// Key of the entry. `key` on the wire.
+        pub entry: String,
+    }
+    impl GetOptionalInfoConfig {
+        /// With the required fields alone.
+        #[must_use]
+        pub fn new(section: impl Into<String>, entry: impl Into<String>) -> Self {}
+    }
+    /// What the controller answers to [`type@GetOptionalInfoConfig`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetOptionalInfoConfigReply {
+        /// Value of the entry, a string also where it is a number.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub value: wire::Typed<String>,
+    }
+    /// Kind of planner that drives motions.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum MotionPlanner {
+        /// Off, by the source's one word for it. `-1` on the wire.
+        Off,
+        /// T, the source's letter: usually a trapezoidal profile of the speed. `0` on the wire.
+        T,
+        /// S, the source's letter: usually a profile with limited jerk. `1` on the wire.
+        S,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for MotionPlanner {}
+    impl From<MotionPlanner> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for MotionPlanner {}
+}

@@ -1,0 +1,150 @@
+pub mod beyond_state {
+    //! State and positions, beyond the document.
+    //!
+    //! Queries that the document does not have. Newer firmware answers them, and public clients use them; firmware 1.5.14 refuses them as commands
+    //! that it does not know, but for [`get_data`](type@GetData).
+    //!
+    //! From which firmware on a controller has them is not known: `since` is the first version of which no refusal is known.
+    /// Reads one status packet on the command port.
+    ///
+    /// The reply has the keys of the packets of port 10000 next to its own, 1.5 to 9 KB of them, and arrives in pieces. Clients use it for what
+    /// no query of the document tells, such as the tool's inputs and the selected frames. Some controllers add `executing_line`, which is skipped.
+    ///
+    /// Sends `get_data`. Changes nothing on the robot. The reply is [`RobotStatus`](crate::messages::status::RobotStatus).
+    ///
+    /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetData {}
+    impl GetData {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// Reads whether the robot is in drag mode, by the name.
+    ///
+    /// The reply's keys are not known, so they are given as they come. [`drag_status`](crate::messages::force::DragStatus) of the document reads the same.
+    ///
+    /// Sends `get_drag_status`. Changes nothing on the robot.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client and the vendor's list of commands have the name; no source shows a reply.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetDragStatus {}
+    impl GetDragStatus {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// Reads the speed rate, by the name.
+    ///
+    /// The reply's keys are not known, so they are given as they come. The status packet has the rate as `rapidrate`.
+    ///
+    /// Sends `get_rapid_rate`. Changes nothing on the robot.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client and the vendor's list of commands have the name; no source shows a reply.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetRapidRate {}
+    impl GetRapidRate {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// Reads the id of the selected tool frame.
+    ///
+    /// Sends `get_curr_tool_id`. Changes nothing on the robot. The reply is [`GetCurrToolIdReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetCurrToolId {}
+    impl GetCurrToolId {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetCurrToolId`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetCurrToolIdReply {
+        /// Id of the tool frame.
+        pub id: i64,
+    }
+    /// Reads the id of the selected user frame.
+    ///
+    /// Sends `get_curr_user_id`. Changes nothing on the robot. The reply is [`GetCurrUserIdReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetCurrUserId {}
+    impl GetCurrUserId {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetCurrUserId`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetCurrUserIdReply {
+        /// Id of the user frame.
+        pub id: i64,
+    }
+    /// Reads the actual positions of the six joints.
+    ///
+    /// [`get_joint_pos`](crate::messages::kinematics::GetJointPos) may answer commanded ones.
+    ///
+    /// Sends `get_actual_joint_pos`. Changes nothing on the robot. The reply is [`GetActualJointPosReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client, which asks every 20 ms on version 1.7.2.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetActualJointPos {}
+    impl GetActualJointPos {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetActualJointPos`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetActualJointPosReply {
+        /// Actual positions of the six joints. In deg. `position` on the wire.
+        pub joint_position: super::types::JointPosition,
+    }
+    /// Reads the actual pose of the tool centre point.
+    ///
+    /// [`get_tcp_pos`](crate::messages::kinematics::GetTcpPos) may answer the commanded one.
+    ///
+    /// Sends `get_actual_tcp_pos`. Changes nothing on the robot. The reply is [`GetActualTcpPosReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetActualTcpPos {}
+    impl GetActualTcpPos {
+        /// Without any optional field.
+        #[must_use]
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetActualTcpPos`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetActualTcpPosReply {
+        /// Actual pose of the tool centre point. `position` on the wire.
+        pub pose: super::types::Pose,
+    }
+}
