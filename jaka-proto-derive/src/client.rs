@@ -14,12 +14,12 @@ pub(crate) fn modules(spec: &Spec) -> TokenStream {
         let name = ident(&topic.name);
         let docs = Docs::new(spec, Place::Client).topic(topic);
         let requests = topic.commands.iter().map(|command| {
-            // In front of what the request's own docs say first.
+            // rustdoc joins it with the first paragraph of the request's own docs.
             let (method, request) = (&command.name, ident(&command.request_type()));
             let docs = docs::own(&format!("Sent by [`Client::{method}`](crate::Client::{method})."));
             quote!(#docs #[doc(inline)] pub use ::jaka_proto::messages::#name::#request;)
         });
-        // By name, since rustdoc would show what a glob has without the docs that stand here.
+        // By name: requests that a glob imports too, rustdoc would show without the docs above.
         let replies = topic.commands.iter().filter_map(Command::reply_type);
         let types = spec.types_of(topic).map(|(_, def)| def.name.clone());
         let others = replies.chain(types).map(|name| ident(&name));

@@ -52,7 +52,7 @@ fn remarks(command: &Command) -> String {
     [versions(&command.versions), withdrawn, evidence, reconstructed, errata].into_iter().flatten().collect()
 }
 
-/// What is sent and what comes back, a message in a line. Behind the arrows, no message of a pack ends the block.
+/// What is sent and what comes back, a message in a line. After an arrow, no message of a pack can end the block.
 fn example(examples: &[Example]) -> String {
     let lines = examples.iter().map(|example| {
         let line = |arrow: &str, message: &Option<String>| {
