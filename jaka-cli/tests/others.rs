@@ -25,7 +25,7 @@ fn a_simulated_controller_serves_other_programs() {
 #[test]
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
-        jaka: invalid value '9' for '--firmware <SHAPE>': the shapes are 1.5.14, document, newer
+        jaka: invalid value '9' for '--firmware <NAME>': there is 1.5.14, newer, document
 
         For more information, try '--help'.
         exit code Some(2)"#]]

@@ -31,8 +31,8 @@ fn a_table_shows_the_usual_fields() {
         task_mode              Manual (1)
         interpreter_state      Idle (0)
         rapid_rate             1.000
-        error_code             0x0
-        error_message          ""
+        error_code             0x10f0004 (information: the robot is enabled)
+        error_message          the robot is enabled
         joint_actual_position  0.000  90.000  90.000  90.000  -90.000  0.000 deg
         actual_position.x      -482.000 mm
         actual_position.y      114.000 mm

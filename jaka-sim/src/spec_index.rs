@@ -18,7 +18,8 @@ pub(crate) struct SpecIndex {
     pub(crate) spec: Spec,
     /// The names of the keys of status packets that packs add.
     pub(crate) added_status_keys: Vec<String>,
-    has_packs: bool,
+    /// True if a pack changes what status packets have without it.
+    changed_status: bool,
     /// The controller's message for something that is not a command.
     pub(crate) unknown: String,
 }
@@ -80,11 +81,12 @@ impl SpecIndex {
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
+        let changed_status = base.is_some_and(|base| changes_status(&base.spec, &spec));
         let is_new =
             |name: &str| base.is_some_and(|base| base.spec.status_fields().iter().all(|field| field.name != name));
         let names = spec.status_fields().iter().map(|field| field.name.clone());
         let added_status_keys = names.filter(|name| is_new(name)).collect();
-        Self { entries, spec, added_status_keys, has_packs: base.is_some(), unknown }
+        Self { entries, spec, added_status_keys, changed_status, unknown }
     }
 
     pub(crate) fn entry(&self, command: &str) -> Option<&CommandEntry> {
@@ -93,7 +95,7 @@ impl SpecIndex {
 
     /// True if a value can stand at a key of status packets, which a pack may have changed.
     pub(crate) fn fits(&self, field: &Field, value: &Value) -> bool {
-        !self.has_packs || jaka_dynamic::is_readable(&self.spec, field, value)
+        !self.changed_status || jaka_dynamic::is_readable(&self.spec, field, value)
     }
 
     /// The reply that the spec prints for a command.
@@ -119,6 +121,12 @@ impl CommandEntry {
             command: command.clone(),
         }
     }
+}
+
+/// True if packs have changed keys of status packets that the spec before them has, or types.
+fn changes_status(before: &Spec, after: &Spec) -> bool {
+    before.status_fields().iter().any(|field| !after.status_fields().contains(field))
+        || before.types().any(|(id, def)| Some(id) != before.status_type() && after[id] != *def)
 }
 
 /// A reply that fits the spec.

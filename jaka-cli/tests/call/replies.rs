@@ -41,11 +41,13 @@ fn fields_have_names_and_units() {
     );
     simulated(
         "get_robot_state",
-        &expect![[r"
-        enabled     false
-        powered_on  false
-        exit code 0
-    "]],
+        &expect![[r#"
+            enabled        false
+            powered_on     false
+            error_code     0
+            error_message  ""
+            exit code 0
+        "#]],
     );
     simulated(
         "get_program_state",
@@ -107,16 +109,16 @@ fn a_reply_is_there_as_it_came() {
     simulated(
         "get_version --json",
         &expect![[r#"
-        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.5.14_13_X64"}
-        exit code 0
-    "#]],
+            {"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "version": "1.5.14_13_X64"}
+            exit code 0
+        "#]],
     );
     simulated(
         "--params {\"cmdName\":\"get_version\"} --raw --json",
         &expect![[r#"
-        {"errorCode":"0","errorMsg":"","cmdName":"get_version","version":"1.5.14_13_X64"}
-        exit code 0
-    "#]],
+            {"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "version": "1.5.14_13_X64"}
+            exit code 0
+        "#]],
     );
     simulated(
         "get_version --raw",
@@ -140,7 +142,7 @@ fn refusals_have_code_message_and_meaning() {
     simulated(
         "enable_robot --json",
         &expect![[r#"
-            {"errorCode":"2","errorMsg":"call enable_robot failed","cmdName":"enable_robot"}
+            {"errorCode": "2", "errorMsg": "call enable_robot failed", "cmdName": "enable_robot"}
             jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
             The reason: the arm has no power: call `power_on`
             exit code 1

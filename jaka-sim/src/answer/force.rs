@@ -1,7 +1,7 @@
 //! Drag mode and control that yields to forces.
 
 use jaka_proto::Request;
-use jaka_proto::messages::force::{AdmittanceAxis, ComplianceType, SetAdmitCtrlConfig, literal};
+use jaka_proto::messages::force::{AdmittanceAxis, ComplianceType, SetAdmitCtrlConfig};
 use jaka_proto::wire::Typed;
 
 use super::{Draft, Outcome, accept, is_on, reply};
@@ -68,12 +68,10 @@ fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Draft<
 fn set_axis(axes: &mut [AdmittanceAxis], command: &SetAdmitCtrlConfig) {
     let index = usize::try_from(i64::from(command.axis)).ok();
     if let Some(axis) = index.and_then(|index| axes.get_mut(index)) {
-        *axis = AdmittanceAxis::from(literal::AdmittanceAxis {
-            enabled: is_on(command.enabled),
-            user_force: command.user_force,
-            rebound: command.rebound,
-            constant_force: command.constant_force,
-            normal_track: command.normal_track,
-        });
+        axis.enabled = is_on(command.enabled);
+        axis.user_force = command.user_force;
+        axis.rebound = command.rebound;
+        axis.constant_force = command.constant_force;
+        axis.normal_track = command.normal_track;
     }
 }

@@ -11,37 +11,39 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     let state = &mut world.state;
     match request {
         Request::SetToolOffsets(command) => {
-            let is_set = set(&mut state.tool_frames, command.id, command.offset, &command.name);
-            if is_set { accept(command, out) } else { Outcome::Refused }
+            set(&mut state.tool_frames, command.id, command.offset, &command.name, || accept(command, out))
         }
-        // Newer firmware has more frames.
-        Request::SetToolId(command) if at(&mut state.tool_frames, command.tool_id).is_none() => Outcome::Refused,
-        Request::SetToolId(command) => {
+        Request::SetToolId(command) if has(&state.tool_frames, command.tool_id) => {
             state.tool_frame_id = command.tool_id;
             accept(command, out)
         }
         Request::GetToolOffsets(command) => reply(command, out, |reply| reply.offsets = offsets(&state.tool_frames)),
         Request::SetUserOffsets(command) => {
-            let is_set = set(&mut state.user_frames, command.id, command.offset, &command.name);
-            if is_set { accept(command, out) } else { Outcome::Refused }
+            set(&mut state.user_frames, command.id, command.offset, &command.name, || accept(command, out))
         }
-        Request::SetUserId(command) => {
+        Request::SetUserId(command) if has(&state.user_frames, command.user_frame_id) => {
             state.user_frame_id = command.user_frame_id;
             accept(command, out)
         }
         Request::GetUserOffsets(command) => reply(command, out, |reply| reply.offsets = offsets(&state.user_frames)),
+        Request::SetToolId(_) | Request::SetUserId(_) => Outcome::Refused,
         _ => Outcome::Unhandled,
     }
 }
 
-/// Sets a frame; false if there is none of this id, or it is fixed.
-fn set(frames: &mut [Frame], id: i64, offset: Pose, name: &str) -> bool {
-    let frame = at(frames, id).filter(|_| id != 0);
-    frame.map(|frame| *frame = Frame { offset, name: name.to_owned() }).is_some()
+fn has(frames: &[Frame], id: i64) -> bool {
+    usize::try_from(id).is_ok_and(|id| id < frames.len())
 }
 
-fn at(frames: &mut [Frame], id: i64) -> Option<&mut Frame> {
-    usize::try_from(id).ok().and_then(|id| frames.get_mut(id))
+/// Sets a frame; the first is fixed, and frames that the controller does not have are refused.
+fn set(frames: &mut [Frame], id: i64, offset: Pose, name: &str, accept: impl FnOnce() -> Outcome) -> Outcome {
+    match usize::try_from(id).ok().filter(|id| *id > 0).and_then(|id| frames.get_mut(id)) {
+        Some(frame) => {
+            *frame = Frame { offset, name: name.to_owned() };
+            accept()
+        }
+        None => Outcome::Refused,
+    }
 }
 
 fn offsets(frames: &[Frame]) -> Vec<Pose> {

@@ -47,7 +47,7 @@ impl State {
             servo_mode: spec_index.example::<servo::IsInServomove>()?.in_servo_mode,
             servo_filter: servo::SetServoMoveFilter::disabled(),
             drag_mode: spec_index.example::<force::DragStatus>()?.drag_status,
-            dh_parameters: dh_parameters(model),
+            dh_parameters: dh_parameters(spec_index, model)?,
             rapid_rate: 1.0,
             loaded_program: program.program_name,
             program_state: spec_index.example::<program::GetProgramState>()?.program_state,
@@ -78,13 +78,11 @@ impl State {
     }
 }
 
-fn dh_parameters(model: &Model) -> kinematics::GetDhParamReply {
-    kinematics::GetDhParamReply::from(kinematics::literal::GetDhParamReply {
-        alpha: *model.alpha(),
-        a: *model.a(),
-        d: *model.d(),
-        joint_home_offset: *model.joint_home_offset(),
-    })
+fn dh_parameters(spec_index: &SpecIndex, model: &Model) -> io::Result<kinematics::GetDhParamReply> {
+    let mut reply = spec_index.example::<kinematics::GetDhParam>()?;
+    (reply.alpha, reply.a, reply.d) = (*model.alpha(), *model.a(), *model.d());
+    reply.joint_home_offset = *model.joint_home_offset();
+    Ok(reply)
 }
 
 fn tool_voltage(spec_index: &SpecIndex) -> io::Result<ToolVoltage> {

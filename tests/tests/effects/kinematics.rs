@@ -22,6 +22,7 @@ fn forward_kinematics_agree_with_the_arm(arm: &mut Arm) {
     // It computes, and moves nothing.
     assert_close(arm.pose(), before, 0.0);
     arm.controller.set_state(|state| state.joint_position = ELSEWHERE.into());
+    // The packet has five decimals, the reply six.
     assert_close(arm.pose(), there, 1e-5);
 }
 
@@ -30,7 +31,7 @@ fn inverse_kinematics_agree_with_the_arm(arm: &mut Arm) {
     arm.controller.set_state(|state| state.joint_position = ELSEWHERE.into());
     let request = KineInverse::new(before, arm.pose());
     let reply = arm.client.kine_inverse(&request).expect("the arm is there");
-    // Of a pose that has six decimals, in degrees and millimetres.
+    // Of a pose that has five decimals.
     assert_close(reply.joint_position, ELSEWHERE, 1e-5);
     refused(arm.client.kine_inverse(&{
         let mut changed = request;
