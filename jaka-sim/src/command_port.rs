@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 
 use jaka_proto::wire::Writer;
+use jaka_proto::{Envelope, ErrorCode, write_refusal};
 
 use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
@@ -16,7 +17,8 @@ use crate::connection::{CommandConnection, NextStep};
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
-use crate::{Port, Takeover, firmware};
+use crate::world::World;
+use crate::{Port, Takeover, firmware, status_packet};
 
 /// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -156,6 +158,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
             Sequel::Nothing
         }
     };
+    put_status(incoming, shared, &world, reply);
     put_set_fields(incoming, shared, reply);
     firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
     drop(world);
@@ -164,6 +167,22 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
         shared.request_log.record(text.clone());
     }
     writer.send_reply(fault.delivery(reply.as_str()), sequel)
+}
+
+/// Writes what a packet shows into the accepted reply that has a packet's keys.
+fn put_status(incoming: &Incoming, shared: &Shared, world: &World, reply: &mut Writer) {
+    let Some(entry) = incoming.command().and_then(|command| shared.spec_index.entry(&command)) else { return };
+    let is_status = entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type());
+    if !is_status || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
+        return;
+    }
+    reply.clear();
+    write_refusal(Some(&entry.command.wire), ErrorCode::SUCCESS, "", reply);
+    let members =
+        status_packet::members(&world.state, shared.options.firmware, &shared.spec_index, &shared.status_values());
+    let whole = reply.as_str().strip_suffix('}').unwrap_or_default().to_owned() + &members;
+    reply.clear();
+    reply.raw(&whole);
 }
 
 /// Writes the fields that a user has set into the reply.

@@ -1,5 +1,7 @@
 //! Shapes of status packets.
 
+use std::fs;
+use std::path::Path;
 use std::time::Duration;
 
 use crate::common::{Peer, json};
@@ -117,4 +119,32 @@ fn inputs_that_are_asked_for_are_those_of_the_packet() {
         assert_eq!(inputs, packet["din"]);
         assert_eq!(functions[12], packet["funcdi"][12]);
     }
+}
+
+#[test]
+fn keys_of_status_packets_that_a_pack_adds_or_changes_are_sent_and_can_be_set() {
+    let pack = Path::new(env!("CARGO_TARGET_TMPDIR")).join("status_keys.toml");
+    let text = "title = 'T'\n[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'zz_fan'\ntype = 'float[2]'\noptional = \
+                true\ndoc = 'D.'\n[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\ndoc = 'D.'\n";
+    fs::write(&pack, text).expect("the folder is there");
+    let builder = at_rest().pack(pack).status_period(Duration::MAX);
+    let controller = builder.start().expect("the pack is correct");
+    let mut reader = Peer::status(&controller);
+    let packet = reader.receive();
+    // After the keys of the firmware, with a value of its type.
+    assert!(packet.ends_with("\"netState\": 1, \"zz_fan\": [0.0, 0.0]}"), "{packet}");
+    // The state's number does not fit.
+    assert!(packet.contains("\"rapidrate\": \"\", "), "{packet}");
+    let keys = [
+        ("zz_fan".to_owned(), json("[1.5,2]")),
+        ("rapidrate".to_owned(), json("\"1\"")),
+        ("inpos".to_owned(), json("null")),
+    ];
+    controller.set_status(keys);
+    controller.publish();
+    let packet = reader.receive();
+    for text in ["\"zz_fan\": [1.5, 2]}", "\"rapidrate\": \"1\", ", "\"inpos\": null, "] {
+        assert!(packet.contains(text), "{text}: {packet}");
+    }
+    assert_eq!(json(&packet)["len"], packet.len());
 }
