@@ -52,7 +52,10 @@ fn numbers_out_of_range() {
         "`set_clsn_sensitivity` was not sent: field `level` is 9, allowed is 0 to 5; newer firmware may take it (see `AdvisoryRanges`)"
     );
     let frame = SetToolOffsets::new([0.0; 6], 0, "gripper");
-    assert_eq!(refused(&frame).to_string(), "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10; newer firmware may take it (see `AdvisoryRanges`)");
+    assert_eq!(
+        refused(&frame).to_string(),
+        "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10; newer firmware may take it (see `AdvisoryRanges`)"
+    );
     assert_eq!(SetToolId::new(0).check(AdvisoryRanges::Enforced), Ok(()));
     let jog = Jog::continuous(JogFrame::Joint, 6, 1.0);
     assert_eq!(refused(&jog).to_string(), "`jog` was not sent: field `axis` is 6, allowed is 0 to 5");

@@ -23,7 +23,7 @@ mod variables;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, ErrorCode, Request, RequestError, read_payload, write_refusal, write_reply};
+use jaka_proto::{Command, ErrorCode, Request, RequestError, Visit, read_payload, write_refusal, write_reply};
 use jaka_spec::Effect;
 
 use serde_json::{Map, Value};
@@ -36,6 +36,8 @@ use crate::world::{Change, Wait, World};
 enum Outcome {
     /// The reply is written.
     Replied,
+    /// It is carried out, and nothing is to be set in its reply.
+    Accepted,
     /// The request cannot be carried out.
     Refused,
     /// The request is not one of the topic's, or the sample is as good a reply as any.
@@ -59,6 +61,12 @@ struct Draft<'r> {
     /// A reply that fits: what a command's handler does not set, it has.
     sample: &'r str,
     out: &'r mut Writer,
+}
+
+impl Outcome {
+    fn accepted_if(accepted: bool) -> Self {
+        if accepted { Self::Accepted } else { Self::Refused }
+    }
 }
 
 type Topic = fn(&Request, &mut World, &mut Draft<'_>) -> Outcome;
@@ -152,14 +160,11 @@ fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut 
         request.check(AdvisoryRanges::Ignored).is_ok()
     };
     let mut draft = Draft { sample: &entry.typed_sample, out };
-    let outcome = match request {
-        _ if !is_allowed => Outcome::Refused,
-        Request::GetData(_) => beyond::whole_status(world, spec_index, draft.out),
-        _ => ask_topics(request, world, &mut draft),
-    };
+    let outcome = if is_allowed { ask_topics(request, world, &mut draft) } else { Outcome::Refused };
+    let outcome = if outcome == Outcome::Accepted { request.visit(Accept(&mut draft)) } else { outcome };
     match outcome {
         Outcome::Replied if entry.packed => pack::complete(&spec_index.spec, &entry.command, out),
-        Outcome::Replied => {}
+        Outcome::Replied | Outcome::Accepted => {}
         Outcome::Refused => refuse(name, &usual_refusal(name), out),
         Outcome::Unhandled => out.raw(&entry.sample),
     }
@@ -208,9 +213,15 @@ fn reply<C: Command>(_command: &C, draft: &mut Draft<'_>, set: impl FnOnce(&mut 
     Outcome::Replied
 }
 
-/// Accepts a command with nothing to set in its reply.
-fn accept<C: Command>(command: &C, draft: &mut Draft<'_>) -> Outcome {
-    reply(command, draft, |_| {})
+/// Writes the sample as the reply.
+struct Accept<'d, 'r>(&'d mut Draft<'r>);
+
+impl Visit for Accept<'_, '_> {
+    type Output = Outcome;
+
+    fn visit<C: Command>(self, command: &C) -> Outcome {
+        reply(command, self.0, |_| {})
+    }
 }
 
 /// True for on; anything but on and off has been refused before.

@@ -12,8 +12,8 @@ pub use self::reply_style::{CodeStyle, EventStyle, KeyOrder, NumberStyle, ReplyS
 pub(crate) use self::restyle::restyle;
 pub(crate) use self::shape::{Fieldbus, Keys, Shape};
 pub(crate) use self::values::Values;
-use crate::Habits;
 use crate::json_text::Separators;
+use crate::{Habit, Habits};
 
 /// Makes the enum of a table of firmwares, a row each: a firmware without a [`Shape`] does not compile.
 macro_rules! firmwares {
@@ -80,7 +80,7 @@ firmwares! {
             .separators(Separators::Spaced)
             .numbers(NumberStyle::Decimals(6))
             .event(EventStyle::Number),
-        habits: Habits { late_power: true, servo_at_rest: true, events: true, ..Habits::NONE },
+        habits: &[Habit::LatePower, Habit::ServoAtRest, Habit::Events],
         keys: &[Keys::Common],
         digital: 135,
         analog: 64,
@@ -110,7 +110,7 @@ firmwares! {
             .numbers(NumberStyle::Decimals(6))
             .truth_values(TruthStyle::Packet)
             .event(EventStyle::Number),
-        habits: Habits { servo_at_rest: true, events: true, ..Habits::NONE },
+        habits: &[Habit::ServoAtRest, Habit::Events],
         keys: &[Keys::Common, Keys::Extio, Keys::Newer],
         digital: 199,
         analog: 128,
@@ -137,7 +137,7 @@ firmwares! {
         separators: Separators::Compact,
         packet_numbers: NumberStyle::Plain,
         reply_style: ReplyStyle::DOCUMENT,
-        habits: Habits::NONE,
+        habits: &[],
         keys: &[Keys::Common, Keys::Extio],
         digital: 144,
         analog: 66,
@@ -171,7 +171,7 @@ impl Firmware {
 
     /// What it does that no document describes.
     pub fn habits(self) -> Habits {
-        self.shape().habits
+        self.shape().habits.iter().copied().collect()
     }
 }
 

@@ -91,19 +91,9 @@ pub struct Habits {
 }
 
 impl Habits {
-    pub(crate) const NONE: Self = Self {
-        pause: None,
-        lead: None,
-        late_queries: None,
-        late_power: false,
-        blend: false,
-        servo_at_rest: false,
-        events: false,
-    };
-
     /// No habits.
     pub fn none() -> Self {
-        Self::NONE
+        Self::default()
     }
 
     /// All habits, as [`Habit::one_of_each`] has them.

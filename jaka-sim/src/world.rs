@@ -19,7 +19,7 @@ use crate::kinematics::{Model, from_pose, to_pose};
 use crate::motion::{Engine, Joints, Transform};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
-use crate::{Builder, Delays, Firmware, Habits, State};
+use crate::{Builder, Delays, Habits, State};
 
 /// The state, and what changes it as time goes on.
 #[derive(Debug)]
@@ -36,7 +36,6 @@ pub(crate) struct World {
     pub(crate) identifying: bool,
     pub(crate) delays: Delays,
     pub(crate) habits: Habits,
-    pub(crate) firmware: Firmware,
     /// The states of which events have been sent.
     seen: Reported,
     changes: Vec<(Duration, Change)>,
@@ -81,7 +80,6 @@ impl World {
             identifying: false,
             delays: options.delays,
             habits: options.usual_habits(),
-            firmware: options.firmware,
             seen: Reported::default(),
             changes: Vec::new(),
             now: Duration::ZERO,

@@ -2,7 +2,7 @@
 
 use jaka_proto::Request;
 
-use super::{Draft, Outcome, accept, reply};
+use super::{Draft, Outcome, reply};
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
@@ -15,13 +15,13 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::SetClsnSensitivity(command) if !(0..=7).contains(&command.level) => Outcome::Refused,
         Request::SetClsnSensitivity(command) => {
             state.collision_level = command.level;
-            accept(command, out)
+            Outcome::Accepted
         }
         Request::GetClsnSensitivity(command) => reply(command, out, |reply| reply.level = state.collision_level),
-        Request::ClearError(command) => {
+        Request::ClearError(_) => {
             state.protective_stop = false;
             state.clear_error();
-            accept(command, out)
+            Outcome::Accepted
         }
         _ => Outcome::Unhandled,
     }

@@ -4,64 +4,44 @@ use jaka_proto::Request;
 use jaka_proto::messages::force::{AdmittanceAxis, ComplianceType, SetAdmitCtrlConfig};
 use jaka_proto::wire::Typed;
 
-use super::{Draft, Outcome, accept, is_on, reply};
-use crate::state::AdmittanceControl;
+use super::{Draft, Outcome, is_on, reply};
+use crate::State;
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
+    let control = &state.admittance;
     match request {
-        Request::SetTorqueControl(command) => {
-            state.drag_mode = is_on(command.enable_flag);
-            accept(command, out)
-        }
         Request::DragStatus(command) => reply(command, out, |reply| reply.drag_status = state.drag_mode),
-        Request::EnableAdmittanceCtrl(command) => {
-            state.admittance.enabled = is_on(command.enable_flag);
-            accept(command, out)
+        // One more level than the document's text has, as in its sample.
+        Request::GetAdmitCtrlConfig(command) => {
+            reply(command, out, |reply| reply.axes = Typed::Known(vec![control.axes.to_vec()]))
         }
-        // The document does not say whether drag mode ends as well; here it does not.
-        Request::DisableForceControl(command) => {
-            state.admittance.enabled = false;
-            state.admittance.compliance_type = ComplianceType::Off;
-            accept(command, out)
-        }
-        _ => settings(request, &mut state.admittance, out),
+        Request::GetCompliantType(command) => reply(command, out, |reply| {
+            reply.compliance_type = control.compliance_type;
+            reply.sensor_compensation = control.sensor_compensation;
+        }),
+        _ => set(request, state),
     }
 }
 
-fn settings(request: &Request, control: &mut AdmittanceControl, out: &mut Draft<'_>) -> Outcome {
+fn set(request: &Request, state: &mut State) -> Outcome {
+    let control = &mut state.admittance;
     match request {
-        Request::SetAdmitCtrlConfig(command) => {
-            set_axis(&mut control.axes, command);
-            accept(command, out)
-        }
-        Request::GetAdmitCtrlConfig(command) => {
-            // One more level than the document's text has, as in its sample.
-            let axes = Typed::Known(vec![control.axes.to_vec()]);
-            reply(command, out, |reply| reply.axes = axes)
-        }
+        Request::SetTorqueControl(command) => state.drag_mode = is_on(command.enable_flag),
+        Request::EnableAdmittanceCtrl(command) => control.enabled = is_on(command.enable_flag),
+        // The document does not say whether drag mode ends as well; here it does not.
+        Request::DisableForceControl(_) => (control.enabled, control.compliance_type) = (false, ComplianceType::Off),
+        Request::SetAdmitCtrlConfig(command) => set_axis(&mut control.axes, command),
         Request::SetCompliantType(command) => {
             control.compliance_type = command.compliance_type;
             control.sensor_compensation = is_on(command.sensor_compensation);
-            accept(command, out)
         }
-        Request::GetCompliantType(command) => {
-            let AdmittanceControl { compliance_type, sensor_compensation, .. } = *control;
-            reply(command, out, |reply| {
-                (reply.compliance_type, reply.sensor_compensation) = (compliance_type, sensor_compensation);
-            })
-        }
-        Request::SetComplianceCondition(command) => {
-            control.condition = command.condition;
-            accept(command, out)
-        }
-        Request::SetVelCompliantCtrl(command) => {
-            control.velocity = command.compliance;
-            accept(command, out)
-        }
-        _ => Outcome::Unhandled,
+        Request::SetComplianceCondition(command) => control.condition = command.condition,
+        Request::SetVelCompliantCtrl(command) => control.velocity = command.compliance,
+        _ => return Outcome::Unhandled,
     }
+    Outcome::Accepted
 }
 
 /// The axes that do not exist have been refused before.

@@ -3,47 +3,35 @@
 use jaka_proto::Request;
 use jaka_proto::messages::types::Pose;
 
-use super::{Draft, Outcome, accept, reply};
-use crate::state::Frame;
+use super::{Draft, Outcome, reply};
+use crate::state::{FRAMES, Frame};
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
     match request {
-        Request::SetToolOffsets(command) => {
-            set(&mut state.tool_frames, command.id, command.offset, &command.name, || accept(command, out))
-        }
-        Request::SetToolId(command) if has(&state.tool_frames, command.tool_id) => {
-            state.tool_frame_id = command.tool_id;
-            accept(command, out)
-        }
         Request::GetToolOffsets(command) => reply(command, out, |reply| reply.offsets = offsets(&state.tool_frames)),
-        Request::SetUserOffsets(command) => {
-            set(&mut state.user_frames, command.id, command.offset, &command.name, || accept(command, out))
-        }
-        Request::SetUserId(command) if has(&state.user_frames, command.user_frame_id) => {
-            state.user_frame_id = command.user_frame_id;
-            accept(command, out)
-        }
         Request::GetUserOffsets(command) => reply(command, out, |reply| reply.offsets = offsets(&state.user_frames)),
-        Request::SetToolId(_) | Request::SetUserId(_) => Outcome::Refused,
+        Request::SetToolOffsets(command) => set(&mut state.tool_frames, command.id, command.offset, &command.name),
+        Request::SetUserOffsets(command) => set(&mut state.user_frames, command.id, command.offset, &command.name),
+        Request::SetToolId(command) => choose(&mut state.tool_frame_id, command.tool_id),
+        Request::SetUserId(command) => choose(&mut state.user_frame_id, command.user_frame_id),
         _ => Outcome::Unhandled,
     }
 }
 
-fn has(frames: &[Frame], id: i64) -> bool {
-    usize::try_from(id).is_ok_and(|id| id < frames.len())
+/// Chooses the frame in use, if there is one with this id.
+fn choose(used: &mut i64, id: i64) -> Outcome {
+    let exists = usize::try_from(id).is_ok_and(|id| id < FRAMES);
+    *used = if exists { id } else { *used };
+    Outcome::accepted_if(exists)
 }
 
-/// Sets a frame; the first is fixed, and frames that the controller does not have are refused.
-fn set(frames: &mut [Frame], id: i64, offset: Pose, name: &str, accept: impl FnOnce() -> Outcome) -> Outcome {
-    match usize::try_from(id).ok().filter(|id| *id > 0).and_then(|id| frames.get_mut(id)) {
-        Some(frame) => {
-            *frame = Frame { offset, name: name.to_owned() };
-            accept()
-        }
-        None => Outcome::Refused,
-    }
+/// Sets a frame, if there is one with this id: the first is fixed.
+fn set(frames: &mut [Frame], id: i64, offset: Pose, name: &str) -> Outcome {
+    let frame = usize::try_from(id).ok().filter(|id| *id > 0).and_then(|id| frames.get_mut(id));
+    let set = frame.map(|frame| *frame = Frame { offset, name: name.to_owned() });
+    Outcome::accepted_if(set.is_some())
 }
 
 fn offsets(frames: &[Frame]) -> Vec<Pose> {

@@ -2,7 +2,7 @@
 
 use jaka_proto::Request;
 
-use super::{Draft, Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, is_on, reply};
 use crate::State;
 use crate::state::ToolVoltage;
 use crate::world::World;
@@ -15,19 +15,17 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     match request {
         Request::SetDigitalOutput(command) if command.index < MAX_OUTPUTS => {
             state.digital_outputs.insert((command.kind, command.index), is_on(command.value));
-            accept(command, out)
         }
         Request::SetAnalogOutput(command) if command.index < MAX_OUTPUTS => {
             state.analog_outputs.insert((command.kind, command.index), command.value);
-            accept(command, out)
         }
-        Request::SetDigitalOutput(_) | Request::SetAnalogOutput(_) => Outcome::Refused,
+        Request::SetDigitalOutput(_) | Request::SetAnalogOutput(_) => return Outcome::Refused,
         Request::SetTioVoutParam(command) => {
             state.tool_voltage = ToolVoltage { enable: command.output_enable, voltage: command.output_voltage };
-            accept(command, out)
         }
-        _ => query(request, state, out),
+        _ => return query(request, state, out),
     }
+    Outcome::Accepted
 }
 
 fn query(request: &Request, state: &State, out: &mut Draft<'_>) -> Outcome {

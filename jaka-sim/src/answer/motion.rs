@@ -3,23 +3,21 @@
 use jaka_proto::Request;
 use jaka_proto::messages::motion::{Jog, JogFrame};
 
-use super::{Draft, Outcome, accept};
+use super::{Draft, Outcome};
 use crate::motion::{Jogging, Path, Planned, Reference, Transform, small};
 use crate::world::World;
 
 /// Acceleration of a jog, in deg/s² and mm/s². That of real controllers is not known.
 const JOG_ACCELERATION: f64 = 180.0;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
-    let accepted = match request {
-        Request::Jog(command) => start_jog(command, world).then(|| accept(command, out)),
-        Request::JointMove(command) => world.start_motion(request).then(|| accept(command, out)),
-        Request::EndMove(command) => world.start_motion(request).then(|| accept(command, out)),
-        Request::MoveL(command) => world.start_motion(request).then(|| accept(command, out)),
-        Request::MoveC(command) => world.start_motion(request).then(|| accept(command, out)),
+pub(super) fn answer(request: &Request, world: &mut World, _out: &mut Draft<'_>) -> Outcome {
+    Outcome::accepted_if(match request {
+        Request::Jog(command) => start_jog(command, world),
+        Request::JointMove(_) | Request::EndMove(_) | Request::MoveL(_) | Request::MoveC(_) => {
+            world.start_motion(request)
+        }
         _ => return Outcome::Unhandled,
-    };
-    accepted.unwrap_or(Outcome::Refused)
+    })
 }
 
 fn start_jog(jog: &Jog, world: &mut World) -> bool {

@@ -2,17 +2,12 @@
 
 use jaka_proto::Request;
 
-use super::{Draft, Outcome, accept};
+use super::{Draft, Outcome};
 use crate::state::NetworkException;
 use crate::world::World;
 
-pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
-    let state = &mut world.state;
-    match request {
-        Request::SetNetworkExceptionHandle(command) => {
-            state.network_exception = NetworkException { delay_ms: command.delay, action: command.action };
-            accept(command, out)
-        }
-        _ => Outcome::Unhandled,
-    }
+pub(super) fn answer(request: &Request, world: &mut World, _out: &mut Draft<'_>) -> Outcome {
+    let Request::SetNetworkExceptionHandle(command) = request else { return Outcome::Unhandled };
+    world.state.network_exception = NetworkException { delay_ms: command.delay, action: command.action };
+    Outcome::Accepted
 }

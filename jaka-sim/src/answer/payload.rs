@@ -2,7 +2,7 @@
 
 use jaka_proto::Request;
 
-use super::{Draft, Outcome, accept, reply};
+use super::{Draft, Outcome, reply};
 use crate::state::Payload;
 use crate::world::World;
 
@@ -11,7 +11,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     match request {
         Request::SetPayload(command) => {
             state.payload = Payload { mass: command.mass, centroid: command.centroid };
-            accept(command, out)
+            Outcome::Accepted
         }
         Request::GetPayload(command) => {
             let Payload { mass, centroid } = state.payload;

@@ -2,7 +2,7 @@
 
 use jaka_proto::Request;
 
-use super::{Draft, Outcome, accept, reply};
+use super::{Draft, Outcome, reply};
 use crate::world::{Change, World};
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
@@ -19,18 +19,15 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             }
             reply(command, out, |reply| reply.enabled = Some(true))
         }
-        Request::PowerOff(command) => {
-            switch_off(world);
-            accept(command, out)
+        Request::PowerOff(_) | Request::Shutdown(_) => {
+            world.cancel_changes(|_| true);
+            world.state.powered = false;
+            Outcome::Accepted
         }
-        Request::Shutdown(command) => {
-            switch_off(world);
-            accept(command, out)
-        }
-        Request::DisableRobot(command) => {
+        Request::DisableRobot(_) => {
             world.cancel_changes(|change| change != Change::PoweredOn);
             world.state.enabled = false;
-            accept(command, out)
+            Outcome::Accepted
         }
         // Firmware that answers the event too does so by its style.
         Request::GetRobotState(command) => reply(command, out, |reply| {
@@ -39,9 +36,4 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::GetVersion(command) => reply(command, out, |reply| reply.version = world.state.version.clone()),
         _ => Outcome::Unhandled,
     }
-}
-
-fn switch_off(world: &mut World) {
-    world.cancel_changes(|_| true);
-    world.state.powered = false;
 }

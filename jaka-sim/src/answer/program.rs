@@ -3,57 +3,46 @@
 use jaka_proto::Request;
 use jaka_proto::messages::program::ProgramState;
 
-use super::{Draft, Outcome, accept, reply};
+use super::{Draft, Outcome, reply};
 use crate::programs::Runner;
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
-        Request::SetRapidRate(command) => {
-            world.state.rapid_rate = command.rate;
-            accept(command, out)
-        }
-        Request::LoadProgram(command) if world.programs.contains_key(&command.program_name) => {
-            world.state.loaded_program.clone_from(&command.program_name);
-            accept(command, out)
-        }
-        Request::LoadProgram(_) => Outcome::Refused,
         Request::GetLoadedProgram(command) => {
             reply(command, out, |reply| reply.program_name = world.state.loaded_program.clone())
         }
         Request::GetProgramState(command) => {
             reply(command, out, |reply| reply.program_state = world.state.program_state.clone())
         }
-        _ => run(request, world, out),
+        _ => run(request, world),
     }
 }
 
 /// Starts and stops programs. Where there is nothing to pause, to resume or to stop, nothing happens.
-fn run(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
+fn run(request: &Request, world: &mut World) -> Outcome {
     match request {
-        Request::PlayProgram(command) => match world.programs.get(&world.state.loaded_program) {
+        Request::SetRapidRate(command) => world.state.rapid_rate = command.rate,
+        Request::LoadProgram(command) if world.programs.contains_key(&command.program_name) => {
+            world.state.loaded_program.clone_from(&command.program_name);
+        }
+        Request::PlayProgram(_) => match world.programs.get(&world.state.loaded_program) {
             Some(program) if world.runner.is_none() => {
                 world.runner = Some(Runner::new(program.clone()));
                 world.state.program_state = ProgramState::Running;
-                accept(command, out)
             }
-            _ => Outcome::Refused,
+            _ => return Outcome::Refused,
         },
-        Request::PauseProgram(command) => {
-            replace(world, &ProgramState::Running, ProgramState::Paused);
-            accept(command, out)
-        }
-        Request::ResumeProgram(command) => {
-            replace(world, &ProgramState::Paused, ProgramState::Running);
-            accept(command, out)
-        }
-        Request::StopProgram(command) => {
+        Request::LoadProgram(_) => return Outcome::Refused,
+        Request::PauseProgram(_) => replace(world, &ProgramState::Running, ProgramState::Paused),
+        Request::ResumeProgram(_) => replace(world, &ProgramState::Paused, ProgramState::Running),
+        Request::StopProgram(_) => {
             world.end_program();
             world.stop();
-            accept(command, out)
         }
-        _ => Outcome::Unhandled,
+        _ => return Outcome::Unhandled,
     }
+    Outcome::Accepted
 }
 
 fn replace(world: &mut World, from: &ProgramState, to: ProgramState) {

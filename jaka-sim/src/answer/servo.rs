@@ -3,41 +3,34 @@
 use jaka_proto::Request;
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 
-use super::{Draft, Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, is_on, reply};
 use crate::motion::Joints;
 use crate::world::{Change, World};
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
-        Request::IsInServomove(command) => reply(command, out, |reply| reply.in_servo_mode = world.state.servo_mode),
-        Request::SetServoMode(command)
-            if world.habits.servo_at_rest && world.engine.is_busy() && is_on(command.servo_mode) =>
-        {
-            accept(command, out)
+        Request::IsInServomove(command) => {
+            return reply(command, out, |reply| reply.in_servo_mode = world.state.servo_mode);
         }
+        // It is acknowledged, and servo mode is not entered.
+        Request::SetServoMode(command)
+            if world.habits.servo_at_rest && world.engine.is_busy() && is_on(command.servo_mode) => {}
         Request::SetServoMode(command) => {
             world.cancel_changes(|change| matches!(change, Change::ServoMode(_)));
             world.later(world.delays.servo_mode, Change::ServoMode(is_on(command.servo_mode)));
-            accept(command, out)
         }
         Request::ServoJ(command) => {
             let target = joint_target(world, command.mode, command.joint_position);
             set_point(world, target, command.step_count);
-            accept(command, out)
         }
         Request::ServoP(command) => match pose_target(world, command.mode, command.pose) {
-            Some(target) => {
-                set_point(world, target, command.step_count);
-                accept(command, out)
-            }
-            None => Outcome::Refused,
+            Some(target) => set_point(world, target, command.step_count),
+            None => return Outcome::Refused,
         },
-        Request::SetServoMoveFilter(command) => {
-            world.state.servo_filter = *command;
-            accept(command, out)
-        }
-        _ => Outcome::Unhandled,
+        Request::SetServoMoveFilter(command) => world.state.servo_filter = *command,
+        _ => return Outcome::Unhandled,
     }
+    Outcome::Accepted
 }
 
 fn set_point(world: &mut World, target: Joints, step_count: Option<i64>) {

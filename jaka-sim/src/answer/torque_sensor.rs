@@ -3,17 +3,16 @@
 use jaka_proto::Request;
 use jaka_proto::messages::force::{IdentifyStatus, StartTorqSensorPayloadIdentify};
 
-use super::{Draft, Outcome, accept, reply};
+use super::{Draft, Outcome, reply};
 use crate::state::{Payload, TorqueSensor};
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     if let Request::StartTorqSensorPayloadIdentify(command) = request {
-        return if identify(command, world) { accept(command, out) } else { Outcome::Refused };
+        return Outcome::accepted_if(identify(command, world));
     }
-    let sensor = &mut world.state.torque_sensor;
-    match set(request, sensor, out) {
-        Outcome::Unhandled => get(request, sensor, out),
+    match get(request, &world.state.torque_sensor, out) {
+        Outcome::Unhandled => set(request, &mut world.state.torque_sensor),
         outcome => outcome,
     }
 }
@@ -31,28 +30,21 @@ fn identify(command: &StartTorqSensorPayloadIdentify, world: &mut World) -> bool
     true
 }
 
-fn set(request: &Request, sensor: &mut TorqueSensor, out: &mut Draft<'_>) -> Outcome {
+fn set(request: &Request, sensor: &mut TorqueSensor) -> Outcome {
     match request {
-        Request::SetTorqueSensorBrand(command) => {
-            sensor.brand = command.brand;
-            accept(command, out)
-        }
-        Request::SetTorqueSensorMode(command) => {
-            sensor.mode = command.mode;
-            accept(command, out)
-        }
+        Request::SetTorqueSensorBrand(command) => sensor.brand = command.brand,
+        Request::SetTorqueSensorMode(command) => sensor.mode = command.mode,
         Request::SetTorqueSensorComm(command) => {
             sensor.communication = command.communication;
             sensor.address.clone_from(&command.address);
             sensor.port = command.port;
-            accept(command, out)
         }
         Request::SetToolPayload(command) => {
             sensor.payload = Payload { mass: command.mass, centroid: command.centroid };
-            accept(command, out)
         }
-        _ => Outcome::Unhandled,
+        _ => return Outcome::Unhandled,
     }
+    Outcome::Accepted
 }
 
 fn get(request: &Request, sensor: &TorqueSensor, out: &mut Draft<'_>) -> Outcome {

@@ -3,7 +3,7 @@
 use jaka_proto::Request;
 use jaka_proto::messages::trajectory::SetTrajSampleMode;
 
-use super::{Draft, Outcome, accept, is_on, reply};
+use super::{Draft, Outcome, is_on, reply};
 use crate::programs::replay;
 use crate::state::TrajectoryConfig;
 use crate::world::{TrajectoryRecorder, World};
@@ -21,25 +21,19 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
                 position_interval: command.position_interval,
                 orientation_interval: command.orientation_interval,
             };
-            accept(command, out)
+            Outcome::Accepted
         }
         Request::GetTrajConfig(command) => reply(command, out, |reply| {
             let TrajectoryConfig { acceleration, speed, position_interval, orientation_interval } = trajectory.config;
             (reply.acceleration, reply.speed) = (acceleration, speed);
             (reply.position_interval, reply.orientation_interval) = (position_interval, orientation_interval);
         }),
-        Request::SetTrajSampleMode(command) => {
-            if sample(command, world) {
-                accept(command, out)
-            } else {
-                Outcome::Refused
-            }
-        }
+        Request::SetTrajSampleMode(command) => Outcome::accepted_if(sample(command, world)),
         Request::GetTrajSampleStatus(command) => reply(command, out, |reply| reply.sampling = trajectory.sampling),
         Request::GetExistTrajFileName(command) => {
             reply(command, out, |reply| reply.file_names = trajectory.file_names.clone())
         }
-        _ => files(request, world, out),
+        _ => files(request, world),
     }
 }
 
@@ -64,27 +58,23 @@ fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
 }
 
 /// Files that do not exist are refused.
-fn files(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
+fn files(request: &Request, world: &mut World) -> Outcome {
     match request {
-        Request::RenameTrajFileName(command) if rename(world, &command.source, &command.destination) => {
-            accept(command, out)
+        Request::RenameTrajFileName(command) => {
+            return Outcome::accepted_if(rename(world, &command.source, &command.destination));
         }
         Request::RemoveTrajFile(command) if exists(world, &command.file_name) => {
             world.state.trajectory.file_names.retain(|name| *name != command.file_name);
             world.recordings.remove(&command.file_name);
-            accept(command, out)
         }
         Request::GenerateTrajExeFile(command) if exists(world, &command.file_name) => {
             let points = world.recordings.get(&command.file_name).map_or(&[][..], |points| points);
-            let program = replay(points);
-            world.programs.insert(program_name(&command.file_name), program);
-            accept(command, out)
+            world.programs.insert(program_name(&command.file_name), replay(points));
         }
-        Request::RenameTrajFileName(_) | Request::RemoveTrajFile(_) | Request::GenerateTrajExeFile(_) => {
-            Outcome::Refused
-        }
-        _ => Outcome::Unhandled,
+        Request::RemoveTrajFile(_) | Request::GenerateTrajExeFile(_) => return Outcome::Refused,
+        _ => return Outcome::Unhandled,
     }
+    Outcome::Accepted
 }
 
 fn exists(world: &World, name: &String) -> bool {

@@ -2,7 +2,7 @@
 
 use jaka_proto::Request;
 
-use super::{Draft, Outcome, accept, reply};
+use super::{Draft, Outcome, reply};
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
@@ -17,7 +17,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             };
             variable.alias.clone_from(&command.alias);
             variable.value = command.value;
-            accept(command, out)
+            Outcome::Accepted
         }
         _ => Outcome::Unhandled,
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{Firmware, NumberStyle, ReplyStyle};
 use crate::json_text::Separators;
-use crate::{Habits, State};
+use crate::{Habit, State};
 
 /// What a firmware's messages look like, and what it does: one row of the table of [`Firmware`].
 #[derive(Debug)]
@@ -18,7 +18,7 @@ pub(crate) struct Shape {
     /// How numbers in status packets are written.
     pub(crate) packet_numbers: NumberStyle,
     pub(crate) reply_style: ReplyStyle,
-    pub(crate) habits: Habits,
+    pub(crate) habits: &'static [Habit],
     /// The keys of status packets.
     pub(crate) keys: &'static [Keys],
     /// Digital inputs, and as many outputs.
