@@ -229,7 +229,7 @@ impl Builder {
 
     /// How replies are written.
     pub(crate) fn style(&self) -> ReplyStyle {
-        self.reply_style.unwrap_or_else(|| self.firmware.reply_style())
+        self.reply_style.unwrap_or_else(|| ReplyStyle::of(self.firmware))
     }
 }
 

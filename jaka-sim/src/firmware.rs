@@ -164,11 +164,6 @@ impl Firmware {
         self.shape().status_period
     }
 
-    /// How its replies are written.
-    pub fn reply_style(self) -> ReplyStyle {
-        self.shape().reply_style
-    }
-
     /// What it does that no document describes.
     pub fn habits(self) -> Habits {
         self.shape().habits.iter().copied().collect()

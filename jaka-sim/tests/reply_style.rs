@@ -27,7 +27,7 @@ fn spec() -> Spec {
 /// One style for each choice, and some in which choices meet.
 fn styles() -> Vec<ReplyStyle> {
     let document = ReplyStyle::of(Firmware::Document);
-    let mut styles: Vec<_> = Firmware::ALL.iter().map(|firmware| firmware.reply_style()).collect();
+    let mut styles: Vec<_> = Firmware::ALL.iter().copied().map(ReplyStyle::of).collect();
     styles.extend([CodeStyle::Number, CodeStyle::Hexadecimal].map(|codes| document.error_code(codes)));
     let truths =
         [TruthStyle::Packet, TruthStyle::Literals, TruthStyle::Numbers, TruthStyle::NumberTexts, TruthStyle::Words];

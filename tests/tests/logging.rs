@@ -43,9 +43,9 @@ fn each_message_is_logged_and_each_late_reply() {
         [
             r#"TRACE -> {"cmdName":"clear_error"}"#,
             r#"TRACE -> {"cmdName":"rapid_rate","rate_value":0.5}"#,
-            r#"TRACE <- {"errorCode":"0","errorMsg":"","cmdName":"clear_error"}"#,
+            r#"TRACE <- {"errorCode": "0", "errorMsg": "", "cmdName": "clear_error"}"#,
             "DEBUG late reply to `clear_error` dropped",
-            r#"TRACE <- {"errorCode":"0","errorMsg":"","cmdName":"rapid_rate"}"#,
+            r#"TRACE <- {"errorCode": "0", "errorMsg": "", "cmdName": "rapid_rate"}"#,
         ]
     );
 }

@@ -99,12 +99,6 @@ impl Default for ReplyStyle {
     }
 }
 
-impl From<Firmware> for ReplyStyle {
-    fn from(firmware: Firmware) -> Self {
-        Self::of(firmware)
-    }
-}
-
 /// How error codes are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[non_exhaustive]
