@@ -79,6 +79,7 @@ impl Habit {
 ///
 /// As a text they are separated by commas; `all` is [`Habits::all`], `none` none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a habit of its own")]
 pub struct Habits {
     pub(crate) pause: Option<Duration>,
     pub(crate) lead: Option<Duration>,

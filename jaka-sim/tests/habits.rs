@@ -286,7 +286,7 @@ fn power_and_enabling_are_answered_when_the_state_is_there_or_at_once() {
                 assert_accepted(&json(&peer.receive()), command);
                 assert_accepted(&json(&peer.receive()), "get_robot_state");
             }
-            controller.advance(Duration::from_millis(time) - CYCLE);
+            controller.advance(Duration::from_millis(time - 8));
             assert!(!is_there(), "{firmware}: {command}");
             if is_late {
                 assert_silent(&controller, &peer);

@@ -1,6 +1,6 @@
 //! Packets and replies byte by byte, against what captures of real controllers show.
 //!
-//! The tables here were written from those captures: a packet of a Zu 5 with firmware 1.5.14_13_X64, and 311 packets of a newer
+//! The tables here were written from those captures: a packet of a Zu 5 with firmware 1.5.14, and 311 packets of a newer
 //! controller. They share nothing with the simulator's own.
 
 use crate::common::{Peer, request};

@@ -31,12 +31,12 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
 fn query(request: &Request, state: &State, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::GetDigitalInputStatus(command) => {
-            reply(command, out, |reply| reply.digital_inputs = state.digital_inputs.clone())
+            reply(command, out, |reply| reply.digital_inputs.clone_from(&state.digital_inputs))
         }
         Request::GetFuncdiStatus(command) => {
-            reply(command, out, |reply| reply.function_inputs = state.function_inputs.clone())
+            reply(command, out, |reply| reply.function_inputs.clone_from(&state.function_inputs))
         }
-        Request::GetExtioStatus(command) => reply(command, out, |reply| reply.extio_status = state.extio.clone()),
+        Request::GetExtioStatus(command) => reply(command, out, |reply| reply.extio_status.clone_from(&state.extio)),
         Request::GetTioVoutParam(command) => {
             let ToolVoltage { enable, voltage } = state.tool_voltage;
             reply(command, out, |reply| (reply.output_enable, reply.output_voltage) = (enable, voltage))

@@ -33,7 +33,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::GetRobotState(command) => reply(command, out, |reply| {
             (reply.powered_on, reply.enabled) = (world.state.powered, world.state.enabled);
         }),
-        Request::GetVersion(command) => reply(command, out, |reply| reply.version = world.state.version.clone()),
+        Request::GetVersion(command) => reply(command, out, |reply| reply.version.clone_from(&world.state.version)),
         _ => Outcome::Unhandled,
     }
 }

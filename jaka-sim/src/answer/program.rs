@@ -10,10 +10,10 @@ use crate::world::World;
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     match request {
         Request::GetLoadedProgram(command) => {
-            reply(command, out, |reply| reply.program_name = world.state.loaded_program.clone())
+            reply(command, out, |reply| reply.program_name.clone_from(&world.state.loaded_program))
         }
         Request::GetProgramState(command) => {
-            reply(command, out, |reply| reply.program_state = world.state.program_state.clone())
+            reply(command, out, |reply| reply.program_state.clone_from(&world.state.program_state))
         }
         _ => run(request, world),
     }

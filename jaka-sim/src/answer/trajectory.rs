@@ -31,7 +31,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::SetTrajSampleMode(command) => Outcome::accepted_if(sample(command, world)),
         Request::GetTrajSampleStatus(command) => reply(command, out, |reply| reply.sampling = trajectory.sampling),
         Request::GetExistTrajFileName(command) => {
-            reply(command, out, |reply| reply.file_names = trajectory.file_names.clone())
+            reply(command, out, |reply| reply.file_names.clone_from(&trajectory.file_names))
         }
         _ => files(request, world),
     }

@@ -9,7 +9,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     let state = &mut world.state;
     match request {
         Request::QueryUserDefinedVariable(command) => {
-            reply(command, out, |reply| reply.variables = state.variables.clone())
+            reply(command, out, |reply| reply.variables.clone_from(&state.variables))
         }
         Request::ModifyUserDefinedVariable(command) => {
             let Some(variable) = state.variables.iter_mut().find(|variable| variable.id == command.id) else {

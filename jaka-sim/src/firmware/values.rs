@@ -136,7 +136,7 @@ impl<'s> Values<'s> {
                 out.raw(if short.ends_with('.') { "0" } else { "" });
             }
             (NumberStyle::Decimals(_), _) => {
-                Self { style: self.style.numbers(NumberStyle::Fractions), ..self }.number(json, out)
+                Self { style: self.style.numbers(NumberStyle::Fractions), ..self }.number(json, out);
             }
             _ => self.number(json, out),
         }

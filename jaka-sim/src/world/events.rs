@@ -17,6 +17,7 @@ const COLLISION: u32 = 0x0f_0034;
 
 /// What was so when events were last reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub(super) struct Reported {
     enabled: bool,
     servo_mode: bool,
@@ -57,7 +58,8 @@ pub(crate) fn collide(state: &mut State) {
 
 fn report(state: &mut State, code: u32) {
     state.error_code = format!("{code:#x}");
-    state.error_message = ControllerEvent::new(code).and_then(ControllerEvent::meaning).unwrap_or_default().to_owned();
+    let meaning = ControllerEvent::new(code).and_then(ControllerEvent::meaning);
+    meaning.unwrap_or_default().clone_into(&mut state.error_message);
 }
 
 /// True where the error code has something else than information.
