@@ -123,6 +123,8 @@ pub(crate) const STATUS_TYPE: &str = "RobotStatus";
 pub struct Topic {
     /// Module name, which is the file's stem.
     pub name: String,
+    /// True for a pack's: the module stands in the crate of the pack's user.
+    pub is_pack: bool,
     /// One line that says what the topic is about.
     pub title: String,
     /// The same in Chinese: the document's title where that has the topic as a chapter.
@@ -477,6 +479,8 @@ pub struct EnumValue<T> {
     pub doc: String,
     /// True where only newer firmware takes it.
     pub advisory: bool,
+    /// First and last firmware that takes it.
+    pub versions: Versions,
 }
 
 /// A code that the controller answers.

@@ -1,15 +1,16 @@
 //! Packs: what a user's file adds to a spec and changes in it.
 
 mod change;
+mod covers;
 mod event;
 mod module;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use self::change::Target;
 pub use self::module::Module;
 use crate::item::Item;
-use crate::model::{Command, ErrorCode, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
+use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeId};
 use crate::names::RESERVED_METHODS;
 use crate::report::{At, Error, Errors, Report};
 use crate::resolve::Index;
@@ -20,20 +21,36 @@ use crate::{Source, read, resolve};
 pub struct Pack {
     /// All of it: the changed items at their places, and what is new in a last topic, the pack's.
     pub spec: Spec,
-    /// Entries of the pack that change nothing, since the spec says the same already.
+    /// Entries of the pack that change nothing, since the spec has by now what they say.
     pub notes: Vec<Error>,
+    /// Why no module can be made of the pack: its file's name, which that of the module would be. It can be used at run time all the same.
+    pub module_errors: Vec<Error>,
     /// What is new.
     topic: Topic,
+    /// All error codes of the file, also those that the spec has by now.
+    codes: Vec<ErrorCode>,
+    /// All events of the file, likewise.
+    events: Vec<Event>,
     changed: Changed,
+    /// What the spec has by now.
+    covered: Covered,
 }
 
-/// The items of the spec that a pack changes or repeats.
+/// The items of the spec that entries of a pack name: commands by `cmdName`, and types.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Changed {
     commands: BTreeSet<String>,
     types: BTreeSet<TypeId>,
-    repeated_commands: BTreeSet<String>,
-    repeated_types: BTreeSet<TypeId>,
+}
+
+/// The items of the spec that a pack had before the spec.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Covered {
+    /// Commands, each with its name in the pack.
+    commands: BTreeMap<String, String>,
+    types: BTreeSet<TypeId>,
+    /// What extensions and overrides name that change nothing.
+    changes: Changed,
 }
 
 /// Loads a pack: a file that adds to `base` and changes it.
@@ -43,21 +60,34 @@ struct Changed {
 pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let (report, notes) = (Report::default(), Report::default());
     let index = Index::of(base, read::stem(source.path));
-    let mut draft = Draft { spec: base.clone(), index, notes: &notes, changed: Changed::default(), edits: Vec::new() };
-    let topic = read::file(source, &report, |root, topic| draft.read(root, topic));
+    let mut draft = Draft {
+        spec: base.clone(),
+        index,
+        notes: &notes,
+        codes: Vec::new(),
+        events: Vec::new(),
+        changed: Changed::default(),
+        covered: Covered::default(),
+        edits: Vec::new(),
+    };
+    let mut topic = read::file(source, &report, |root, topic| draft.read(root, topic));
+    topic.is_pack = true;
     draft.check_optional(&report);
     resolve::check(&draft.index, &report);
-    let Draft { mut spec, index, changed, .. } = draft;
+    let Draft { mut spec, index, codes, events, changed, covered, .. } = draft;
     spec.types = index.finish();
     let mut notes = notes.finish().map_or_else(|errors| errors.0, |()| Vec::new());
     if topic.is_empty() && changed.commands.is_empty() && changed.types.is_empty() {
-        let message = "this pack no longer changes anything: the spec has all of it, so it can be deleted".to_owned();
+        let message = "this pack no longer changes anything: the spec has all of it by now".to_owned();
         notes.insert(0, Error { path: source.path.to_owned(), line: 1, column: 1, message });
     }
     spec.topics.push(topic.clone());
-    let pack = Pack { spec, notes, topic, changed };
-    pack.check_methods(source, &report);
     report.finish()?;
+    let mut pack = Pack { spec, notes, module_errors: Vec::new(), topic, codes, events, changed, covered };
+    let report = Report::default();
+    read::check_name(source, &report);
+    pack.check_methods(source, &report);
+    pack.module_errors = report.finish().map_or_else(|errors| errors.0, |()| Vec::new());
     Ok(pack)
 }
 
@@ -66,7 +96,10 @@ struct Draft<'s, 'r> {
     spec: Spec,
     index: Index<'s>,
     notes: &'r Report,
+    codes: Vec<ErrorCode>,
+    events: Vec<Event>,
     changed: Changed,
+    covered: Covered,
     /// Where it is changed: the entries, in the order of the file.
     edits: Vec<(At<'s>, String, Target)>,
 }
@@ -110,11 +143,13 @@ impl<'s> Draft<'s, '_> {
             }
             return Some(read::command(item, &mut self.index));
         };
-        if bare_command(&read::command(item, &mut self.index.again())) == bare_command(&known) {
-            self.note(item, REPEATED);
-            self.changed.repeated_commands.insert(known.wire);
-        } else {
-            item.error(item.at, DIFFERS);
+        let new = read::command(item, &mut self.index.again());
+        match covers::command(&self.spec, &known, &new) {
+            Ok(()) => {
+                self.note(item, COVERED);
+                self.covered.commands.insert(known.wire, new.name);
+            }
+            Err(difference) => differs(item, &difference),
         }
         None
     }
@@ -125,32 +160,40 @@ impl<'s> Draft<'s, '_> {
         };
         let mut again = self.index.again();
         let new = read::type_def(item, &mut again);
-        if new == known && bare_type(again.definition(new)) == bare_type(&self.spec[known]) {
-            self.note(item, REPEATED);
-            self.changed.repeated_types.insert(known);
-        } else {
-            item.error(item.at, DIFFERS);
+        match covers::type_def(&self.spec, known, again.definition(new)) {
+            Ok(()) => {
+                self.note(item, COVERED);
+                self.covered.types.insert(known);
+            }
+            Err(difference) => differs(item, &difference),
         }
         None
     }
 
     fn new_error(&mut self, item: &Item<'_, 's>) -> Option<ErrorCode> {
-        let known = item.int("wire").and_then(|wire| self.spec.errors().find(|code| code.wire == wire.value).cloned());
-        let Some(known) = known else { return Some(read::error_code(item, &mut self.index)) };
-        if read::error_code(item, &mut self.index.again()).name == known.name {
-            self.note(item, REPEATED);
+        let is_known = item.int("wire").is_some_and(|wire| self.spec.errors().any(|code| code.wire == wire.value));
+        let new = if is_known {
+            self.note(item, COVERED);
+            read::error_code(item, &mut self.index.again())
         } else {
-            item.error(item.at, &format!("the spec has the code {} already, as `{}`", known.wire, known.name));
-        }
-        None
+            read::error_code(item, &mut self.index)
+        };
+        self.codes.push(new.clone());
+        (!is_known).then_some(new)
     }
+}
+
+fn differs(item: &Item<'_, '_>, difference: &str) {
+    let message =
+        format!("the spec has one of this name by now, and there {difference}, which your program would notice");
+    item.error(item.at, &(message + "; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"));
 }
 
 impl Pack {
     /// The methods of changed commands bear the pack's name; nothing else may.
     fn check_methods(&self, source: Source<'_>, report: &Report) {
         let module = self.module();
-        let changed = module.topic.commands.iter().filter(|command| module.changed.contains(&command.wire));
+        let changed = self.spec.commands().filter(|command| module.changed.contains(&command.wire));
         for name in changed.map(|command| module.method(command)) {
             if self.spec.commands().any(|command| command.name == name) || RESERVED_METHODS.contains(&name.as_str()) {
                 let message = format!("the method name `{name}` is that of a changed command in this pack");
@@ -160,52 +203,5 @@ impl Pack {
     }
 }
 
-const REPEATED: &str = "the spec has the same already; this entry changes nothing and can be deleted";
-const DIFFERS: &str =
-    "the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`";
-
-/// The command without what is for readers alone.
-fn bare_command(command: &Command) -> Command {
-    let mut bare = command.clone();
-    bare.doc.clear();
-    bare.errata.clear();
-    bare.examples.clear();
-    (bare.section, bare.reconstructed, bare.title_zh) = (None, None, None);
-    (bare.evidence, bare.requires_source) = (None, None);
-    match &mut bare.request {
-        Request::Fields(fields) => bare_fields(fields),
-        Request::Choice(choice) => choice.variants.iter_mut().for_each(|variant| {
-            variant.doc.clear();
-            bare_fields(&mut variant.fields);
-        }),
-    }
-    if let Reply::Fields(fields) = &mut bare.reply {
-        bare_fields(fields);
-    }
-    bare
-}
-
-fn bare_type(def: &TypeDef) -> TypeKind {
-    let mut kind = def.kind.clone();
-    match &mut kind {
-        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => bare_fields(fields),
-        TypeKind::IntEnum(values) => values.iter_mut().for_each(|value| value.doc.clear()),
-        TypeKind::TextEnum(values) => values.iter_mut().for_each(|value| value.doc.clear()),
-        TypeKind::Choice(choice) => choice.variants.iter_mut().for_each(|variant| {
-            variant.doc.clear();
-            bare_fields(&mut variant.fields);
-        }),
-        TypeKind::Wrapper(..) => {}
-    }
-    kind
-}
-
-fn bare_fields(fields: &mut [Field]) {
-    for field in fields {
-        field.doc.clear();
-    }
-}
-
-fn bare_field(field: &Field) -> Field {
-    Field { doc: String::new(), ..field.clone() }
-}
+const COVERED: &str =
+    "the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives";

@@ -20,13 +20,13 @@ mod types;
 use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
 pub(crate) use event::event;
-use field::fields;
-pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field};
+pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field, fields};
 use types::variants;
-pub(crate) use types::{enum_value, type_def};
+pub(crate) use types::{array_variant, changed_value, enum_value, type_def, variant};
 
 /// Reads a file of the spec. What cannot be read is reported and left out.
 pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Report) -> Topic {
+    check_name(source, report);
     file(source, report, |root, topic| {
         topic.commands = root.items("command", "command").iter().map(|item| command(item, index)).collect();
         topic.types = root.items("type", "type").iter().map(|item| type_def(item, index)).collect();
@@ -40,13 +40,6 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     let table = parse(source, report);
     let start = At { source, offset: 0 };
     let root = Item::new(String::new(), start, table.get_ref(), report);
-    let name = stem(source.path).to_owned();
-    if !is_snake(&name) {
-        report.error(start, format!("the file's name is that of a module, and `{name}` is not a snake_case name"));
-    }
-    if RESERVED_MODULES.contains(&&*name) {
-        report.error(start, format!("the file's name is that of a module, and `{name}` is a name of Rust"));
-    }
     let mut topic = Topic {
         title: root.required_text("title").value,
         title_zh: root.text("title_zh").map(|text| text.value),
@@ -55,11 +48,23 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
         types: Vec::new(),
         errors: Vec::new(),
         events: Vec::new(),
-        name,
+        name: stem(source.path).to_owned(),
+        is_pack: false,
     };
     body(&root, &mut topic);
     root.finish();
     topic
+}
+
+/// Checks that the file's name can be that of a module.
+pub(crate) fn check_name(source: Source<'_>, report: &Report) {
+    let (start, name) = (At { source, offset: 0 }, stem(source.path));
+    if !is_snake(name) {
+        report.error(start, format!("the file's name is that of a module, and `{name}` is not a snake_case name"));
+    }
+    if RESERVED_MODULES.contains(&name) {
+        report.error(start, format!("the file's name is that of a module, and `{name}` is a name of Rust"));
+    }
 }
 
 pub(crate) fn stem(path: &str) -> &str {

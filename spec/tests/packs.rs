@@ -3,7 +3,7 @@
 mod unfit;
 
 use expect_test::{Expect, expect};
-use jaka_spec::{Pack, Request, Severity, Source, Spec, builtin, load_pack};
+use jaka_spec::{Pack, Request, Severity, Source, Spec, TypeKind, builtin, load_pack};
 
 fn spec() -> Spec {
     builtin().expect("the built-in spec is correct")
@@ -30,7 +30,7 @@ fn module(text: &str) -> String {
 
 const MOTION_STATE: &str = r#"
 [[command]]
-wire = "get_motion_state"
+wire = "demo_motion_state"
 effect = "query"
 doc = "Reads how the motion stands."
 
@@ -45,10 +45,10 @@ fn a_new_command_is_in_a_topic_of_its_own() {
     let pack = pack(MOTION_STATE);
     let spec = &pack.spec;
     assert_eq!(spec.commands().count(), self::spec().commands().count() + 1);
-    assert!(spec.command("get_motion_state").is_some());
+    assert!(spec.command("demo_motion_state").is_some());
     let topic = spec.topics.last().expect("there are topics");
     assert_eq!((&*topic.name, topic.commands.len(), &*pack.notes), ("newer", 1, &[][..]));
-    assert_eq!(module(MOTION_STATE), "get_motion_state");
+    assert_eq!(module(MOTION_STATE), "demo_motion_state");
 }
 
 #[test]
@@ -217,9 +217,9 @@ settled = "Measured at the tool's connector, firmware 1.7.2."
 #[test]
 fn packs_add_to_packs() {
     let first = pack(MOTION_STATE);
-    let text = "title = \"More\"\n[[override]]\ntarget = \"get_motion_state\"\ndeadline_ms = 9000\n";
+    let text = "title = \"More\"\n[[override]]\ntarget = \"demo_motion_state\"\ndeadline_ms = 9000\n";
     let second = load_pack(&first.spec, Source { path: "more.toml", text }).expect("the pack is correct");
-    let command = second.spec.command("get_motion_state").expect("the first pack has it");
+    let command = second.spec.command("demo_motion_state").expect("the first pack has it");
     assert_eq!(command.deadline.map(|deadline| deadline.as_secs()), Some(9));
 }
 
@@ -244,9 +244,9 @@ request = "rate_value"
 max = 1
 "#,
         &expect![[r"
-            newer.toml:1:1: this pack no longer changes anything: the spec has all of it, so it can be deleted
-            newer.toml:3:1: command `get_joint_pos`: the spec has the same already; this entry changes nothing and can be deleted
-            newer.toml:14:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+            newer.toml:1:1: this pack no longer changes anything: the spec has all of it by now
+            newer.toml:3:1: command `get_joint_pos`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
+            newer.toml:14:1: override of `rapid_rate`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
         "]],
     );
 }
@@ -256,7 +256,7 @@ fn a_pack_of_which_the_spec_has_a_part_keeps_the_rest() {
     notes(
         &format!("{MOTION_STATE}\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 1\n"),
         &expect![[r"
-            newer.toml:13:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
+            newer.toml:13:1: override of `rapid_rate`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
         "]],
     );
 }
@@ -327,8 +327,8 @@ meaning = "something else"
     notes(
         text,
         &expect![[r"
-            newer.toml:3:1: event: the spec has the same already; this entry changes nothing and can be deleted
-            newer.toml:7:1: event: the spec has the same already; this entry changes nothing and can be deleted
+            newer.toml:3:1: event: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
+            newer.toml:7:1: event: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
         "]],
     );
     let spec = pack(text).spec;
@@ -338,4 +338,191 @@ meaning = "something else"
     assert_eq!(meaning(0x000F_0001), Some("the arm has no power"));
     assert_eq!([0x000F_0032, 0x000F_0005, 0x000E_FFFE].map(meaning), [Some("something else"); 3]);
     assert_eq!(spec.events().map(|event| event.codes().count()).sum::<usize>(), 895);
+}
+
+/// A pack, and the one that its spec is when the first is in it already: as after an upgrade.
+fn upgraded(text: &str, upstream: &str) -> Pack {
+    let spec = pack(upstream).spec;
+    let text = format!("title = \"Test\"\n{text}");
+    load_pack(&spec, Source { path: "newer.toml", text: &text }).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The methods and types that a module has of its own, and those that are the spec's by now.
+fn names(pack: &Pack) -> String {
+    let module = pack.module();
+    let own = module.topic.commands.iter();
+    let covered = module.covered_commands.keys().filter_map(|wire| module.spec.command(wire));
+    let types = module.topic.types.iter().chain(&module.covered_types).map(|id| module.spec[*id].name.clone());
+    let mut names: Vec<_> = own.chain(covered).map(|command| module.method(command)).chain(types).collect();
+    names.sort();
+    names.join(" ")
+}
+
+const CHANGES: &str = r#"
+[[extend]]
+target = "MoveMode"
+
+[[extend.value]]
+wire = 7
+name = "Tool"
+doc = "The target counts from the tool."
+
+[[override]]
+target = "rapid_rate"
+request = "rate_value"
+max = 2
+
+[[error]]
+wire = 77
+name = "Overload"
+doc = "Too heavy."
+"#;
+
+#[test]
+fn after_an_upgrade_all_names_of_the_module_are_there() {
+    for text in [MOTION_STATE, WHOLE_STATE, CHANGES] {
+        assert_eq!(names(&upgraded(text, text)), names(&pack(text)));
+        assert_eq!(upgraded(text, text).module().codes, pack(text).module().codes);
+        assert!(upgraded(text, text).module().topic.is_empty());
+    }
+}
+
+#[test]
+fn after_an_upgrade_what_the_spec_says_beyond_the_pack_counts() {
+    let more = "\n[[command.reply]]\nwire = \"paused\"\ntype = \"bool\"\ndoc = \"Whether it is paused.\"\n";
+    let pack = upgraded(MOTION_STATE, &format!("{MOTION_STATE}{more}"));
+    assert_eq!((pack.module().topic.commands.len(), names(&pack).as_str()), (0, "demo_motion_state"));
+    let module = upgraded(&MOTION_STATE.replace("effect", "name = \"motion_state\"\neffect"), MOTION_STATE).module();
+    assert_eq!(module.covered_commands["demo_motion_state"], "motion_state");
+}
+
+#[test]
+fn after_an_upgrade_what_a_program_would_notice_is_an_error() {
+    let check = |upstream: &str, expected: Expect| {
+        let spec = pack(upstream).spec;
+        let text = format!("title = \"Test\"\n{MOTION_STATE}");
+        let errors = load_pack(&spec, Source { path: "newer.toml", text: &text }).expect_err("the type is another");
+        expected.assert_eq(&errors.to_string());
+    };
+    check(
+        &MOTION_STATE.replace("\"int\"", "\"float\""),
+        expect![
+            "newer.toml:3:1: command `demo_motion_state`: the spec has one of this name by now, and there its field `queue` has another type, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"
+        ],
+    );
+    check(
+        &MOTION_STATE.replace("\"int\"", "\"int\"\nname = \"queued\""),
+        expect![
+            "newer.toml:3:1: command `demo_motion_state`: the spec has one of this name by now, and there it has no field `queue`, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"
+        ],
+    );
+    check(
+        &MOTION_STATE.replace("\"int\"", "\"int\"\noptional = true"),
+        expect![
+            "newer.toml:3:1: command `demo_motion_state`: the spec has one of this name by now, and there its field `queue` is optional, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"
+        ],
+    );
+    let argument = "\n[[command.request]]\nwire = \"all\"\ntype = \"bool\"\ndoc = \"Whether all.\"\n";
+    check(
+        &format!("{MOTION_STATE}{argument}"),
+        expect![
+            "newer.toml:3:1: command `demo_motion_state`: the spec has one of this name by now, and there the required fields are `all`, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"
+        ],
+    );
+}
+
+#[test]
+fn a_key_is_renamed() {
+    let text = "\n[[override]]\ntarget = \"RobotStatus\"\nfield = \"inpos\"\nwire = \"at_target\"\n";
+    let status = |pack: &Pack| {
+        let field = pack.spec.status_fields().iter().find(|field| field.name == "in_position").cloned();
+        field.expect("the packet has it").wire
+    };
+    assert_eq!(status(&pack(text)), "at_target");
+    let after = upgraded(text, text);
+    assert_eq!((status(&after), names(&after)), ("at_target".to_owned(), names(&pack(text))));
+}
+
+#[test]
+fn a_truth_value_is_written_otherwise() {
+    let pack = pack(
+        "\n[[override]]\ntarget = \"RobotStatus\"\nfield = \"protective_stop\"\nwritten = [\"free\", \"stopped\"]\n",
+    );
+    let field = pack.spec.status_fields().iter().find(|field| field.name == "protective_stop");
+    let written = field.and_then(|field| field.ty.scalar()).map(|scalar| format!("{scalar:?}"));
+    expect![[r#"Bool { off: "\"free\"", on: "\"stopped\"" }"#]].assert_eq(&written.expect("it is a truth value"));
+}
+
+#[test]
+fn a_variant_is_added() {
+    let text = r#"
+[[extend]]
+target = "jog"
+
+[[extend.variant]]
+wire = 9
+name = "Circle"
+doc = "Jogs in a circle."
+
+[[extend.variant.field]]
+wire = "radius"
+type = "float"
+unit = "mm"
+doc = "Radius of the circle."
+
+[[extend]]
+target = "ExtioSetup"
+
+[[extend.variant]]
+wire = 9
+name = "Bus"
+doc = "On the bus."
+
+[[extend.variant.field]]
+name = "line"
+type = "int"
+doc = "The line."
+"#;
+    let pack = pack(text);
+    let Some(Request::Choice(choice)) = pack.spec.command("jog").map(|command| &command.request) else {
+        panic!("jog has variants")
+    };
+    let last = choice.variants.last().expect("it has variants");
+    assert_eq!((last.wire, &*last.name, &*last.fields[0].wire), (9, "Circle", "radius"));
+    assert_eq!(names(&upgraded(text, text)), names(&pack));
+}
+
+#[test]
+fn a_value_of_an_enum_is_changed() {
+    let text = r#"
+[[override]]
+target = "MoveMode"
+value = 1
+advisory = true
+since = "1.5"
+"#;
+    let spec = pack(text).spec;
+    let Some(TypeKind::IntEnum(values)) = spec.type_id("MoveMode").map(|id| &spec[id].kind) else {
+        panic!("it is an enum")
+    };
+    let value = values.iter().find(|value| value.wire == 1).expect("it has the value");
+    let since = value.versions.since.as_ref().map(ToString::to_string);
+    assert_eq!((value.advisory, &*value.name, since.as_deref()), (true, "Relative", Some("1.5")));
+}
+
+#[test]
+fn a_pack_with_a_name_that_is_not_a_module_s_is_for_run_time_alone() {
+    let text = format!("title = \"Test\"\n{MOTION_STATE}");
+    let pack = load_pack(&spec(), Source { path: "firmware/1.7.toml", text: &text }).expect("it can be used");
+    assert!(pack.spec.command("demo_motion_state").is_some());
+    let [error] = pack.module_errors.as_slice() else { panic!("{:?}", pack.module_errors) };
+    expect!["firmware/1.7.toml:1:1: the file's name is that of a module, and `1.7` is not a snake_case name"]
+        .assert_eq(&error.to_string());
+}
+
+#[test]
+fn a_pack_named_like_a_topic_is_not_that_topic() {
+    let text = format!("title = \"Test\"\n{MOTION_STATE}");
+    let pack = load_pack(&spec(), Source { path: "motion.toml", text: &text }).expect("it is correct");
+    assert_eq!((pack.module_errors, pack.spec.topics.last().map(|topic| topic.is_pack)), (Vec::new(), Some(true)));
 }

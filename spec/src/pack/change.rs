@@ -1,6 +1,8 @@
 //! `[[extend]]` and `[[override]]`: changes of what the spec has.
 
-use super::{Draft, bare_field};
+use std::fmt::Display;
+
+use super::{COVERED, Changed, Draft, covers};
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
@@ -55,7 +57,7 @@ impl<'s> Draft<'s, '_> {
     /// Adds fields, or values of an enum.
     pub(super) fn extend(&mut self, item: &Item<'_, 's>) {
         let Some(target) = Target::of(item, &self.spec) else { return };
-        let variant = item.text("variant");
+        let variant = if item.is_text("variant") { item.text("variant") } else { None };
         let parts: &[Part] = match target {
             Target::Command(_) => &[Part::Request, Part::Reply],
             Target::Type(_) => &[Part::Type],
@@ -65,18 +67,24 @@ impl<'s> Draft<'s, '_> {
             let fields = item.items(part.key(), "field");
             added.extend(fields.iter().map(|field| self.add_field(item, field, (&target, variant.as_ref(), *part))));
         }
+        if variant.is_none() {
+            let variants = item.items("variant", "variant");
+            added.extend(variants.iter().map(|variant| self.add_variant(variant, &target)));
+        }
         if let Target::Type(id) = target {
             added.extend(item.items("value", "value").iter().map(|value| self.add_value(value, id)));
         }
         if added.is_empty() {
             item.error(
                 item.at,
-                "an extension has fields: `request` or `reply` of a command, `field` or `value` of a type",
+                "an extension has fields, `request` or `reply` of a command or `field` of a type, or a `value` or `variant`",
             );
         }
         item.finish();
         if added.contains(&true) {
             self.changed(item, &target);
+        } else {
+            self.covered.changes.add(&target);
         }
     }
 
@@ -87,14 +95,41 @@ impl<'s> Draft<'s, '_> {
         let keyed = list.keyed;
         let new = if keyed { read::field(item, &list.taken, index) } else { read::element(item, index) };
         let same = list.fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
-        if same.is_some_and(|old| bare_field(old) == bare_field(&new)) {
-            self.note(item, super::REPEATED);
-            return false;
-        }
-        if let Some(old) = same {
-            item.error(item.at, &taken(old, &new));
+        match same.map(|old| (old, covers::field(old, &new))) {
+            Some((_, Ok(()))) => {
+                self.note(item, COVERED);
+                return false;
+            }
+            Some((old, Err(difference))) => item.error(item.at, &taken(old, &new, &difference)),
+            None => {}
         }
         list.fields.push(new);
+        true
+    }
+
+    /// Adds a variant to a choice; false if nothing changes.
+    fn add_variant(&mut self, item: &Item<'_, 's>, target: &Target) -> bool {
+        let Self { spec, index, .. } = self;
+        let Some(choice) = choice(spec, target) else {
+            item.error(item.at, "`variant` is for a command or a type with variants");
+            return false;
+        };
+        let new = match target {
+            Target::Command(_) => {
+                let taken = [COMMAND_NAME, &choice.tag];
+                read::variant(item, |item| read::fields(item, ("field", "field"), &taken, index))
+            }
+            Target::Type(_) => read::array_variant(item, index),
+        };
+        let same = choice.variants.iter().find(|old| old.wire == new.wire || old.name == new.name);
+        match same.map(|old| covers::variant(old, &new)) {
+            Some(Ok(())) => {
+                self.note(item, COVERED);
+                return false;
+            }
+            Some(Err(difference)) => super::differs(item, &difference),
+            None => choice.variants.push(new),
+        }
         true
     }
 
@@ -115,12 +150,12 @@ impl<'s> Draft<'s, '_> {
             }
         };
         if repeated {
-            self.note(item, super::REPEATED);
+            self.note(item, COVERED);
         }
         !repeated
     }
 
-    /// Changes one field, or what is said about a command.
+    /// Changes one field or one value, or what is said about a command.
     pub(super) fn change(&mut self, item: &Item<'_, 's>) {
         let Some(target) = Target::of(item, &self.spec) else { return };
         let variant = item.text("variant");
@@ -128,11 +163,14 @@ impl<'s> Draft<'s, '_> {
             Target::Command(_) => &[Part::Request, Part::Reply][..],
             Target::Type(_) => &[Part::Type],
         };
+        if let (Target::Type(id), true) = (&target, item.has("value")) {
+            return self.change_value(item, *id);
+        }
         let named: Vec<_> = parts.iter().filter_map(|part| Some((*part, item.text(part.key())?))).collect();
         match (named.as_slice(), &target) {
             ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
             ([], Target::Command(wire)) => self.change_command(item, wire),
-            ([], Target::Type(_)) => item.error(item.at, "`field` says which field is overridden, and is missing"),
+            ([], Target::Type(_)) => item.error(item.at, "`field` or `value` says what is overridden, and is missing"),
             _ => item.error(item.at, "an override is of one field: `request` or `reply`, not both"),
         }
     }
@@ -141,20 +179,25 @@ impl<'s> Draft<'s, '_> {
         let Self { spec, index, .. } = self;
         let Some(mut list) = list(item, spec, place) else { return };
         let fields = &mut *list.fields;
-        let Some(at) = fields.iter().position(|field| is_called(field, &name.value)) else {
+        let renamed = item.text("wire").filter(|_| list.keyed);
+        let found = |key: &str| fields.iter().position(|field| is_called(field, key));
+        let Some(at) = found(&name.value).or_else(|| found(&renamed.as_ref()?.value)) else {
             let known = fields.iter().map(|field| if field.wire.is_empty() { &*field.name } else { &*field.wire });
             let known: Vec<_> = known.collect();
             item.error(name.at, &format!("there is no field `{}`; there are {}", name.value, known.join(", ")));
             return;
         };
-        let new = read::changed_field(item, &fields[at], index);
-        if fields.iter().enumerate().any(|(i, other)| i != at && other.name == new.name) {
-            item.error(item.at, &format!("another field has the name `{}`", new.name));
+        let new = read::changed_field(item, &fields[at], &list.taken, index);
+        let mut others = fields.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, other)| other);
+        if let Some(other) = others.find(|other| other.name == new.name || list.keyed && other.wire == new.wire) {
+            let what =
+                if other.name == new.name { format!("name `{}`", new.name) } else { format!("key `{}`", new.wire) };
+            item.error(item.at, &format!("another field has the {what}"));
         }
         let old = &fields[at];
         if new == *old {
-            self.note(item, SAME);
-            return;
+            self.note(item, COVERED);
+            return self.covered.changes.add(place.0);
         }
         let is_undisputed = old.disputed.is_empty();
         list.replace(at, new);
@@ -162,6 +205,23 @@ impl<'s> Draft<'s, '_> {
             self.note(item, UNDISPUTED);
         }
         self.changed(item, place.0);
+    }
+
+    fn change_value(&mut self, item: &Item<'_, 's>, id: TypeId) {
+        let name = self.spec[id].name.clone();
+        let changed = match &mut self.spec.types[id.0].kind {
+            TypeKind::IntEnum(values) => item.int("value").and_then(|wire| changed_value(item, values, &wire)),
+            TypeKind::TextEnum(values) => item.text("value").and_then(|wire| changed_value(item, values, &wire)),
+            _ => return item.error(item.at, &format!("`{name}` is not an enum")),
+        };
+        match changed {
+            Some(true) => self.changed(item, &Target::Type(id)),
+            Some(false) => {
+                self.note(item, COVERED);
+                self.covered.changes.add(&Target::Type(id));
+            }
+            None => {}
+        }
     }
 
     fn change_command(&mut self, item: &Item<'_, 's>, wire: &str) {
@@ -178,21 +238,29 @@ impl<'s> Draft<'s, '_> {
         }
         let same = *command == before;
         item.finish();
+        let target = Target::Command(wire.to_owned());
         if same {
-            self.note(item, SAME);
+            self.note(item, COVERED);
+            self.covered.changes.add(&target);
         } else {
-            self.changed(item, &Target::Command(wire.to_owned()));
+            self.changed(item, &target);
         }
     }
 
     fn changed(&mut self, item: &Item<'_, 's>, target: &Target) {
         self.edits.push((item.at, item.what.clone(), target.clone()));
+        if let Target::Type(id) = target {
+            self.index.define(self.spec[*id].clone());
+        }
+        self.changed.add(target);
+    }
+}
+
+impl Changed {
+    fn add(&mut self, target: &Target) {
         match target {
-            Target::Command(wire) => self.changed.commands.insert(wire.clone()),
-            Target::Type(id) => {
-                self.index.define(self.spec[*id].clone());
-                self.changed.types.insert(*id)
-            }
+            Target::Command(wire) => self.commands.insert(wire.clone()),
+            Target::Type(id) => self.types.insert(*id),
         };
     }
 }
@@ -230,7 +298,6 @@ impl Draft<'_, '_> {
 }
 
 const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";
-const SAME: &str = "the spec says the same already; this override changes nothing and can be deleted";
 const UNDISPUTED: &str = "`settled` is for a disputed field, and no source disputes this one; it can be deleted";
 
 /// The target of an entry, its `variant`, and the part of the target that is changed.
@@ -318,9 +385,25 @@ fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part)
     Some(if keyed { List::object(fields, &[COMMAND_NAME, tag]) } else { List::array(fields) })
 }
 
-fn taken(old: &Field, new: &Field) -> String {
+/// The choice that a target is.
+fn choice<'s>(spec: &'s mut Spec, target: &Target) -> Option<&'s mut Choice> {
+    match target {
+        Target::Command(wire) => match &mut command_mut(&mut spec.topics, wire)?.request {
+            Request::Choice(choice) => Some(choice),
+            Request::Fields(_) => None,
+        },
+        Target::Type(id) => match &mut spec.types[id.0].kind {
+            TypeKind::Choice(choice) => Some(choice),
+            _ => None,
+        },
+    }
+}
+
+fn taken(old: &Field, new: &Field, difference: &str) -> String {
     if old.wire == new.wire {
-        "the spec has it already, with another content; use `[[override]]`".to_owned()
+        format!(
+            "the spec has it by now, and there {difference}; delete the entry, and change the rest with `[[override]]`"
+        )
     } else {
         format!("the name `{}` is that of the key `{}`; give another as `name`", old.name, old.wire)
     }
@@ -328,6 +411,26 @@ fn taken(old: &Field, new: &Field) -> String {
 
 fn is_called(field: &Field, name: &str) -> bool {
     if field.wire.is_empty() { field.name == name } else { field.wire == name }
+}
+
+/// Changes a value of an enum: whether it is another now, or nothing after an error.
+fn changed_value<'s, T: PartialEq + Clone + Display>(
+    item: &Item<'_, 's>,
+    values: &mut [EnumValue<T>],
+    wire: &Placed<'s, T>,
+) -> Option<bool> {
+    let known: Vec<_> = values.iter().map(|value| value.wire.to_string()).collect();
+    let Some(at) = values.iter().position(|value| value.wire == wire.value) else {
+        item.error(wire.at, &format!("there is no value `{}`; there are {}", wire.value, known.join(", ")));
+        return None;
+    };
+    let new = read::changed_value(item, &values[at]);
+    if values.iter().enumerate().any(|(i, other)| i != at && other.name == new.name) {
+        item.error(item.at, &format!("another value has the name `{}`", new.name));
+    }
+    let is_other = new != values[at];
+    values[at] = new;
+    Some(is_other)
 }
 
 /// Adds a value; true if it is there already.

@@ -1,6 +1,6 @@
 //! What a pack says about the controller's events.
 
-use super::{Draft, REPEATED};
+use super::{COVERED, Draft};
 use crate::item::Item;
 use crate::model::Event;
 use crate::read;
@@ -16,12 +16,13 @@ impl<'s> Draft<'s, '_> {
                 item.error(item.at, &format!("the spec has the code {code} already, with the severity `{severity}`"));
             }
         }
+        self.events.push(event.clone());
         let adds = event.meaning.is_some();
         let says_as_much = |known: &Event| known.meaning.is_some() || !adds;
         let spec = &self.spec;
         event.retain(|code| !spec.event(code).is_some_and(says_as_much));
         if event.codes.is_empty() {
-            self.note(item, REPEATED);
+            self.note(item, COVERED);
             return None;
         }
         for topic in &mut self.spec.topics {

@@ -11,7 +11,7 @@ use crate::unique::Unique;
 use crate::version::Versions;
 
 /// Fields of a struct written as an object, from `[[… .key]]`; `taken` are keys that none of them may have.
-pub(super) fn fields<'s>(
+pub(crate) fn fields<'s>(
     item: &Item<'_, 's>,
     (key, what): (&'static str, &str),
     taken: &[&str],
@@ -35,12 +35,17 @@ pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: &[&str], index: &mut Index<'
 }
 
 fn key_and_name<'s>(item: &Item<'_, 's>, taken: &[&str]) -> (Placed<'s, String>, Placed<'s, String>) {
+    let wire = key(item, taken);
+    let name = snake_name(item, &wire);
+    (wire, name)
+}
+
+fn key<'s>(item: &Item<'_, 's>, taken: &[&str]) -> Placed<'s, String> {
     let wire = item.required_text("wire");
     if taken.contains(&wire.value.as_str()) {
         item.error(wire.at, &format!("the key `{}` is that of the tag, or of what each message has", wire.value));
     }
-    let name = snake_name(item, &wire);
-    (wire, name)
+    wire
 }
 
 /// Fields of a struct written as an array: they have a place instead of a key.
@@ -103,16 +108,26 @@ fn constructors<'s>(item: &Item<'_, 's>, ty: &Type, index: &mut Index<'s>) -> bo
     true
 }
 
-/// The field as an `[[override]]` changes it: what the table does not say stays as it is.
-pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, index: &mut Index<'s>) -> Field {
+/// The field as an `[[override]]` changes it: what the table does not say stays as it is. `taken` are keys that it may not have; an
+/// element of an array has none.
+pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str], index: &mut Index<'s>) -> Field {
+    let wire = if item.has("wire") { key(item, taken).value } else { base.wire.clone() };
+    if base.wire.is_empty() && !wire.is_empty() {
+        item.error(item.at, "an element of an array has no key");
+    }
     let name = snake_name(item, &Placed { at: item.at, value: base.name.clone() });
     check_name(item, &name);
     let flag = |key, before: bool| item.flag(key).map_or(before, |flag| flag.value);
-    let ty = if item.has("type") { field_type(item, index) } else { base.ty.clone() };
+    let mut ty = base.ty.clone();
+    if item.has("type") {
+        ty = field_type(item, index);
+    } else {
+        written(item, &mut ty);
+    }
     let limits = if is_number(&ty) { base.range } else { Range::default() };
     let bound = |key, before| item.bound(key).map_or(before, |bound| Some(bound.value).filter(|b| b.is_finite()));
     let mut field = Field {
-        wire: base.wire.clone(),
+        wire,
         name: name.value,
         ty,
         unit: item
@@ -230,20 +245,24 @@ fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
             return Type::Scalar(Scalar::Json);
         }
     };
-    if let Some(written) = item.json_scalars("written") {
-        match (scalar_mut(&mut ty), written.value.as_slice()) {
-            (Some(Scalar::Bool { off, on }), [no, yes]) if are_told_apart(no, yes) => {
-                no.clone_into(off);
-                yes.clone_into(on);
-            }
-            _ => item.error(
-                written.at,
-                "`written` gives a bool's two forms, which are read in any case: how false is written, then true",
-            ),
-        }
-    }
+    written(item, &mut ty);
     index.type_use(item, text.at, &ty);
     ty
+}
+
+/// Takes from the table how a truth value is written.
+fn written(item: &Item<'_, '_>, ty: &mut Type) {
+    let Some(written) = item.json_scalars("written") else { return };
+    match (scalar_mut(ty), written.value.as_slice()) {
+        (Some(Scalar::Bool { off, on }), [no, yes]) if are_told_apart(no, yes) => {
+            no.clone_into(off);
+            yes.clone_into(on);
+        }
+        _ => item.error(
+            written.at,
+            "`written` gives a bool's two forms, which are read in any case: how false is written, then true",
+        ),
+    }
 }
 
 /// True for two forms of which a reader can say which it has before it.

@@ -1,11 +1,12 @@
 //! Named types.
 
-use super::common::{camel_name, keyword, required_doc, wire_int};
+use super::common::{camel_name, keyword, required_doc, versions, wire_int};
 use super::field::{elements, fields, wrapped_type};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::Index;
 use crate::unique::Unique;
+use crate::version::Versions;
 
 /// Reads a type, and gives its definition to the index.
 pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId {
@@ -30,13 +31,20 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId
 }
 
 fn array_choice<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Choice {
-    let variants = variants(item, |variant| {
-        if variant.text("name").is_some_and(|name| name.value == "Other") {
-            variant.error(variant.at, OTHER);
-        }
-        elements(variant, index)
-    });
+    let variants = variants(item, |item| array_variant_fields(item, index));
     Choice { tag: String::new(), variants }
+}
+
+/// A variant that is written as an array.
+pub(crate) fn array_variant<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Variant {
+    variant(item, |item| array_variant_fields(item, index))
+}
+
+fn array_variant_fields<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Field> {
+    if item.text("name").is_some_and(|name| name.value == "Other") {
+        item.error(item.at, OTHER);
+    }
+    elements(item, index)
 }
 
 fn enum_kind(item: &Item<'_, '_>) -> TypeKind {
@@ -71,14 +79,32 @@ const OTHER: &str = "`Other` is the variant for values that the spec does not li
 
 /// One value of an enum.
 pub(crate) fn enum_value<T>(item: &Item<'_, '_>, wire: T) -> EnumValue<T> {
+    let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
+    let versions = versions(item, &Versions::default());
+    let value = EnumValue { wire, name: value_name(item), doc: required_doc(item), advisory, versions };
+    item.finish();
+    value
+}
+
+/// The value as an `[[override]]` changes it: what the table does not say stays as it is.
+pub(crate) fn changed_value<T: Clone>(item: &Item<'_, '_>, base: &EnumValue<T>) -> EnumValue<T> {
+    let value = EnumValue {
+        wire: base.wire.clone(),
+        name: if item.has("name") { value_name(item) } else { base.name.clone() },
+        doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
+        advisory: item.flag("advisory").map_or(base.advisory, |flag| flag.value),
+        versions: versions(item, &base.versions),
+    };
+    item.finish();
+    value
+}
+
+fn value_name(item: &Item<'_, '_>) -> String {
     let name = camel_name(item);
     if name.value == "Other" {
         item.error(name.at, OTHER);
     }
-    let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
-    let value = EnumValue { wire, name: name.value, doc: required_doc(item), advisory };
-    item.finish();
-    value
+    name.value
 }
 
 /// The variants of a choice, whose fields are read by `fields`.
@@ -90,14 +116,17 @@ pub(super) fn variants<'s>(item: &Item<'_, 's>, mut fields: impl FnMut(&Item<'_,
         item.error(item.at, "a choice needs at least one `variant`");
     }
     let read = |item: &Item<'_, 's>| {
-        let wire = wire_int(item);
-        let name = camel_name(item);
-        tags.add(item, "tag value", &wire);
-        names.add(item, "name", &name);
-        let fields = fields(item);
-        let variant = Variant { wire: wire.value, name: name.value, doc: required_doc(item), fields };
-        item.finish();
-        variant
+        tags.add(item, "tag value", &wire_int(item));
+        names.add(item, "name", &camel_name(item));
+        variant(item, &mut fields)
     };
     items.iter().map(read).collect()
+}
+
+/// One variant, whose fields are read by `fields`.
+pub(crate) fn variant<'s>(item: &Item<'_, 's>, fields: impl FnOnce(&Item<'_, 's>) -> Vec<Field>) -> Variant {
+    let (wire, name, fields) = (wire_int(item).value, camel_name(item).value, fields(item));
+    let variant = Variant { wire, name, doc: required_doc(item), fields };
+    item.finish();
+    variant
 }

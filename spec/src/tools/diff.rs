@@ -146,7 +146,7 @@ fn type_key(placed: &Placed<'_, TypeDef>) -> String {
 
 fn topics(d: &mut Differ<'_>) {
     let (old, new) = (d.old, d.new);
-    for pair in pairs(&old.topics, &new.topics, |topic| topic.name.clone()) {
+    for pair in pairs(&old.topics, &new.topics, |topic| (topic.name.clone(), topic.is_pack)) {
         // What a topic adds or removes is reported by its commands and types.
         if let Pair::Both(old, new) = pair {
             let place = format!("topic `{}`", new.name);

@@ -33,14 +33,6 @@ fn a_pack_without_a_title() {
 }
 
 #[test]
-fn a_file_whose_name_is_not_a_module() {
-    let text = format!("title = \"Test\"\n{MOTION_STATE}");
-    let errors = load_pack(&spec(), Source { path: "firmware/1.7.toml", text: &text }).expect_err("it is not a name");
-    expect!["firmware/1.7.toml:1:1: the file's name is that of a module, and `1.7` is not a snake_case name"]
-        .assert_eq(&errors.to_string());
-}
-
-#[test]
 fn no_toml() {
     wrong(
         "\n[[command]\nwire = \"go\"\n",
@@ -79,8 +71,8 @@ fn an_extension_that_adds_nothing() {
     wrong(
         "\n[[extend]]\ntarget = \"joint_move\"\n",
         &expect![[r"
-        newer.toml:2:1: extension of `joint_move`: an extension has fields: `request` or `reply` of a command, `field` or `value` of a type
-    "]],
+            newer.toml:2:1: extension of `joint_move`: an extension has fields, `request` or `reply` of a command or `field` of a type, or a `value` or `variant`
+        "]],
     );
 }
 
@@ -89,7 +81,7 @@ fn an_extension_of_the_wrong_kind() {
     wrong(
         "\n[[extend]]\ntarget = \"RobotStatus\"\n[[extend.reply]]\nwire = \"mode\"\ntype = \"int\"\ndoc = \"Mode.\"\n",
         &expect![[r"
-            newer.toml:2:1: extension of `RobotStatus`: an extension has fields: `request` or `reply` of a command, `field` or `value` of a type
+            newer.toml:2:1: extension of `RobotStatus`: an extension has fields, `request` or `reply` of a command or `field` of a type, or a `value` or `variant`
             newer.toml:4:10: extension of `RobotStatus`: unknown key `reply`; the keys are field, target, value, variant
         "]],
     );
@@ -100,7 +92,7 @@ fn a_field_that_is_there_already() {
     wrong(
         "\n[[extend]]\ntarget = \"joint_move\"\n[[extend.request]]\nwire = \"speed\"\ntype = \"int\"\ndoc = \"Speed.\"\n",
         &expect![[r"
-            newer.toml:4:1: extension of `joint_move`, field `speed`: the spec has it already, with another content; use `[[override]]`
+            newer.toml:4:1: extension of `joint_move`, field `speed`: the spec has it by now, and there its field `speed` has another type; delete the entry, and change the rest with `[[override]]`
         "]],
     );
 }
@@ -185,8 +177,8 @@ fn an_override_of_a_type_names_a_field() {
     wrong(
         "\n[[override]]\ntarget = \"RobotStatus\"\ndoc = \"New.\"\n",
         &expect![[r"
-        newer.toml:2:1: override of `RobotStatus`: `field` says which field is overridden, and is missing
-    "]],
+            newer.toml:2:1: override of `RobotStatus`: `field` or `value` says what is overridden, and is missing
+        "]],
     );
 }
 
@@ -241,8 +233,8 @@ request = "speed"
 maximum = 3
 "#,
         &expect![[r"
-            newer.toml:4:1: override of `joint_move`: unknown key `effect`; the keys are deadline_ms, doc, reply, request, requires, since, target, until, variant
-            newer.toml:9:1: override of `joint_move`: unknown key `maximum`; the keys are advisory, ascii, doc, max, min, name, optional, or_raw, reply, request, settled, since, target, type, unit, until, variant
+            newer.toml:4:1: override of `joint_move`: unknown key `effect`; the keys are deadline_ms, doc, reply, request, requires, since, target, until, value, variant
+            newer.toml:9:1: override of `joint_move`: unknown key `maximum`; the keys are advisory, ascii, doc, max, min, name, optional, or_raw, reply, request, settled, since, target, type, unit, until, value, variant, wire, written
         "]],
     );
 }
@@ -252,7 +244,7 @@ fn a_command_that_the_spec_has_otherwise() {
     wrong(
         "\n[[command]]\nwire = \"power_on\"\neffect = \"power\"\ndoc = \"Powers.\"\n[[command.reply]]\nwire = \"volts\"\ntype = \"float\"\ndoc = \"Volts.\"\n",
         &expect![[r"
-            newer.toml:2:1: command `power_on`: the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`
+            newer.toml:2:1: command `power_on`: the spec has one of this name by now, and there it has no field `volts`, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`
         "]],
     );
 }
@@ -282,8 +274,7 @@ doc = "Too heavy."
             newer.toml:4:8: command `joint_move`: the method name `joint_move` is taken already, by the spec that this adds to
             newer.toml:4:8: command `joint_move`: the type name `JointMoveReply` is taken already, by the spec that this adds to
             newer.toml:4:8: command `joint_move`: the type name `JointMove` is taken already, by the spec that this adds to
-            newer.toml:8:1: type `Pose`: the spec has one of this name already, with another content; change it with `[[extend]]` and `[[override]]`
-            newer.toml:14:1: error code `Overload`: the spec has the code 2 already, as `CallFailed`
+            newer.toml:8:1: type `Pose`: the spec has one of this name by now, and there it is of another kind, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`
         "]],
     );
 }
@@ -345,8 +336,9 @@ fn versions_that_are_none() {
 
 #[test]
 fn the_method_of_a_changed_command_is_taken() {
-    wrong(
-        r#"
+    let text = r#"
+title = "Test"
+
 [[command]]
 wire = "joint_move_newer"
 effect = "motion"
@@ -355,11 +347,10 @@ doc = "Moves."
 [[override]]
 target = "joint_move"
 deadline_ms = 10
-"#,
-        &expect![[r"
-            newer.toml:1:1: the method name `joint_move_newer` is that of a changed command in this pack, and of another; rename the file
-        "]],
-    );
+"#;
+    let pack = load_pack(&spec(), Source { path: "newer.toml", text }).expect("it can be used at run time");
+    let errors: Vec<_> = pack.module_errors.iter().map(ToString::to_string).collect();
+    expect!["newer.toml:1:1: the method name `joint_move_newer` is that of a changed command in this pack, and of another; rename the file"].assert_eq(&errors.concat());
 }
 
 #[test]
@@ -394,27 +385,88 @@ fn a_reply_that_is_no_object_or_has_no_fields_of_its_own() {
     };
     wrong(
         &command("Pose"),
-        &expect![[r#"
+        &expect![[r"
         newer.toml:5:9: command `read_all`: a reply is fields, or an object without the keys that every reply has
-    "#]],
+    "]],
     );
     wrong(
         &command("Nothing"),
-        &expect![[r#"
+        &expect![[r"
         newer.toml:5:9: command `read_all`: there is no `[[type]]` named `Nothing`
-    "#]],
+    "]],
     );
     let key = "[[type]]\nname = \"All\"\nkind = \"object\"\ndoc = \"All.\"\n[[type.field]]\nwire = \"errorCode\"\nname = \"code\"\ntype = \"int\"\ndoc = \"Code.\"\n";
     wrong(
         &(command("All") + key),
-        &expect![[r#"
+        &expect![[r"
         newer.toml:5:9: command `read_all`: a reply is fields, or an object without the keys that every reply has
-    "#]],
+    "]],
     );
     wrong(
         &(command("RobotStatus") + "reply_certain = false\n"),
-        &expect![[r#"
+        &expect![[r"
         newer.toml:2:1: command `read_all`: a reply that may never come can have optional fields only
-    "#]],
+    "]],
+    );
+}
+
+#[test]
+fn keys_values_and_variants_that_are_taken_or_not_there() {
+    wrong(
+        r#"
+[[override]]
+target = "RobotStatus"
+field = "inpos"
+wire = "paused"
+
+[[override]]
+target = "joint_move"
+request = "speed"
+wire = "cmdName"
+
+[[override]]
+target = "Pose"
+field = "x"
+wire = "x"
+
+[[override]]
+target = "MoveMode"
+value = 12
+advisory = true
+
+[[override]]
+target = "Pose"
+value = 12
+advisory = true
+
+[[override]]
+target = "MoveMode"
+value = 1
+name = "Absolute"
+
+[[extend]]
+target = "jog"
+[[extend.variant]]
+wire = 1
+name = "Turn"
+doc = "Turns."
+
+[[extend]]
+target = "joint_move"
+[[extend.variant]]
+wire = 1
+name = "Turn"
+doc = "Turns."
+"#,
+        &expect![[r"
+            newer.toml:2:1: override of `RobotStatus`: another field has the key `paused`
+            newer.toml:10:8: override of `joint_move`: the key `cmdName` is that of the tag, or of what each message has
+            newer.toml:12:1: override of `Pose`: an element of an array has no key
+            newer.toml:19:9: override of `MoveMode`: there is no value `12`; there are 0, 1
+            newer.toml:22:1: override of `Pose`: `Pose` is not an enum
+            newer.toml:27:1: override of `MoveMode`: another value has the name `Absolute`
+            newer.toml:34:1: extension of `jog`, variant `Turn`: the spec has one of this name by now, and there the required fields are `frame`, `axis`, `velocity`, which your program would notice; delete the entry, and change the rest with `[[extend]]` and `[[override]]`
+            newer.toml:41:1: extension of `joint_move`, variant `Turn`: `variant` is for a command or a type with variants
+        "]],
     );
 }

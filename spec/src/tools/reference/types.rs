@@ -4,7 +4,7 @@ use std::fmt::{Display, Write as _};
 
 use super::fields;
 use super::markdown::{Table, code, escape, link};
-use crate::words::first_sentence;
+use crate::words::{self, first_sentence};
 use crate::{EnumValue, Scalar, Shape, Spec, Type, TypeDef, TypeId, TypeKind};
 
 /// The type in words, with a link to a named one.
@@ -98,9 +98,10 @@ pub(super) fn render(out: &mut String, spec: &Spec, (id, def): (TypeId, &TypeDef
 fn enum_values<T: Display>(out: &mut String, values: &[EnumValue<T>]) {
     let mut table = Table::new(&["value", "name", "meaning", "firmware"]);
     for value in values {
-        let newer = if value.advisory { "newer only" } else { "" };
+        let newer = value.advisory.then(|| "newer only".to_owned());
+        let firmware: Vec<_> = newer.into_iter().chain(words::versions(&value.versions)).collect();
         let first = first_sentence(&value.doc).0.to_owned();
-        table.row([code(&value.wire.to_string()), value.name.clone(), first, newer.to_owned()]);
+        table.row([code(&value.wire.to_string()), value.name.clone(), first, firmware.join(", ")]);
     }
     table.render(out);
     fields::longer_docs(out, values.iter().map(|value| (value.wire.to_string(), value.doc.as_str())));

@@ -54,5 +54,6 @@ pub(super) fn known_values<T: Display>(values: &[EnumValue<T>]) -> String {
 }
 
 fn named<T: Display>(value: &EnumValue<T>) -> String {
-    format!("{} ({})", value.wire, value.name)
+    let versions = words::versions(&value.versions).map(|versions| format!(", firmware {versions}"));
+    format!("{} ({}{})", value.wire, value.name, versions.unwrap_or_default())
 }
