@@ -229,8 +229,9 @@ fn a_connection_that_always_breaks_is_given_up() {
 #[test]
 fn what_a_pack_adds_is_probed_too() {
     let run = jaka(["probe", "--sim", "--pack", &pack("newer.toml")]);
-    assert!(run.out.lines().any(|line| line.starts_with("get_motion_state ") && line.ends_with(" ok")), "{}", run.out);
-    assert!(!run.out.contains("set_port10000_delay_ms"), "{}", run.out);
+    assert_eq!(run.code, Some(0), "{}", run.text());
+    assert!(run.out.lines().any(|line| line.starts_with("demo_motion_state ") && line.ends_with(" ok")), "{}", run.out);
+    assert!(!run.out.contains("demo_set_period"), "{}", run.out);
 }
 
 #[test]

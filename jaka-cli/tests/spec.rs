@@ -39,9 +39,9 @@ fn text(arguments: &[&str]) -> String {
 fn a_topic_more_and_a_pack_are_the_same_additions() {
     let folder = folder_with("newer_spec", "newer.toml");
     let three = expect![[r"
-        minor: command `emergency_stop_status`: added
-        minor: command `get_motion_state`: added
-        minor: command `set_port10000_delay_ms`: added
+        minor: command `demo_stop_state`: added
+        minor: command `demo_motion_state`: added
+        minor: command `demo_set_period`: added
         3 additions, minor
         exit code 0
     "]];
@@ -74,7 +74,7 @@ fn programs_read_changes_as_json() {
     let run = jaka(["spec", "diff", "--json", "builtin", &pack("newer.toml")]);
     let found: Value = serde_json::from_str(&run.out).unwrap();
     assert_eq!((&found["impact"], found["changes"].as_array().map(Vec::len)), (&"minor".into(), Some(3)));
-    let first = serde_json::json!({"impact": "minor", "place": "command `emergency_stop_status`", "what": "added"});
+    let first = serde_json::json!({"impact": "minor", "place": "command `demo_stop_state`", "what": "added"});
     assert_eq!(found["changes"][0], first);
     let run = jaka(["spec", "diff", "--json", "builtin", "builtin"]);
     assert_eq!(serde_json::from_str::<Value>(&run.out).unwrap(), serde_json::json!({"impact": null, "changes": []}));
@@ -84,10 +84,10 @@ fn programs_read_changes_as_json() {
 fn packs_that_are_correct_say_what_they_do() {
     expect![[r#"
         newer.toml: 3 additions, minor
-          minor: command `emergency_stop_status`: added
-          minor: command `get_motion_state`: added
-          minor: command `set_port10000_delay_ms`: added
-        changed.toml: 5 additions, 5 changes, major
+          minor: command `demo_stop_state`: added
+          minor: command `demo_motion_state`: added
+          minor: command `demo_set_period`: added
+        changed.toml: 4 additions, 5 changes, major
           major: command `set_tio_vout_param`, request field `tio_vout_vol`: type changed from `int` to `ToolVoltage`
           minor: command `joint_move`, request field `zone`: added
           minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 1.5`
@@ -139,9 +139,9 @@ fn a_pack_that_the_spec_has_overtaken_is_noted() {
         overtaken/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         overtaken: 85 commands, 47 types, 5 error codes, 894 events
         newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it, so it can be deleted
-        newer.toml:4:1: note: command `get_motion_state`: the spec has the same already; this entry changes nothing and can be deleted
-        newer.toml:33:1: note: command `emergency_stop_status`: the spec has the same already; this entry changes nothing and can be deleted
-        newer.toml:44:1: note: command `set_status_period`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml:4:1: note: command `demo_motion_state`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml:33:1: note: command `demo_stop_state`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml:44:1: note: command `set_demo_period`: the spec has the same already; this entry changes nothing and can be deleted
         newer.toml: no differences
         exit code 0
     "#]].assert_eq(&text(&["check", "--spec", &folder, &pack("newer.toml")]));
@@ -155,17 +155,17 @@ fn a_whole_spec_is_checked_with_its_examples() {
     expect![[r#"
         whole/motion.toml:440:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
         whole/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
-        whole/newer.toml:31:10: command `get_motion_state`, reply of an example: `queue` is [3]; expected is a whole number
+        whole/newer.toml:31:10: command `demo_motion_state`, reply of an example: `queue` is [3]; expected is a whole number
         whole: 85 commands, 47 types, 5 error codes, 894 events
         jaka: 1 error
         exit code 2
     "#]].assert_eq(&text(&["check", "--spec", &folder]));
     file("whole/newer.toml", &newer.replace("\"int\"", "\"Int\""));
     expect![[r"
-        whole/newer.toml:22:8: command `get_motion_state`, reply field `queue`: there is no `[[type]]` named `Int`
-        whole/newer.toml:27:8: command `get_motion_state`, reply field `active_queue`: there is no `[[type]]` named `Int`
-        whole/newer.toml:50:1: command `set_status_period`, field `period`: `min`, `max` and `advisory` are for numbers
-        whole/newer.toml:53:8: command `set_status_period`, field `period`: there is no `[[type]]` named `Int`
+        whole/newer.toml:22:8: command `demo_motion_state`, reply field `queue`: there is no `[[type]]` named `Int`
+        whole/newer.toml:27:8: command `demo_motion_state`, reply field `active_queue`: there is no `[[type]]` named `Int`
+        whole/newer.toml:50:1: command `set_demo_period`, field `period`: `min`, `max` and `advisory` are for numbers
+        whole/newer.toml:53:8: command `set_demo_period`, field `period`: there is no `[[type]]` named `Int`
         jaka: the spec in whole has errors
         exit code 2
     "]].assert_eq(&text(&["check", "--spec", &folder]));
@@ -200,11 +200,11 @@ fn documents_have_the_commands_of_packs() {
     let with = jaka(["spec", "doc", "--pack", &pack("newer.toml")]);
     let chinese = jaka(["spec", "doc", "--lang", "zh"]);
     assert_eq!(chinese.out, jaka_spec::tools::reference_zh(&jaka_spec::builtin().unwrap()));
-    assert!(!without.out.contains("get_motion_state") && with.out.contains("`get_motion_state`"));
+    assert!(!without.out.contains("demo_motion_state") && with.out.contains("`demo_motion_state`"));
     let path = scratch("schema.json");
     let run = jaka(["spec", "schema", "--pack", &pack("newer.toml"), "-o", &path.display().to_string()]);
     assert_eq!(run.text(), "exit code 0\n");
     let schema: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
-    assert_eq!(schema["$defs"]["request.set_port10000_delay_ms"]["properties"]["port10000_delay_ms"]["minimum"], 1);
+    assert_eq!(schema["$defs"]["request.demo_set_period"]["properties"]["demo_period"]["minimum"], 1);
     assert_eq!(jaka(["spec", "doc", "-o", "nowhere/reference.md"]).code, Some(6));
 }

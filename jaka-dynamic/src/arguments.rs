@@ -143,6 +143,9 @@ fn listed<T>(values: &[EnumValue<T>], wire: impl Fn(&T) -> Value) -> Vec<Possibl
         if value.advisory {
             one.help += " Taken by newer firmware only.";
         }
+        if let Some(versions) = words::versions(&value.versions) {
+            one.help = format!("{} Known to firmware {versions}.", one.help);
+        }
         one
     };
     values.iter().map(one).collect()

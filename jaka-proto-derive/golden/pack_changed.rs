@@ -155,6 +155,7 @@ pub mod changed {
         /// State of the brakes.
         pub brake_state: Option<i64>,
     }
+    impl ::jaka_sync::MotionStatus for RobotStatus {}
     /// The commands of [`changed`](self) as methods: of a client, of a robot, and of all else that takes commands.
     pub trait ChangedCommands: ::jaka_sync::Call {
         /// Reads what a status packet says.

@@ -5,18 +5,18 @@ pub mod newer {
     //! Three commands that the built-in spec does not have.
     /// Reads how the motion stands.
     ///
-    /// Sends `get_motion_state`. Changes nothing on the robot. The reply is [`GetMotionStateReply`]. The method is [`NewerCommands::get_motion_state`].
+    /// Sends `demo_motion_state`. Changes nothing on the robot. The reply is [`DemoMotionStateReply`]. The method is [`NewerCommands::demo_motion_state`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
-    pub struct GetMotionState {}
-    impl GetMotionState {
+    pub struct DemoMotionState {}
+    impl DemoMotionState {
         /// Without any optional field.
         pub const fn new() -> Self {}
     }
-    /// What the controller answers to [`type@GetMotionState`].
+    /// What the controller answers to [`type@DemoMotionState`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct GetMotionStateReply {
+    pub struct DemoMotionStateReply {
         /// Whether the arm is in position. `inpos` on the wire.
         pub in_position: bool,
         /// Whether the motion is paused.
@@ -28,31 +28,31 @@ pub mod newer {
     }
     /// Reads whether the emergency stop is pressed.
     ///
-    /// Sends `emergency_stop_status`. Changes nothing on the robot. The reply is [`EmergencyStopStatusReply`]. The method is [`NewerCommands::emergency_stop_status`].
+    /// Sends `demo_stop_state`. Changes nothing on the robot. The reply is [`DemoStopStateReply`]. The method is [`NewerCommands::demo_stop_state`].
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
-    pub struct EmergencyStopStatus {}
-    impl EmergencyStopStatus {
+    pub struct DemoStopState {}
+    impl DemoStopState {
         /// Without any optional field.
         pub const fn new() -> Self {}
     }
-    /// What the controller answers to [`type@EmergencyStopStatus`].
+    /// What the controller answers to [`type@DemoStopState`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct EmergencyStopStatusReply {
+    pub struct DemoStopStateReply {
         /// Whether the emergency stop is pressed.
         pub emergency_stop: bool,
     }
     /// Sets the time between two status packets.
     ///
-    /// Sends `set_port10000_delay_ms`. The method is [`NewerCommands::set_status_period`].
+    /// Sends `demo_set_period`. The method is [`NewerCommands::set_demo_period`].
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
-    pub struct SetStatusPeriod {
-        /// Time between two packets. In ms, at least 1. `port10000_delay_ms` on the wire.
+    pub struct SetDemoPeriod {
+        /// Time between two packets. In ms, at least 1. `demo_period` on the wire.
         pub period: i64,
     }
-    impl SetStatusPeriod {
+    impl SetDemoPeriod {
         /// With the required fields alone.
         ///
         /// - `period`: in ms, at least 1
@@ -62,34 +62,32 @@ pub mod newer {
     pub trait NewerCommands: ::jaka_sync::Call {
         /// Reads how the motion stands.
         ///
-        /// Sends [`get_motion_state`](type@GetMotionState). Changes nothing on the robot.
+        /// Sends [`demo_motion_state`](type@DemoMotionState). Changes nothing on the robot.
         ///
         /// # Example
         /// ```text
-        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "get_motion_state", "inpos": true, "paused": false, "queue": 3, "active_queue": 1}
+        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "demo_motion_state", "inpos": true, "paused": false, "queue": 3, "active_queue": 1}
         /// ```
         ///
         /// # Errors
         /// As `Call::call`.
-        fn get_motion_state(
+        fn demo_motion_state(
             &mut self,
-        ) -> Result<GetMotionStateReply, ::jaka_sync::Error>;
+        ) -> Result<DemoMotionStateReply, ::jaka_sync::Error>;
         /// Reads whether the emergency stop is pressed.
         ///
-        /// Sends [`emergency_stop_status`](type@EmergencyStopStatus). Changes nothing on the robot.
+        /// Sends [`demo_stop_state`](type@DemoStopState). Changes nothing on the robot.
         ///
         /// # Errors
         /// As `Call::call`.
-        fn emergency_stop_status(
-            &mut self,
-        ) -> Result<EmergencyStopStatusReply, ::jaka_sync::Error>;
+        fn demo_stop_state(&mut self) -> Result<DemoStopStateReply, ::jaka_sync::Error>;
         /// Sets the time between two status packets.
         ///
-        /// Sends [`set_port10000_delay_ms`](type@SetStatusPeriod).
+        /// Sends [`demo_set_period`](type@SetDemoPeriod).
         ///
         /// # Errors
         /// As `Call::call`.
-        fn set_status_period(&mut self, period: i64) -> Result<(), ::jaka_sync::Error>;
+        fn set_demo_period(&mut self, period: i64) -> Result<(), ::jaka_sync::Error>;
     }
     impl<T: ::jaka_sync::Call + ?Sized> NewerCommands for T {}
 }

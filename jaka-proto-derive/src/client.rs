@@ -39,14 +39,8 @@ pub(crate) fn modules(spec: &Spec) -> TokenStream {
 /// An `impl Client` for each topic, with a method for each of its commands.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
     let docs = Docs::new(spec, Place::Client);
-    let scope = Scope {
-        spec,
-        topic: None,
-        own: &TokenStream::new(),
-        elsewhere: &quote!(self),
-        wire: &quote!(::jaka_proto::wire),
-        docs,
-    };
+    let (own, elsewhere, wire) = (TokenStream::new(), quote!(self), quote!(::jaka_proto::wire));
+    let scope = Scope { spec, topic: None, own: &own, elsewhere: &elsewhere, packs: &own, wire: &wire, docs };
     let topics = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).map(|topic| {
         let module = scope.module(topic);
         let methods = topic.commands.iter().map(|command| {

@@ -48,6 +48,6 @@ fn packs() {
     let base = jaka_spec::builtin().expect("the built-in spec is correct");
     for text in texts("pack") {
         let Ok(pack) = jaka_spec::load_pack(&base, Source { path: "fuzz.toml", text: &text }) else { continue };
-        assert_rust(pack::module(&pack.module(), &quote!(::jaka_sync)), &text);
+        assert_rust(pack::render(&pack.module(), &base, &quote!(::jaka_sync)), &text);
     }
 }

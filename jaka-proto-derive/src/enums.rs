@@ -1,6 +1,6 @@
 //! Open sets of named integers and texts.
 
-use jaka_spec::{EnumValue, to_snake};
+use jaka_spec::{EnumValue, to_snake, words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -103,7 +103,9 @@ pub(crate) fn text(place: Docs<'_>, name: &Ident, docs: &TokenStream, values: &[
 fn variants<T: std::fmt::Debug>(place: Docs<'_>, values: &[EnumValue<T>]) -> TokenStream {
     let variants = values.iter().map(|value| {
         let newer = if value.advisory { " Taken by newer firmware only." } else { "" };
-        let docs = place.attributes(&format!("{}{newer} `{:?}` on the wire.", value.doc, value.wire));
+        let versions = words::versions(&value.versions).map(|known| format!(" Known to firmware {known}."));
+        let versions = versions.unwrap_or_default();
+        let docs = place.attributes(&format!("{}{newer}{versions} `{:?}` on the wire.", value.doc, value.wire));
         let name = ident(&value.name);
         quote!(#docs #name,)
     });

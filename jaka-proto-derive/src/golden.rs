@@ -170,11 +170,11 @@ fn module(source: Source<'_>) -> Module {
 #[test]
 fn packs() {
     let sync = quote!(::jaka_sync);
-    expect_file!["../golden/pack_newer.rs"].assert_eq(&interface(pack::module(&module(NEWER), &sync)));
+    expect_file!["../golden/pack_newer.rs"].assert_eq(&interface(pack::render(&module(NEWER), &builtin(), &sync)));
     // Of the status packet, which is long and as it was, only what the pack adds.
     let spec = builtin();
     let before: Vec<_> = spec.status_fields().iter().map(|field| field.name.as_str()).collect();
-    let changed = interface_without(pack::module(&module(CHANGED), &sync), "RobotStatus", &before);
+    let changed = interface_without(pack::render(&module(CHANGED), &spec, &sync), "RobotStatus", &before);
     expect_file!["../golden/pack_changed.rs"].assert_eq(&changed);
 }
 
@@ -189,11 +189,13 @@ fn commands_in_the_spec_and_in_a_pack_are_the_same() {
     let in_pack = topic::items(Scope::of_module(&own.spec, &own.topic, &paths), &own.topic, &own.spec.sent_types());
     assert_eq!(pretty(items), pretty(in_pack));
     let methods = pretty(client::methods(&spec)).replace("self::newer::", "").replace("pub fn", "fn");
-    let in_pack = pretty(pack::module(&own, &quote!(::jaka_sync))).replace("::jaka_sync::Error", "Error");
-    for method in ["get_motion_state(", "emergency_stop_status(", "set_status_period("] {
+    let in_pack = pretty(pack::render(&own, &builtin(), &quote!(::jaka_sync))).replace("::jaka_sync::Error", "Error");
+    for method in ["demo_motion_state(", "demo_stop_state(", "set_demo_period("] {
         let signature = |text: &str| {
-            let line = text.lines().find(|line| line.contains(method)).map(str::trim);
-            line.unwrap_or_else(|| panic!("{method} is missing")).to_owned()
+            let found = text.split_once(&format!("fn {method}")).and_then(|(_, rest)| rest.split_once('{'));
+            let (signature, _) = found.unwrap_or_else(|| panic!("{method} is missing"));
+            // Where it takes several lines, a comma is added.
+            signature.split_whitespace().collect::<String>().replace(",)", ")")
         };
         assert_eq!(signature(&methods), signature(&in_pack));
     }
@@ -207,7 +209,7 @@ const STRANGE: Source<'_> = Source { path: "strange.toml", text: include_str!(".
 fn no_text_of_a_pack_becomes_code() {
     let spec = builtin();
     let pack = jaka_spec::load_pack(&spec, STRANGE).expect("the pack is correct");
-    let text = pretty(pack::module(&pack.module(), &quote!(::jaka_sync)));
+    let text = pretty(pack::render(&pack.module(), &spec, &quote!(::jaka_sync)));
     let docs = text.lines().filter_map(|line| {
         let line = line.trim_start();
         line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))
@@ -247,7 +249,7 @@ fn what_loads_can_be_rendered() {
         for line in other.into_iter().chain([String::new()]) {
             let text = [&lines[..at], &[line.as_str()], &lines[at + 1..]].concat().join("\n");
             let Ok(pack) = jaka_spec::load_pack(&spec, Source { text: &text, ..STRANGE }) else { continue };
-            let parsed = syn::parse2::<syn::File>(pack::module(&pack.module(), &quote!(::jaka_sync)));
+            let parsed = syn::parse2::<syn::File>(pack::render(&pack.module(), &spec, &quote!(::jaka_sync)));
             assert!(parsed.is_ok(), "line {}, `{line}`: {:?}", at + 1, parsed.err());
             rendered += 1;
         }

@@ -2,62 +2,84 @@
 
 use std::path::{Path, PathBuf};
 
-use jaka_spec::{Command, Error, Module, Pack, Source, Topic};
-use proc_macro2::{Span, TokenStream};
+use jaka_spec::{Command, Errors, Field, Module, Pack, Source, Spec, Topic, to_camel};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
-use syn::{LitStr, parenthesized};
+use syn::punctuated::Punctuated;
+use syn::{LitStr, Token, parenthesized};
 
 use crate::client::Method;
 use crate::docs::{self, Docs, Place};
 use crate::scope::{ModulePaths, Scope, ident};
 use crate::{error_codes, events, literal, topic};
 
-/// What `jaka_sync::pack!` hands over: the path of jaka-sync, and that of the TOML file.
+/// What `jaka_sync::pack!` hands over: the path of jaka-sync, that of the TOML file, and those of the packs on which it stands.
 pub(crate) struct Input {
     sync: TokenStream,
     path: LitStr,
+    lower: Punctuated<LitStr, Token![,]>,
 }
 
 impl Parse for Input {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let sync;
         parenthesized!(sync in input);
-        Ok(Self { sync: sync.parse()?, path: input.parse()? })
+        let (sync, path) = (sync.parse()?, input.parse()?);
+        if input.is_empty() {
+            return Ok(Self { sync, path, lower: Punctuated::new() });
+        }
+        let word: Ident = input.parse()?;
+        if word != "on" {
+            return Err(syn::Error::new(word.span(), "expected `on` and the packs on which this one stands"));
+        }
+        Ok(Self { sync, path, lower: Punctuated::parse_separated_nonempty(input)? })
     }
 }
 
 /// The pack's module, or a compiler error for each thing that is wrong with it.
 pub(crate) fn expand(input: &Input) -> TokenStream {
-    let Input { sync, path } = input;
-    let relative = path.value();
-    let file = folder().join(&relative);
-    let text = match std::fs::read_to_string(&file) {
-        Ok(text) => text,
-        Err(error) => {
-            let message = format!(
-                "cannot read the pack `{}`: {error}; the path is relative to the folder of the crate's Cargo.toml",
-                file.display()
-            );
-            return compile_error(path.span(), &message);
+    let Input { sync, path, lower } = input;
+    let rendered = match jaka_spec::builtin() {
+        Ok(built_in) => {
+            rendered(&built_in, input).map_or_else(|errors| errors, |module| render(&module, &built_in, sync))
         }
+        Err(errors) => compile_errors(path.span(), &errors),
     };
-    let source = Source { path: &relative, text: &text };
-    let loaded = jaka_spec::builtin().and_then(|spec| jaka_spec::load_pack(&spec, source));
-    let rendered = match loaded {
-        Ok(pack) => {
-            let notes = notes(&pack, path.span());
-            let module = module(&pack.module(), sync);
-            quote!(#module #notes)
-        }
-        Err(errors) => errors.iter().map(|error| compile_error(path.span(), &error.to_string())).collect(),
-    };
-    // Names the file to the compiler, so that an edit of it rebuilds the crate.
-    let rebuild = file.display().to_string();
+    // Names the files to the compiler, so that an edit of one rebuilds the crate.
+    let files = lower.iter().chain([path]).map(|path| folder().join(path.value()).display().to_string());
     quote! {
         #rendered
-        const _: &[::core::primitive::u8] = ::core::include_bytes!(#rebuild);
+        #(const _: &[::core::primitive::u8] = ::core::include_bytes!(#files);)*
     }
+}
+
+/// The module, on the modules of the packs on which it stands.
+fn rendered(built_in: &Spec, input: &Input) -> Result<Module, TokenStream> {
+    let mut spec = built_in.clone();
+    for path in &input.lower {
+        spec = load(&spec, path)?.module().spec;
+    }
+    let pack = load(&spec, &input.path)?;
+    if pack.module_errors.is_empty() {
+        return Ok(pack.module());
+    }
+    let errors = pack.module_errors.iter();
+    Err(errors.map(|error| compile_error(input.path.span(), &error.to_string())).collect())
+}
+
+fn load(spec: &Spec, path: &LitStr) -> Result<Pack, TokenStream> {
+    let relative = path.value();
+    let file = folder().join(&relative);
+    let text = std::fs::read_to_string(&file).map_err(|error| {
+        let message = format!(
+            "cannot read the pack `{}`: {error}; the path is relative to the folder of the crate's Cargo.toml",
+            file.display()
+        );
+        compile_error(path.span(), &message)
+    })?;
+    let loaded = jaka_spec::load_pack(spec, Source { path: &relative, text: &text });
+    loaded.map_err(|errors| compile_errors(path.span(), &errors))
 }
 
 /// The folder of the user's crate.
@@ -69,23 +91,12 @@ fn compile_error(span: Span, message: &str) -> TokenStream {
     quote_spanned!(span=> ::core::compile_error!(#message);)
 }
 
-/// A warning for each note: the use of a constant that is deprecated for that reason.
-fn notes(pack: &Pack, span: Span) -> TokenStream {
-    let warning = |note: &Error| {
-        let text = note.to_string();
-        quote_spanned! {span=>
-            const _: () = {
-                #[deprecated(note = #text)]
-                const PACK: () = ();
-                PACK
-            };
-        }
-    };
-    pack.notes.iter().map(warning).collect()
+fn compile_errors(span: Span, errors: &Errors) -> TokenStream {
+    errors.iter().map(|error| compile_error(span, &error.to_string())).collect()
 }
 
 /// The module: messages, error codes, and a trait with the methods.
-pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
+pub(crate) fn render(module: &Module, built_in: &Spec, sync: &TokenStream) -> TokenStream {
     let topic = &module.topic;
     let name = ident(&topic.name);
     let docs = Docs::new(&module.spec, Place::Pack(module));
@@ -93,10 +104,11 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
     let scope = Scope { docs, ..Scope::of_module(&module.spec, topic, &paths) };
     let items = topic::items(scope, topic, &module.spec.sent_types());
     let literals = literal::module(&module.spec, topic, sync.clone());
-    let repeated = repeated(module, scope);
+    let covered = covered(module, scope);
+    let status = motion_status(module, built_in, scope, sync);
     let methods = methods(module, scope, sync);
-    let codes = error_codes::in_pack(docs, &topic.errors);
-    let events = events::in_pack(&topic.events);
+    let codes = error_codes::in_pack(docs, &module.codes);
+    let events = events::in_pack(&module.events);
     let docs = docs.topic(topic);
     quote! {
         #[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]
@@ -108,7 +120,8 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
 
             #items
             #literals
-            #repeated
+            #covered
+            #status
             #methods
             #codes
             #events
@@ -116,35 +129,89 @@ pub(crate) fn module(module: &Module, sync: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the pack repeats as the spec has it, under the names that the pack's user knows.
-fn repeated(module: &Module, scope: Scope<'_>) -> TokenStream {
+/// What the spec has by now as the pack has it, under the names that the pack's user knows.
+fn covered(module: &Module, scope: Scope<'_>) -> TokenStream {
     let mut items = Vec::new();
     for topic in &module.spec.topics {
         let path = scope.module(topic);
-        let types = module.spec.types_of(topic).filter(|(id, _)| module.repeated_types.contains(id));
-        let commands = repeated_commands(module, topic);
-        let messages = commands.flat_map(|command| [Some(command.request_type()), command.reply_type()]).flatten();
-        for name in types.map(|(_, def)| def.name.clone()).chain(messages) {
-            let name = ident(&name);
-            items.push(quote!(pub use #path #name;));
+        let types = module.spec.types_of(topic).filter(|(id, _)| module.covered_types.contains(id));
+        items.extend(types.map(|(_, def)| reexport(&path, &def.name, &def.name)));
+        for command in covered_commands(module, topic) {
+            let request = to_camel(&module.covered_commands[&command.wire]);
+            items.push(reexport(&path, &command.request_type(), &request));
+            items.extend(command.reply_type().map(|reply| reexport(&path, &reply, &format!("{request}Reply"))));
         }
     }
     quote!(#(#items)*)
 }
 
-fn repeated_commands<'m>(module: &'m Module, topic: &'m Topic) -> impl Iterator<Item = &'m Command> {
-    topic.commands.iter().filter(|command| module.repeated_commands.contains(&command.wire))
+fn reexport(path: &TokenStream, name: &str, here: &str) -> TokenStream {
+    let (name, here) = (ident(name), ident(here));
+    if name == here { quote!(pub use #path #name;) } else { quote!(pub use #path #name as #here;) }
+}
+
+fn covered_commands<'m>(module: &'m Module, topic: &'m Topic) -> impl Iterator<Item = &'m Command> {
+    topic.commands.iter().filter(|command| module.covered_commands.contains_key(&command.wire))
+}
+
+/// The fields of a status packet by which `jaka_sync::Robot` tells how a motion goes.
+const MOTION_FIELDS: &[&str] = &[
+    "emergency_stop",
+    "protective_stop",
+    "powered_on",
+    "enabled",
+    "in_position",
+    "paused",
+    "error_code",
+    "error_message",
+    "joint_actual_position",
+    "actual_position",
+    "current_tool_id",
+    "current_user_frame_id",
+];
+
+/// What makes a changed status packet one for robots. Where the pack gives another type to what a robot needs, nothing: the pack's user
+/// says what it means.
+fn motion_status(module: &Module, built_in: &Spec, scope: Scope<'_>, sync: &TokenStream) -> Option<TokenStream> {
+    module.spec.status_type().filter(|id| module.topic.types.contains(id))?;
+    let is_packs = |field: &Field| {
+        let topic = field.ty.named().and_then(|id| module.spec.topic_of(id));
+        topic.is_some_and(|topic| topic.is_pack)
+    };
+    let rust = |field: &Field| scope.field_type(field).to_string();
+    let as_before = |field: &Field| {
+        let known = built_in.status_fields().iter().find(|known| known.name == field.name);
+        !is_packs(field) && known.is_some_and(|known| rust(known) == rust(field))
+    };
+    let fields: Vec<_> = module.spec.status_fields().iter().filter(|field| as_before(field)).collect();
+    if !MOTION_FIELDS.iter().all(|name| fields.iter().any(|field| field.name == *name)) {
+        return None;
+    }
+    let names = fields.iter().map(|field| ident(&field.name));
+    Some(quote! {
+        impl #sync::MotionStatus for RobotStatus {
+            fn robot_status(&self) -> #sync::status::RobotStatus {
+                let mut status = #sync::status::RobotStatus::default();
+                #(status.#names = ::core::clone::Clone::clone(&self.#names);)*
+                status
+            }
+        }
+    })
 }
 
 /// A trait with a method for each command of the pack, for all that takes commands.
 fn methods(module: &Module, scope: Scope<'_>, sync: &TokenStream) -> Option<TokenStream> {
-    let commands = module.spec.topics.iter().flat_map(|topic| repeated_commands(module, topic));
-    let commands: Vec<_> = module.topic.commands.iter().chain(commands).collect();
+    let covered = module.spec.topics.iter().flat_map(|topic| {
+        let path = scope.module(topic);
+        covered_commands(module, topic).map(move |command| (path.clone(), command))
+    });
+    let own = module.topic.commands.iter().map(|command| (TokenStream::new(), command));
+    let commands: Vec<_> = own.chain(covered).collect();
     if commands.is_empty() {
         return None;
     }
-    let methods = commands.iter().map(|command| {
-        let Method { head, parameter, argument, reply } = Method::new(scope, &TokenStream::new(), command);
+    let methods = commands.iter().map(|(path, command)| {
+        let Method { head, parameter, argument, reply } = Method::new(scope, path, command);
         let docs = scope.docs.method(command, "`Call::call`");
         let name = ident(&module.method(command));
         quote! {

@@ -16,6 +16,8 @@ pub(crate) struct Scope<'s> {
     pub(crate) own: &'s TokenStream,
     /// The path of the module that has the other topics' modules.
     pub(crate) elsewhere: &'s TokenStream,
+    /// The path of the module that has the modules of other packs.
+    pub(crate) packs: &'s TokenStream,
     /// The path of the module `wire`.
     pub(crate) wire: &'s TokenStream,
     /// What its docs link to.
@@ -26,7 +28,8 @@ impl<'s> Scope<'s> {
     /// The scope of a topic's module, where `proto`, `check` and `wire` are jaka-proto and its modules.
     pub(crate) fn of_module(spec: &'s Spec, topic: &'s Topic, paths: &'s ModulePaths) -> Self {
         let docs = Docs::new(spec, Place::Messages(Some(topic)));
-        Self { spec, topic: Some(topic), own: &paths.own, elsewhere: &paths.elsewhere, wire: &paths.wire, docs }
+        let ModulePaths { own, elsewhere, packs, wire } = paths;
+        Self { spec, topic: Some(topic), own, elsewhere, packs, wire, docs }
     }
 
     /// The Rust type, as named from inside the topic's module.
@@ -77,7 +80,8 @@ impl<'s> Scope<'s> {
 
     /// The path of another topic's module.
     pub(crate) fn module(self, topic: &Topic) -> TokenStream {
-        let (elsewhere, module) = (self.elsewhere, ident(&topic.name));
+        let elsewhere = if topic.is_pack { self.packs } else { self.elsewhere };
+        let module = ident(&topic.name);
         quote!(#elsewhere::#module::)
     }
 
@@ -113,18 +117,19 @@ impl<'s> Scope<'s> {
 pub(crate) struct ModulePaths {
     own: TokenStream,
     elsewhere: TokenStream,
+    packs: TokenStream,
     wire: TokenStream,
 }
 
 impl ModulePaths {
     /// Those of the module itself; `elsewhere` has the other topics' modules.
     pub(crate) fn new(elsewhere: TokenStream) -> Self {
-        Self { own: TokenStream::new(), elsewhere, wire: quote!(wire) }
+        Self { own: TokenStream::new(), elsewhere, packs: quote!(super), wire: quote!(wire) }
     }
 
     /// Those of a module inside it.
     pub(crate) fn inner(elsewhere: TokenStream) -> Self {
-        Self { own: quote!(super::), elsewhere, wire: quote!(super::wire) }
+        Self { own: quote!(super::), elsewhere, packs: quote!(super::super), wire: quote!(super::wire) }
     }
 }
 

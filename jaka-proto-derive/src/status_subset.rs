@@ -37,7 +37,8 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let Input { sync, head, name, .. } = input;
     let wire = quote!(#sync::proto::wire);
     let docs = Docs::new(&spec, Place::User);
-    let scope = Scope { spec: &spec, topic: None, own: &TokenStream::new(), elsewhere: sync, wire: &wire, docs };
+    let own = TokenStream::new();
+    let scope = Scope { spec: &spec, topic: None, own: &own, elsewhere: sync, packs: &own, wire: &wire, docs };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
     let read = read_object_in_place(&fields, Manner::StatusSubset);

@@ -130,12 +130,21 @@ fn enum_body<T>(values: &[EnumValue<T>], allowed: &str, wire: &TokenStream) -> T
     };
     let listed = arm(false, quote!(Listed));
     let newer = arm(true, quote!(Advisory));
+    let bounded: Vec<_> = values.iter().filter(|value| value.versions != Versions::default()).collect();
+    let versions = (!bounded.is_empty()).then(|| {
+        let arms = bounded.iter().map(|value| {
+            let (name, firmware) = (ident(&value.name), firmware(&value.versions));
+            quote!(Self::#name => place.takes(&#wire, &check::Limits::NONE #firmware)?,)
+        });
+        quote!(match self { #(#arms)* _ => {} })
+    });
     quote! {
         let standing = match self {
             #listed
             #newer
             Self::Other(_) => check::Standing::Unknown,
         };
+        #versions
         place.listed(&#wire, standing, #allowed)
     }
 }

@@ -204,6 +204,17 @@ impl<'p> Place<'p> {
         Err(NotSent::NotInFirmware(NotInFirmware::new(self.command, field, firmware, *range)))
     }
 
+    /// Checks that the controller's firmware takes a value of an enum, where the firmware is known; the limits say which takes it.
+    ///
+    /// # Errors
+    /// It does not.
+    pub fn takes(&self, value: &dyn fmt::Display, limits: &Limits<'_>) -> Result<(), NotSent> {
+        self.exists(&limits.firmware).map_err(|missing| match missing {
+            NotSent::NotInFirmware(missing) => NotSent::NotInFirmware(missing.with_value(value.to_string())),
+            other @ NotSent::InvalidArgument(_) => other,
+        })
+    }
+
     fn inner(&'p self, name: PlaceName) -> Place<'p> {
         Self { command: self.command, name, outer: Some(self), rules: self.rules }
     }

@@ -140,6 +140,8 @@ pub struct NotInFirmware {
     pub command: String,
     /// The field's Rust name, such as `pose.x`; none where it is the command itself that the firmware does not have.
     pub field: Option<String>,
+    /// The value of the field, where it is the value that the firmware does not have.
+    pub value: Option<String>,
     /// The controller's firmware.
     pub firmware: FirmwareVersion,
     /// The firmware that has it.
@@ -154,17 +156,24 @@ impl NotInFirmware {
         firmware: FirmwareVersion,
         range: FirmwareRange,
     ) -> Self {
-        Self { command: command.into(), field, firmware, range }
+        Self { command: command.into(), field, value: None, firmware, range }
+    }
+
+    /// The same for a value of the field, rather than for the field.
+    #[must_use]
+    pub fn with_value(self, value: impl Into<String>) -> Self {
+        Self { value: Some(value.into()), ..self }
     }
 }
 
 impl fmt::Display for NotInFirmware {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { command, field, firmware, range } = self;
+        let Self { command, field, value, firmware, range } = self;
         write!(f, "`{command}` was not sent: the controller's firmware {firmware} does not have ")?;
-        match field {
-            Some(field) => write!(f, "its field `{field}`")?,
-            None => f.write_str("it")?,
+        match (field, value) {
+            (Some(field), Some(value)) => write!(f, "the value {value} of its field `{field}`")?,
+            (Some(field), None) => write!(f, "its field `{field}`")?,
+            (None, _) => f.write_str("it")?,
         }
         write!(f, "; firmware {range} has")
     }

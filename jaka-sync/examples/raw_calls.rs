@@ -33,7 +33,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     println!("  {}", reply["cartPosition"]);
 
     println!("\nA command of newer firmware, which this controller may not know:");
-    match robot.call_raw("get_motion_state", &json!({})) {
+    match robot.call_raw("demo_motion_state", &json!({})) {
         Ok(reply) => println!("  {reply}"),
         Err(error) if error.is_refused() => println!("  {error}"),
         Err(error) => return Err(error.into()),

@@ -1,6 +1,6 @@
 //! What can send commands.
 
-use crate::{Client, Command, Error, Robot};
+use crate::{Client, Command, Error, MotionStatus, Robot};
 
 /// What can send commands: a [`Client`], a [`Robot`], or a type of your own that forwards them.
 ///
@@ -29,7 +29,7 @@ impl Call for Client {
 }
 
 /// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see [`Robot::run`].
-impl Call for Robot {
+impl<S: MotionStatus> Call for Robot<S> {
     fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
         self.client().call(command)
     }

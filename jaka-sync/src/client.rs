@@ -207,7 +207,7 @@ impl Client {
     ///
     /// ```no_run
     /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
-    /// let reply = robot.call_raw("get_motion_state", &serde_json::json!({}))?;
+    /// let reply = robot.call_raw("demo_motion_state", &serde_json::json!({}))?;
     /// println!("{}", reply["queue"]);
     /// # Ok::<(), jaka_sync::Error>(())
     /// ```

@@ -45,7 +45,9 @@ pub use methods::*;
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
-pub use robot::{Explanation, Motion, MotionEnd, NotReached, Outcome, Robot, RobotStop, StatusProblem, Target};
+pub use robot::{
+    Explanation, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Robot, RobotStop, StatusProblem, Target,
+};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;

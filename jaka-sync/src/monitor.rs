@@ -10,7 +10,7 @@ mod thread;
 mod interleavings;
 
 use std::any::Any;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::net::TcpStream;
 use std::ops::ControlFlow;
 use std::sync::{Arc, PoisonError};
@@ -294,8 +294,11 @@ impl<S: 'static> Monitor<S> {
     }
 
     /// What wakes the threads in [`watch`](Self::watch).
-    pub(crate) fn waker(&self) -> Waker<S> {
-        Waker { board: Arc::clone(&self.board) }
+    pub(crate) fn waker(&self) -> Waker
+    where
+        S: Send + Sync,
+    {
+        Waker { board: Arc::<Board<S>>::clone(&self.board) }
     }
 
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
@@ -353,21 +356,32 @@ impl<S: 'static> Monitor<S> {
 }
 
 /// Wakes the threads that watch a monitor.
-#[derive(Debug)]
-pub(crate) struct Waker<S> {
-    board: Arc<Board<S>>,
+#[derive(Clone)]
+pub(crate) struct Waker {
+    board: Arc<dyn Wake>,
 }
 
-impl<S> Clone for Waker<S> {
-    fn clone(&self) -> Self {
-        Self { board: Arc::clone(&self.board) }
+impl Waker {
+    pub(crate) fn wake(&self) {
+        self.board.wake_all();
     }
 }
 
-impl<S> Waker<S> {
-    pub(crate) fn wake(&self) {
+impl fmt::Debug for Waker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Waker").finish_non_exhaustive()
+    }
+}
+
+/// A board, whatever is kept of packets.
+trait Wake: Send + Sync {
+    fn wake_all(&self);
+}
+
+impl<S: Send + Sync> Wake for Board<S> {
+    fn wake_all(&self) {
         // With the lock, so that no thread is between checking and waiting.
-        self.board.wake(self.board.lock());
+        self.wake(self.lock());
     }
 }
 

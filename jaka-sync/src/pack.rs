@@ -13,7 +13,7 @@
 /// title = "What firmware 1.7.2 adds"
 ///
 /// [[command]]
-/// wire = "get_motion_state"
+/// wire = "demo_motion_state"
 /// effect = "query"
 /// doc = "Reads how the motion stands."
 ///
@@ -28,7 +28,7 @@
 /// use newer::NewerCommands as _;
 ///
 /// let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
-/// let queue = robot.get_motion_state()?.queue;
+/// let queue = robot.demo_motion_state()?.queue;
 /// ```
 ///
 /// A pack can also change what the built-in spec has: `[[extend]]` adds fields to a command or a type, such as keys to the
@@ -48,7 +48,7 @@
 /// deleted; until then it goes on to work.
 #[macro_export]
 macro_rules! pack {
-    ($path:tt) => {
-        $crate::__private::pack! { ($crate) $path }
+    ($($input:tt)+) => {
+        $crate::__private::pack! { ($crate) $($input)+ }
     };
 }

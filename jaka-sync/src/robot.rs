@@ -8,6 +8,7 @@ mod outcome;
 mod position;
 mod power;
 mod readiness;
+mod status;
 mod stops;
 mod target;
 mod trouble;
@@ -18,6 +19,8 @@ use std::fmt::Display;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use jaka_proto::messages::status::RobotStatus;
+
 use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
 use self::latch::Latch;
@@ -25,6 +28,7 @@ pub use self::motion::Motion;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 pub use self::readiness::StatusProblem;
+pub use self::status::MotionStatus;
 pub use self::stops::RobotStop;
 use self::target::Goal;
 pub use self::target::Target;
@@ -61,11 +65,13 @@ use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 /// [`acknowledge`](Self::acknowledge) is called: somebody should have checked the robot first. They are also refused while the status is
 /// stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or enabled
 /// again, automatically.
+///
+/// `S` is what its monitor keeps of status packets: [`MotionStatus`].
 #[derive(Debug)]
 #[must_use = "dropping a robot closes its connections, and its stop handles can no longer stop the arm"]
-pub struct Robot {
+pub struct Robot<S: MotionStatus = RobotStatus> {
     client: Client,
-    monitor: Arc<Monitor>,
+    monitor: Arc<Monitor<S>>,
     grace: Grace,
     silence: Duration,
     moves_without_status: bool,
@@ -80,7 +86,7 @@ pub struct Robot {
     rests: bool,
 }
 
-impl Robot {
+impl Robot<RobotStatus> {
     /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
     ///
     /// # Errors
@@ -94,6 +100,14 @@ impl Robot {
     ///
     /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor).
     pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
+        Self::with_monitor(client, monitor)
+    }
+}
+
+impl<S: MotionStatus> Robot<S> {
+    /// The same with a monitor of another type of status packets, such as the one of a [pack](crate::pack!):
+    /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
+    pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
         let monitor = monitor.into();
         let grace = Grace { time: Duration::from_millis(400), packets: 3 };
         Self {
@@ -144,7 +158,7 @@ impl Robot {
     }
 
     /// The monitor, which can be cloned for other threads.
-    pub fn monitor(&self) -> &Arc<Monitor> {
+    pub fn monitor(&self) -> &Arc<Monitor<S>> {
         &self.monitor
     }
 
@@ -243,7 +257,7 @@ impl Robot {
     ///
     /// # Errors
     /// As [`ServoSession`] says at "Entering".
-    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
+    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_, S>, Error> {
         ServoSession::enter(self, config)
     }
 

@@ -19,7 +19,7 @@ fn a_correct_file_has_no_errors() {
 title = "Test"
 
 [[command]]
-wire = "get_motion_state"
+wire = "demo_motion_state"
 effect = "query"
 doc = "Reads how the motion stands."
 

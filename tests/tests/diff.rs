@@ -71,17 +71,17 @@ fn the_gravest_impact_decides() {
 fn commands_come_go_and_move() {
     let (quit, move_c) = (command_text("session", "quit"), command_text("motion", "movc"));
     let added =
-        "[[command]]\nwire = \"get_motion_state\"\neffect = \"query\"\ndoc = \"Reads how the motion stands.\"\n";
+        "[[command]]\nwire = \"demo_motion_state\"\neffect = \"query\"\ndoc = \"Reads how the motion stands.\"\n";
     let with_move_c = format!("{move_c}\n[[type]]");
     check(
         &[("session", quit, added), ("motion", move_c, ""), ("network", "[[type]]", &with_move_c)],
         &expect![[r"
             major: command `movc`: topic changed from `motion` to `network`
             major: command `quit`: removed
-            minor: command `get_motion_state`: added
+            minor: command `demo_motion_state`: added
         "]],
         &expect![[r"
-            major: command `get_motion_state`: removed
+            major: command `demo_motion_state`: removed
             major: command `movc`: topic changed from `network` to `motion`
             minor: command `quit`: added
         "]],

@@ -34,8 +34,8 @@ fn last_request(controller: &Controller) -> Value {
 fn commands_of_a_pack_are_called_and_answered() {
     let controller = controller();
     let mut robot = client(&controller);
-    let state = robot.get_motion_state().expect("the pack's example is the answer");
-    let expected = newer::GetMotionStateReply::from(newer::literal::GetMotionStateReply {
+    let state = robot.demo_motion_state().expect("the pack's example is the answer");
+    let expected = newer::DemoMotionStateReply::from(newer::literal::DemoMotionStateReply {
         in_position: true,
         paused: false,
         queue: 3,
@@ -44,8 +44,8 @@ fn commands_of_a_pack_are_called_and_answered() {
     assert_eq!(state, expected);
     assert_eq!(queued(&mut robot).expect("the same"), 3);
     assert!(!is_stopped(&mut robot).expect("without an example, the answer is no"));
-    robot.set_status_period(20).expect("the simulator accepts it");
-    assert_eq!(last_request(&controller), json!({"cmdName": "set_port10000_delay_ms", "port10000_delay_ms": 20}));
+    robot.set_demo_period(20).expect("the simulator accepts it");
+    assert_eq!(last_request(&controller), json!({"cmdName": "demo_set_period", "demo_period": 20}));
 }
 
 #[test]
@@ -53,25 +53,22 @@ fn commands_of_a_pack_work_on_a_robot_and_through_references() {
     let controller = controller();
     let monitor: Monitor = Config::new().connect_monitor(controller.status_addr()).expect("the port is open");
     let mut robot = Robot::new(client(&controller), monitor);
-    assert_eq!(robot.get_motion_state().expect("it is answered").queue, 3);
+    assert_eq!(robot.demo_motion_state().expect("it is answered").queue, 3);
     assert!(!is_stopped(&mut &mut robot).expect("it is answered"));
 }
 
 #[test]
 fn a_test_decides_what_is_answered() {
     let controller = controller();
-    controller.set_reply("emergency_stop_status", [("emergency_stop".to_owned(), 1.into())]);
+    controller.set_reply("demo_stop_state", [("emergency_stop".to_owned(), 1.into())]);
     assert!(is_stopped(&mut client(&controller)).expect("it is answered"));
 }
 
 #[test]
 fn a_range_of_a_pack_holds_before_anything_is_sent() {
     let controller = controller();
-    let error = client(&controller).set_status_period(0).expect_err("the pack forbids it");
-    assert_eq!(
-        error.to_string(),
-        "`set_port10000_delay_ms` was not sent: field `period` is 0, allowed is at least 1 ms"
-    );
+    let error = client(&controller).set_demo_period(0).expect_err("the pack forbids it");
+    assert_eq!(error.to_string(), "`demo_set_period` was not sent: field `period` is 0, allowed is at least 1 ms");
     assert_eq!(controller.requests(), Vec::<String>::new());
 }
 
@@ -79,7 +76,7 @@ fn a_range_of_a_pack_holds_before_anything_is_sent() {
 fn the_simulator_checks_and_refuses_what_a_pack_adds() {
     let controller = controller();
     let mut robot = client(&controller);
-    let error = robot.call_raw("set_port10000_delay_ms", &json!({"port10000_delay_ms": 0})).expect_err("out of range");
+    let error = robot.call_raw("demo_set_period", &json!({"demo_period": 0})).expect_err("out of range");
     assert!(error.is_refused(), "{error:?}");
     let error = move_with_zone(&mut robot, [0.0; 6], 5.0).expect_err("the arm has no power");
     assert!(error.is_refused(), "{error:?}");

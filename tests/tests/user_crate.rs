@@ -104,7 +104,7 @@ const PACK: &str = r#"
 title = "Test"
 
 [[command]]
-wire = "get_motion_state"
+wire = "demo_motion_state"
 effect = "query"
 doc = "Reads how the motion stands."
 "#;
@@ -128,19 +128,19 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
 
     user.write("newer.toml", &PACK.replace("query", "fly").replace("doc", "docs"));
     user.expect(&expect![[r#"
-        error: newer.toml:4:1: command `get_motion_state`: `doc` is missing
+        error: newer.toml:4:1: command `demo_motion_state`: `doc` is missing
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!("newer.toml");
           |                  ^^^^^^^^^^^^
 
-        error: newer.toml:6:10: command `get_motion_state`: `effect` is one of query, setting, motion, power, session, not `fly`
+        error: newer.toml:6:10: command `demo_motion_state`: `effect` is one of query, setting, motion, power, session, not `fly`
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!("newer.toml");
           |                  ^^^^^^^^^^^^
 
-        error: newer.toml:7:1: command `get_motion_state`: unknown key `docs`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, example, name, reconstructed, refusal, reply, reply_certain, request, requires, section, since, until, wire
+        error: newer.toml:7:1: command `demo_motion_state`: unknown key `docs`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, example, name, reconstructed, refusal, reply, reply_certain, request, requires, section, since, until, wire
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!("newer.toml");

@@ -41,9 +41,9 @@ fn the_list_of_one_topic() {
     "]].assert_eq(&jaka(["call", "--list", "joints"]).text());
     expect![[r"
         newer: What newer firmware adds
-          get_motion_state                           Reads how the motion stands.
-          emergency_stop_status                      Reads whether the emergency stop is pressed.
-          set_port10000_delay_ms, set_status_period  Sets the time between two status packets.
+          demo_motion_state                           Reads how the motion stands.
+          demo_stop_state                      Reads whether the emergency stop is pressed.
+          demo_set_period, set_demo_period  Sets the time between two status packets.
         exit code 0
     "]]
     .assert_eq(&jaka(["call", "--list", "newer", "--pack", &pack("newer.toml")]).text());

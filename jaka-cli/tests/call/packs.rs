@@ -13,7 +13,7 @@ fn check(pack_name: &str, line: &str, expected: &Expect) {
 fn new_commands_are_called_by_either_name() {
     check(
         "newer.toml",
-        "get_motion_state",
+        "demo_motion_state",
         &expect![[r"
         in_position   true
         paused        false
@@ -24,7 +24,7 @@ fn new_commands_are_called_by_either_name() {
     );
     check(
         "newer.toml",
-        "emergency_stop_status",
+        "demo_stop_state",
         &expect![[r"
         emergency_stop  false
         exit code 0
@@ -32,7 +32,7 @@ fn new_commands_are_called_by_either_name() {
     );
     check(
         "newer.toml",
-        "set_status_period --period 20",
+        "set_demo_period --period 20",
         &expect![[r"
         accepted
         exit code 0
@@ -40,9 +40,9 @@ fn new_commands_are_called_by_either_name() {
     );
     check(
         "newer.toml",
-        "set_port10000_delay_ms --period 0",
+        "demo_set_period --period 0",
         &expect![[r"
-        jaka: `set_port10000_delay_ms` was not sent:
+        jaka: `demo_set_period` was not sent:
           field `period` is 0; allowed is a whole number, at least 1 ms
         exit code 2
     "]],

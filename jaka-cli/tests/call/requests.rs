@@ -265,8 +265,8 @@ fn packs_with_errors_show_all_of_them() {
 
 #[test]
 fn packs_come_from_the_environment_and_the_config_file() {
-    let line = ["call", "set_status_period", "--period", "8", "--dry-run"];
-    let expected = "{\"cmdName\":\"set_port10000_delay_ms\",\"port10000_delay_ms\":8}\n";
+    let line = ["call", "set_demo_period", "--period", "8", "--dry-run"];
+    let expected = "{\"cmdName\":\"demo_set_period\",\"demo_period\":8}\n";
     let mut by_environment = command(line);
     by_environment.env("JAKA_PACK", pack("newer.toml"));
     assert_eq!(run(by_environment, "").out, expected);

@@ -71,7 +71,11 @@ impl<'s> Docs<'s> {
             Place::Client | Place::User => (None, "crate"),
         };
         match self.spec.topics.iter().find(|topic| is_there(topic)) {
-            Some(topic) if !own.is_some_and(is_there) => format!("{elsewhere}::{}::{name}", topic.name),
+            Some(topic) if !own.is_some_and(is_there) => {
+                // The modules of packs stand next to each other.
+                let elsewhere = if topic.is_pack { "super" } else { elsewhere };
+                format!("{elsewhere}::{}::{name}", topic.name)
+            }
             _ => format!("type@{name}"),
         }
     }

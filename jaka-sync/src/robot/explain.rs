@@ -7,7 +7,7 @@ use jaka_proto::messages::power::GetRobotState;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal, Request, Requirement};
 
-use super::Robot;
+use super::{MotionStatus, Robot};
 use crate::{Error, ErrorKind};
 
 /// How long the query may take that explains a refusal.
@@ -79,7 +79,7 @@ impl fmt::Display for Explanation {
     }
 }
 
-impl Robot {
+impl<S: MotionStatus> Robot<S> {
     /// The same error, with the reason for a refusal if the robot's state shows it.
     pub(super) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
         let found = self.explain_within(&error, timeout);
@@ -104,7 +104,7 @@ impl Robot {
             return Some(Explanation::NoRemoteControl);
         }
         let newest = self.monitor.last_known_packet();
-        let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.clone());
+        let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.robot_status());
         let state = self.client.call_within(&GetRobotState::new(), PATIENCE.min(timeout));
         (status.powered_on, status.enabled) = match state {
             Ok(state) => (Some(state.powered_on), Some(state.enabled)),

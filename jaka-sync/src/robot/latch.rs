@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::stops::Stops;
-use super::{Outcome, trouble};
+use super::{MotionStatus, Outcome, trouble};
 use crate::{Error, ErrorKind, Monitor};
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, and stops of
@@ -23,14 +23,14 @@ pub(super) struct Latch {
 
 impl Latch {
     /// A latch that each stop sets that a packet of the monitor shows, for as long as the robot lives.
-    pub(super) fn new(monitor: &Monitor) -> Self {
+    pub(super) fn new<S: MotionStatus>(monitor: &Monitor<S>) -> Self {
         let latch = Self::default();
         let outcome = Arc::downgrade(&latch.outcome);
         monitor.observe_first(move |snapshot| {
             let Some(outcome) = outcome.upgrade() else {
                 return ControlFlow::Break(());
             };
-            if let Some(stop) = trouble::stop(&snapshot.status) {
+            if let Some(stop) = trouble::stop(&S::snapshot(snapshot).status) {
                 lock(&outcome).get_or_insert(stop);
             }
             ControlFlow::Continue(())

@@ -11,9 +11,9 @@ use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos,
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
 
-use super::Robot;
 use super::target::{Place, Quantity};
 use super::wait::QUERY_PERIOD;
+use super::{MotionStatus, Robot};
 use crate::link::{Question, unexpected};
 use crate::{Error, ErrorKind};
 
@@ -33,7 +33,7 @@ pub(super) struct Answer {
     pub(super) asked: Instant,
 }
 
-impl Robot {
+impl<S: MotionStatus> Robot<S> {
     /// Asks for the arm's position, unless a query is outstanding.
     pub(super) fn ask(&mut self, quantity: Quantity) -> Result<(), Error> {
         if self.query.is_some() {

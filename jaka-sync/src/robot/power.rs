@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::Command;
 use jaka_proto::messages::power::{EnableRobot, GetRobotState, GetRobotStateReply, PowerOn};
 
-use super::{Explanation, Robot};
+use super::{Explanation, MotionStatus, Robot};
 use crate::{Error, ErrorKind, monitor};
 
 /// How often the state is asked for.
@@ -24,7 +24,7 @@ impl Limit {
     }
 }
 
-impl Robot {
+impl<S: MotionStatus> Robot<S> {
     /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`, 4.12), and
     /// waits until the status packets say so, too. It usually takes about 12 s.
     ///
@@ -44,8 +44,10 @@ impl Robot {
         if !state.enabled {
             self.switch(&EnableRobot::new(), |state| state.enabled, limit)?;
         }
-        let is_up =
-            |status: &crate::status::RobotStatus| status.powered_on != Some(false) && status.enabled != Some(false);
+        let is_up = |status: &S| {
+            let status = status.robot_status();
+            status.powered_on != Some(false) && status.enabled != Some(false)
+        };
         self.monitor.wait_until(is_up, limit.left()).map(drop)
     }
 
@@ -72,9 +74,10 @@ impl Robot {
 
     /// Fails as soon as a packet says that the emergency stop is pressed; looks for such a packet for at most `time`.
     fn check_emergency_stop(&mut self, time: Duration) -> Result<(), Error> {
-        let is_pressed = self
-            .monitor
-            .watch(time, |newest| newest.filter(|newest| newest.status.emergency_stop == Some(true)).map(|_| ()));
+        let is_pressed = self.monitor.watch(time, |newest| {
+            let is_pressed = S::snapshot(newest?).status.emergency_stop == Some(true);
+            is_pressed.then_some(())
+        });
         match is_pressed? {
             Some(()) => Err(self.not_ready(Explanation::EmergencyStop)),
             None => Ok(()),
@@ -83,7 +86,7 @@ impl Robot {
 
     fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
         let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
-        let says = self.monitor.last_known_packet().and_then(|last| monitor::describe(&last));
+        let says = self.monitor.last_known_packet().and_then(|last| monitor::describe(&S::snapshot(&last)));
         self.client.link().attach(ErrorKind::StateTimeout { after, packets, says }.into())
     }
 }

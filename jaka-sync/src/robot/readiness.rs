@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
 
-use super::{Explanation, Outcome, Robot, trouble};
+use super::{Explanation, MotionStatus, Outcome, Robot, trouble};
 use crate::{Disconnect, Error, ErrorKind, Snapshot};
 
 /// Why the state of a robot is not known.
@@ -72,17 +72,17 @@ impl StdError for StatusProblem {
     }
 }
 
-impl Robot {
+impl<S: MotionStatus> Robot<S> {
     /// The newest packet, if it is fresh and can be read. If none has come lately, waits a little for one.
     fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
         let now = self.monitor.fresh_packet();
         if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
-            return readable(now);
+            return readable::<S>(now);
         }
         let patience = self.monitor.stale_after().min(timeout);
         // Its result is what `fresh_packet` says next.
         let _ = self.monitor.watch(patience, |_| self.monitor.fresh_packet().ok());
-        readable(self.monitor.fresh_packet())
+        readable::<S>(self.monitor.fresh_packet())
     }
 
     /// The same for what must not be done without it; `None` if the program has allowed motion without it.
@@ -96,7 +96,7 @@ impl Robot {
 
     /// Blocks what would move the arm after a stop, or while the robot's state is not known. A stop that has begun by the time of the
     /// write is on the wire before it, or will be sent after it.
-    pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<> {
+    pub(crate) fn gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {
         let latch = self.latch.clone();
         let monitor = (!self.moves_without_status).then(|| Arc::clone(&self.monitor));
         move || {
@@ -109,8 +109,10 @@ impl Robot {
     }
 }
 
-fn readable(snapshot: Result<Arc<Snapshot>, StatusProblem>) -> Result<Arc<Snapshot>, StatusProblem> {
-    let snapshot = snapshot?;
+fn readable<S: MotionStatus>(
+    snapshot: Result<Arc<Snapshot<S>>, StatusProblem>,
+) -> Result<Arc<Snapshot>, StatusProblem> {
+    let snapshot = S::snapshot(&snapshot?);
     match trouble::unreadable(&snapshot) {
         Some(source) => Err(StatusProblem::Unreadable { source }),
         None => Ok(snapshot),

@@ -3,8 +3,6 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use jaka_proto::messages::status::RobotStatus;
-
 use super::Outcome;
 use crate::monitor::Waker;
 use crate::{Error, StopHandle};
@@ -70,11 +68,11 @@ impl Drop for UnderWay<'_> {
 pub struct RobotStop {
     handle: StopHandle,
     stops: Arc<Stops>,
-    waker: Waker<RobotStatus>,
+    waker: Waker,
 }
 
 impl RobotStop {
-    pub(super) fn new(handle: StopHandle, stops: Arc<Stops>, waker: Waker<RobotStatus>) -> Self {
+    pub(super) fn new(handle: StopHandle, stops: Arc<Stops>, waker: Waker) -> Self {
         Self { handle, stops, waker }
     }
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::position::Answer;
 use super::wait::Wait;
-use super::{Outcome, Robot, trouble};
+use super::{MotionStatus, Outcome, Robot, trouble};
 use crate::Snapshot;
 
 /// How long the wait for an answer lasts before packets and stops are checked again.
@@ -27,7 +27,7 @@ struct Heard {
     unreadable: Option<Arc<Snapshot>>,
 }
 
-impl Robot {
+impl<S: MotionStatus> Robot<S> {
     /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error and the deadline end
     /// the wait at once, also while an answer is outstanding.
     pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration) -> Outcome {
@@ -37,7 +37,10 @@ impl Robot {
             let left = timeout.saturating_sub(since.elapsed());
             let silence = self.silence.saturating_sub(heard.at.elapsed());
             let patience = left.min(silence).min(self.query_in(wait));
-            let found = self.monitor.watch(patience, |newest| self.observe(newest, wait, &mut heard));
+            let found = self.monitor.watch(patience, |newest| {
+                let newest = newest.map(S::snapshot);
+                self.observe(newest.as_ref(), wait, &mut heard)
+            });
             match found {
                 Ok(Some(Next::Ended(outcome))) => return self.told(outcome),
                 Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect_cause(), unreadable: None },

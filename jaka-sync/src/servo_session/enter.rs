@@ -9,10 +9,10 @@ use jaka_proto::messages::types::{JointPosition, Switch};
 
 use super::pace::{CYCLE, Pace};
 use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
-use crate::{Error, ErrorKind, Explanation, Robot};
+use crate::{Error, ErrorKind, Explanation, MotionStatus, Robot};
 
-impl<'r> ServoSession<'r> {
-    pub(crate) fn enter(robot: &'r mut Robot, config: &ServoConfig) -> Result<Self, Error> {
+impl<'r, S: MotionStatus> ServoSession<'r, S> {
+    pub(crate) fn enter(robot: &'r mut Robot<S>, config: &ServoConfig) -> Result<Self, Error> {
         check_step_count(config)?;
         robot.rest_for_servo(config.enter_timeout)?;
         if let Some(filter) = &config.filter {
@@ -77,7 +77,7 @@ fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgument> {
     Err(InvalidArgument::new(ServoJ::INFO.name, "step_count", count.to_string(), allowed, false))
 }
 
-impl Robot {
+impl<S: MotionStatus> Robot<S> {
     /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
     /// enter it.
     fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {

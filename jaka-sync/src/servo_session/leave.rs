@@ -10,12 +10,12 @@ use jaka_proto::messages::types::Switch;
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
 use crate::link::Question;
-use crate::{Disconnect, Error, ErrorKind, Explanation};
+use crate::{Disconnect, Error, ErrorKind, Explanation, MotionStatus};
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-impl ServoSession<'_> {
+impl<S: MotionStatus> ServoSession<'_, S> {
     /// Waits for the last answers and leaves servo mode.
     ///
     /// # Errors
@@ -115,7 +115,7 @@ fn not_left(first: Option<Error>, leaving: Error) -> Error {
     Error::from(ErrorKind::ServoModeNotLeft { first, leaving }).with_exchanges(exchanges)
 }
 
-impl Drop for ServoSession<'_> {
+impl<S: MotionStatus> Drop for ServoSession<'_, S> {
     fn drop(&mut self) {
         if self.is_open {
             if let Err(error) = self.leave() {

@@ -8,12 +8,13 @@ use std::time::Duration;
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
+use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::pace::Pace;
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
-use crate::{Error, ErrorKind, Robot, Snapshot};
+use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
@@ -49,8 +50,8 @@ const MAX_SPEED: f64 = 180.0;
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 #[must_use = "dropping a session leaves servo mode; `finish` does so, too, and reports"]
-pub struct ServoSession<'r> {
-    pub(super) robot: &'r mut Robot,
+pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
+    pub(super) robot: &'r mut Robot<S>,
     pub(super) config: ServoConfig,
     pub(super) pace: Pace,
     /// The joints of the last set-point, where they are known.
@@ -63,7 +64,7 @@ pub struct ServoSession<'r> {
     pub(super) ended: Option<String>,
 }
 
-impl ServoSession<'_> {
+impl<S: MotionStatus> ServoSession<'_, S> {
     /// The time of the next set-point, counted from the first.
     pub fn time(&self) -> Duration {
         self.pace.time()
@@ -133,10 +134,10 @@ impl ServoSession<'_> {
     /// As [`send_joints`](Self::send_joints).
     pub fn run<B>(
         &mut self,
-        mut next: impl FnMut(Duration, Option<&Snapshot>) -> ControlFlow<B, JointPosition>,
+        mut next: impl FnMut(Duration, Option<&Snapshot<S>>) -> ControlFlow<B, JointPosition>,
     ) -> Result<B, Error> {
         loop {
-            let status: Option<Arc<Snapshot>> = self.robot.monitor().last_known_packet();
+            let status: Option<Arc<Snapshot<S>>> = self.robot.monitor().last_known_packet();
             match next(self.time(), status.as_deref()) {
                 ControlFlow::Continue(target) => self.send_joints(target)?,
                 ControlFlow::Break(end) => return Ok(end),
@@ -218,7 +219,7 @@ impl ServoSession<'_> {
     }
 }
 
-impl fmt::Debug for ServoSession<'_> {
+impl<S: MotionStatus> fmt::Debug for ServoSession<'_, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ServoSession").field("config", &self.config).field("time", &self.time()).finish_non_exhaustive()
     }

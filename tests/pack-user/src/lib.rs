@@ -12,12 +12,12 @@ use newer::NewerCommands as _;
 
 /// How many motions wait, asked through a client.
 pub fn queued(robot: &mut Client) -> Result<i64, Error> {
-    Ok(robot.get_motion_state()?.queue)
+    Ok(robot.demo_motion_state()?.queue)
 }
 
 /// Whether the emergency stop is pressed, asked through whatever takes commands.
 pub fn is_stopped(robot: &mut impl Call) -> Result<bool, Error> {
-    Ok(robot.emergency_stop_status()?.emergency_stop)
+    Ok(robot.demo_stop_state()?.emergency_stop)
 }
 
 /// Moves the joints, with the field that newer firmware has.

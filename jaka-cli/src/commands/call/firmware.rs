@@ -1,6 +1,8 @@
 //! The check of a request against the controller's firmware.
 
-use jaka_spec::{Command, Field, Request as Body, Shape, Spec, Type, Versions};
+use std::fmt::Display;
+
+use jaka_spec::{Command, EnumValue, Field, Request as Body, Shape, Spec, Type, Versions};
 use jaka_sync::{Client, Error, FirmwareRange, FirmwareVersion, NotInFirmware};
 use serde_json::Value;
 
@@ -34,7 +36,17 @@ fn missing(spec: &Spec, command: &Command, request: &str, firmware: FirmwareVers
     };
     let check = FirmwareCheck { spec, firmware };
     let found = given.into_iter().find_map(|(field, value)| check.field("", field, value));
-    found.map(|(field, range)| not(Some(field), range))
+    found.map(|Found { field, value, range }| {
+        let missing = not(Some(field), range);
+        value.map_or(missing.clone(), |value| missing.with_value(value))
+    })
+}
+
+/// What the firmware does not have: a field, or a value of one.
+struct Found {
+    field: String,
+    value: Option<String>,
+    range: FirmwareRange,
 }
 
 fn range(versions: &Versions) -> FirmwareRange {
@@ -55,16 +67,16 @@ struct FirmwareCheck<'s> {
 
 impl FirmwareCheck<'_> {
     /// The first field that the firmware does not have: this one, or one inside it.
-    fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<(String, FirmwareRange)> {
+    fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<Found> {
         let place = if outer.is_empty() { field.name.clone() } else { format!("{outer}.{}", field.name) };
         let range = range(&field.versions);
         if !range.contains(self.firmware) {
-            return Some((place, range));
+            return Some(Found { field: place, value: None, range });
         }
         self.value(&place, &field.ty, value)
     }
 
-    fn value(&self, place: &str, ty: &Type, value: &Value) -> Option<(String, FirmwareRange)> {
+    fn value(&self, place: &str, ty: &Type, value: &Value) -> Option<Found> {
         match self.spec.shape(ty) {
             Shape::List(element, _) => {
                 let mut elements = value.as_array()?.iter().enumerate();
@@ -74,7 +86,16 @@ impl FirmwareCheck<'_> {
             Shape::Tuple { fields, .. } => {
                 fields.iter().zip(value.as_array()?).find_map(|(field, value)| self.field(place, field, value))
             }
-            Shape::Scalar(_) | Shape::Python(_) | Shape::IntEnum(_) | Shape::TextEnum(_) | Shape::Choice(_) => None,
+            Shape::IntEnum(values) => self.listed(place, values, |wire| Some(*wire) == value.as_i64()),
+            Shape::TextEnum(values) => self.listed(place, values, |wire| Some(wire.as_str()) == value.as_str()),
+            Shape::Scalar(_) | Shape::Python(_) | Shape::Choice(_) => None,
         }
+    }
+
+    /// The value of an enum, if the firmware does not have it.
+    fn listed<T: Display>(&self, place: &str, values: &[EnumValue<T>], is_it: impl Fn(&T) -> bool) -> Option<Found> {
+        let listed = values.iter().find(|listed| is_it(&listed.wire))?;
+        let range = Some(range(&listed.versions)).filter(|range| !range.contains(self.firmware))?;
+        Some(Found { field: place.to_owned(), value: Some(listed.wire.to_string()), range })
     }
 }

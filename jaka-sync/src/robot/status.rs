@@ -1,0 +1,56 @@
+//! What a robot reads of status packets, whatever type its monitor keeps.
+
+use std::sync::Arc;
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::wire::Decode;
+
+use crate::Snapshot;
+
+/// Status packets by which a [`Robot`](super::Robot) can tell how a motion goes: the built-in type, and the one of a
+/// [pack](crate::pack!) that changes the packet.
+///
+/// The `RobotStatus` of a pack's module implements it, unless the pack gives another type in Rust to a field that a robot needs. Another
+/// key, or truth values written in another form, are not another type. Where it is not implemented, implement it: say what the packet
+/// means in terms of the built-in type.
+///
+/// ```no_run
+/// use jaka_sync::status::RobotStatus;
+/// use jaka_sync::{Config, MotionStatus, Robot};
+///
+/// fn connect<S: MotionStatus>(address: &str) -> Result<Robot<S>, jaka_sync::Error> {
+///     let config = Config::new();
+///     Ok(Robot::with_monitor(config.connect_client(address)?, config.connect_monitor(address)?))
+/// }
+///
+/// let robot = connect::<RobotStatus>("10.5.5.100")?;
+/// # Ok::<(), jaka_sync::Error>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "a robot cannot tell by `{Self}` how a motion goes",
+    note = "a pack's `RobotStatus` does not implement `MotionStatus` if the pack changes the type of a field that a robot needs"
+)]
+pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
+    /// The packet in terms of the built-in type.
+    ///
+    /// What is left out counts as a key that did not come: an arm is not moved if neither of its stops nor its power is shown. What
+    /// does not fit ([`Snapshot::is_unfit`]) is known by the fields' names.
+    fn robot_status(&self) -> RobotStatus;
+
+    /// The packet in terms of the built-in type, with when it came and what did not fit.
+    #[doc(hidden)]
+    fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
+        let Snapshot { status, received, number, unfit } = &**snapshot;
+        Arc::new(Snapshot { status: status.robot_status(), received: *received, number: *number, unfit: unfit.clone() })
+    }
+}
+
+impl MotionStatus for RobotStatus {
+    fn robot_status(&self) -> RobotStatus {
+        self.clone()
+    }
+
+    fn snapshot(snapshot: &Arc<Snapshot>) -> Arc<Snapshot> {
+        Arc::clone(snapshot)
+    }
+}
