@@ -3,7 +3,7 @@
 //! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, a variant of
 //! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
 //! `#[command(flatten)] robot: RobotArgs`, the last so that its options have a heading of their own, and begins with
-//! `self.robot.target()?`.
+//! `self.robot.target(&packs)?`, with the packs of a `SpecArgs` or with none.
 
 mod call;
 mod completions;

@@ -1,7 +1,10 @@
 //! The controller's events: what is printed next to a code.
 
+use jaka_spec::Event;
 use jaka_sync::{ControllerEvent, Severity, UnreadableEvent};
 use serde_json::Value;
+
+use crate::packs::of_status;
 
 /// The field of status packets that has the code, by its name in Rust.
 pub(crate) const CODE: &str = "error_code";
@@ -17,14 +20,24 @@ pub(crate) fn read(code: Option<&Value>) -> Reading {
 /// How severe the event is, if there is one. A code that cannot be read, or that is not in the table, may be an error.
 pub(crate) fn severity(event: &Reading) -> Option<Severity> {
     match event {
-        Ok(event) => event.map(ControllerEvent::severity),
+        Ok(event) => event.map(|event| match known(event).map(|known| known.severity) {
+            Some(jaka_spec::Severity::Error) => Severity::Error,
+            Some(jaka_spec::Severity::Warning) => Severity::Warning,
+            Some(jaka_spec::Severity::Information) => Severity::Information,
+            None => Severity::Unknown,
+        }),
         Err(_) => Some(Severity::Unknown),
     }
 }
 
 /// What the event means, if that is known.
 pub(crate) fn meaning(event: &Reading) -> Option<&'static str> {
-    event.as_ref().ok().copied().flatten().and_then(ControllerEvent::meaning)
+    event.as_ref().ok().copied().flatten().and_then(known).and_then(|known| known.meaning.as_deref())
+}
+
+/// What the spec, or a pack, says of it.
+fn known(event: ControllerEvent) -> Option<&'static Event> {
+    of_status().event(event.code())
 }
 
 /// Severity and meaning, such as `information: the robot is disabled`; nothing where there is no event.

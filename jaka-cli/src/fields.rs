@@ -3,12 +3,10 @@
 mod path;
 mod suggestions;
 
-use std::sync::LazyLock;
-
-use jaka_spec::{Scalar, Shape as Wire, Spec, Type};
+use jaka_spec::{Scalar, Shape as Wire, Type};
 use serde_json::{Map, Value};
 
-static SPEC: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
+use crate::packs::of_status;
 
 /// A field of the status packet, or a part of one.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +40,7 @@ pub(crate) enum Shape {
 impl Field {
     /// The packet as a whole.
     fn packet() -> Self {
-        Self { name: String::new(), unit: None, wire: Wire::Object(SPEC.status_fields()), steps: Vec::new() }
+        Self { name: String::new(), unit: None, wire: Wire::Object(of_status().status_fields()), steps: Vec::new() }
     }
 
     /// All fields of the packet, in the order of the spec.
@@ -174,8 +172,8 @@ impl Field {
     }
 
     fn part(&self, name: String, unit: Option<&str>, ty: &'static Type, step: Step) -> Self {
-        let unit = unit.or_else(|| SPEC.unit(ty)).map(str::to_owned);
-        Self { name, unit, wire: SPEC.shape(ty), steps: self.after(step) }
+        let unit = unit.or_else(|| of_status().unit(ty)).map(str::to_owned);
+        Self { name, unit, wire: of_status().shape(ty), steps: self.after(step) }
     }
 
     fn after(&self, step: Step) -> Vec<Step> {

@@ -10,6 +10,7 @@ mod interrupt;
 mod listen;
 mod number;
 mod output;
+mod packed_status;
 mod packs;
 mod proxy;
 mod record;

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use clap::Args;
 use jaka_spec::{Source, Spec};
@@ -22,12 +23,28 @@ pub(crate) struct SpecArgs {
     packs: Vec<PathBuf>,
 }
 
+/// The protocol of status packets, once it is known.
+static STATUS: OnceLock<Spec> = OnceLock::new();
+
+/// The protocol by which status packets are read: the built-in one, unless [`Protocol::read_status`] says otherwise.
+pub(crate) fn of_status() -> &'static Spec {
+    STATUS.get_or_init(builtin)
+}
+
 /// The protocol with packs.
 #[derive(Debug)]
 pub(crate) struct Protocol {
     pub(crate) spec: Spec,
     /// The files of the packs, in order.
     pub(crate) packs: Vec<PathBuf>,
+}
+
+impl Protocol {
+    /// Has status packets read by this protocol, which is said before the first of them comes.
+    pub(crate) fn read_status(self) {
+        // There is no other.
+        let _ = STATUS.set(self.spec);
+    }
 }
 
 impl SpecArgs {

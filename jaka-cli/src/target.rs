@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, Model};
+use jaka_sync::proto::wire::Decode;
 use jaka_sync::recording::Port;
 use jaka_sync::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
 
@@ -97,13 +98,8 @@ impl RobotArgs {
         self.address.sim.is_some()
     }
 
-    /// Finds the robot, or starts the simulated controller, and begins the recording. Connects to nothing yet.
-    pub(crate) fn target(&self) -> Result<Target, Failure> {
-        self.target_with_packs(&[])
-    }
-
-    /// The same, with a simulated controller that knows these packs.
-    pub(crate) fn target_with_packs(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
+    /// Finds the robot, or starts the simulated controller, which knows these packs, and begins the recording. Connects to nothing yet.
+    pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         let target = self.address.target(packs)?;
         let Some(path) = &self.record else { return Ok(target) };
         Ok(target.recorded(record::begin(path)?, StatusSampling::All))
@@ -192,7 +188,10 @@ impl Target {
     }
 
     /// The same, with a thread that reads and reconnects.
-    pub(crate) fn monitor(&self, reconnect: Reconnect) -> Result<Monitor, Failure> {
+    pub(crate) fn monitor<S: Decode + Send + Sync + 'static>(
+        &self,
+        reconnect: Reconnect,
+    ) -> Result<Monitor<S>, Failure> {
         Ok(self.config.clone().reconnect(reconnect).connect_monitor(&self.status)?)
     }
 }

@@ -39,9 +39,9 @@ fn text(arguments: &[&str]) -> String {
 fn a_topic_more_and_a_pack_are_the_same_additions() {
     let folder = folder_with("newer_spec", "newer.toml");
     let three = expect![[r"
-        minor: command `demo_stop_state`: added
         minor: command `demo_motion_state`: added
         minor: command `demo_set_period`: added
+        minor: command `demo_stop_state`: added
         3 additions, minor
         exit code 0
     "]];
@@ -74,7 +74,7 @@ fn programs_read_changes_as_json() {
     let run = jaka(["spec", "diff", "--json", "builtin", &pack("newer.toml")]);
     let found: Value = serde_json::from_str(&run.out).unwrap();
     assert_eq!((&found["impact"], found["changes"].as_array().map(Vec::len)), (&"minor".into(), Some(3)));
-    let first = serde_json::json!({"impact": "minor", "place": "command `demo_stop_state`", "what": "added"});
+    let first = serde_json::json!({"impact": "minor", "place": "command `demo_motion_state`", "what": "added"});
     assert_eq!(found["changes"][0], first);
     let run = jaka(["spec", "diff", "--json", "builtin", "builtin"]);
     assert_eq!(serde_json::from_str::<Value>(&run.out).unwrap(), serde_json::json!({"impact": null, "changes": []}));
@@ -82,12 +82,12 @@ fn programs_read_changes_as_json() {
 
 #[test]
 fn packs_that_are_correct_say_what_they_do() {
-    expect![[r#"
+    expect![[r"
         newer.toml: 3 additions, minor
-          minor: command `demo_stop_state`: added
           minor: command `demo_motion_state`: added
           minor: command `demo_set_period`: added
-        changed.toml: 4 additions, 5 changes, major
+          minor: command `demo_stop_state`: added
+        changed.toml: 5 additions, 5 changes, major
           major: command `set_tio_vout_param`, request field `tio_vout_vol`: type changed from `int` to `ToolVoltage`
           minor: command `joint_move`, request field `zone`: added
           minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 1.5`
@@ -99,7 +99,7 @@ fn packs_that_are_correct_say_what_they_do() {
           patch: command `set_tio_vout_param`, request field `tio_vout_vol`: doc changed
           patch: command `set_tio_vout_param`, request field `tio_vout_vol`: disputed readings changed
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&text(&["check", &pack("newer.toml"), &pack("changed.toml")]));
 }
 
@@ -138,10 +138,10 @@ fn a_pack_that_the_spec_has_overtaken_is_noted() {
         overtaken/motion.toml:440:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
         overtaken/payload.toml:29:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         overtaken: 85 commands, 47 types, 5 error codes, 894 events
-        newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it, so it can be deleted
-        newer.toml:4:1: note: command `demo_motion_state`: the spec has the same already; this entry changes nothing and can be deleted
-        newer.toml:33:1: note: command `demo_stop_state`: the spec has the same already; this entry changes nothing and can be deleted
-        newer.toml:44:1: note: command `set_demo_period`: the spec has the same already; this entry changes nothing and can be deleted
+        newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it by now
+        newer.toml:4:1: note: command `demo_motion_state`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
+        newer.toml:33:1: note: command `demo_stop_state`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
+        newer.toml:44:1: note: command `set_demo_period`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
         newer.toml: no differences
         exit code 0
     "#]].assert_eq(&text(&["check", "--spec", &folder, &pack("newer.toml")]));

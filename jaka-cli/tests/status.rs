@@ -245,3 +245,88 @@ fn a_packet_that_cannot_be_read_is_reported() {
         .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
 }
+
+/// A pack that changes the status packet.
+const PACK: &str = r#"
+title = "Newer"
+
+[[override]]
+target = "RobotStatus"
+field = "inpos"
+wire = "at_target"
+
+[[override]]
+target = "RobotStatus"
+field = "protective_stop"
+written = ["free", "stopped"]
+
+[[override]]
+target = "RobotStatus"
+field = "rapidrate"
+type = "text"
+
+[[extend]]
+target = "RobotStatus"
+
+[[extend.field]]
+wire = "demo_brakes"
+name = "brakes"
+type = "int"
+optional = true
+doc = "State of the brakes."
+
+[[event]]
+severity = "warning"
+codes = ["0x7F0001"]
+meaning = "the demonstration is over"
+"#;
+
+/// What the program prints of a packet, with the pack.
+fn printed_with_pack(packet: &str, fields: &str) -> String {
+    let pack = crate::program::scratch("status_pack.toml");
+    std::fs::write(&pack, PACK).unwrap();
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = listener.local_addr().unwrap().port().to_string();
+    std::thread::scope(|scope| {
+        let sent = scope.spawn(move || {
+            let (mut reader, _) = listener.accept().unwrap();
+            std::io::Write::write_all(&mut reader, packet.as_bytes()).unwrap();
+            reader
+        });
+        let pack = pack.display().to_string();
+        let args = ["--robot", "127.0.0.1", "--status-port", &port, "--pack", &pack, "--fields", fields];
+        let (stdout, stderr, code) = output(&mut jaka(&[&["status"][..], &args].concat()));
+        drop(sent.join());
+        format!("{stdout}{stderr}{code:?}")
+    })
+}
+
+#[test]
+fn a_pack_says_how_packets_are_read() {
+    let packet = r#"{"at_target": true, "protective_stop": "stopped", "rapidrate": "full", "demo_brakes": 3,
+        "enabled": true, "errcode": "0x7f0001"}"#;
+    let fields = "in_position,protective_stop,rapid_rate,brakes,demo_brakes,enabled,error_code";
+    expect![[r"
+        in_position      true
+        protective_stop  true
+        rapid_rate       full
+        brakes           3
+        brakes           3
+        enabled          true
+        error_code       0x7f0001 (warning: the demonstration is over)
+        Some(0)"]]
+    .assert_eq(&printed_with_pack(packet, fields));
+    let packet =
+        r#"{"inpos": true, "protective_stop": "maybe", "demo_brakes": "on", "powered_on": "perhaps", "enabled": 1}"#;
+    expect![[r#"
+        in_position      –
+        protective_stop  –
+        brakes           –
+        powered_on       –
+        enabled          true
+        jaka: warning: field `protective_stop`: expected "free" or "stopped", found `"maybe"`; it is left out
+        jaka: warning: field `demo_brakes`: expected a whole number, found `"on"`; it is left out
+        jaka: warning: field `powered_on`: expected a truth value, found `"perhaps"`; it is left out
+        Some(0)"#]]
+    .assert_eq(&printed_with_pack(packet, "in_position,protective_stop,brakes,powered_on,enabled"));
+}

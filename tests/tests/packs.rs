@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use jaka_pack_user::changed::{self, ChangedCommands as _, ToolVoltage};
+use jaka_pack_user::later::{self, LaterCommands as _};
 use jaka_pack_user::newer::{self, NewerCommands as _};
 use jaka_pack_user::{is_stopped, move_with_zone, queued};
 use jaka_sim::{Controller, Delays};
@@ -141,6 +142,50 @@ fn a_status_packet_with_the_pack_s_keys() {
     assert_eq!(packet.status.joint_actual_position, Some(controller.state().joint_position));
     let mut stream = StatusStream::connect(controller.status_addr()).expect("the port is open");
     assert_eq!(stream.next_packet_as::<changed::RobotStatus>().expect("a packet comes").brake_state, Some(2));
+}
+
+#[test]
+fn a_pack_stands_on_others() {
+    let controller = Controller::builder()
+        .pack(pack("newer.toml"))
+        .pack(pack("changed.toml"))
+        .pack(pack("later.toml"))
+        .start()
+        .expect("the controller starts");
+    let mut robot = client(&controller);
+    controller.set_reply("demo_motion_state", [("blend".to_owned(), 2.5.into())]);
+    let state: later::DemoMotionStateReply = robot.demo_motion_state_later().expect("it is answered");
+    assert_eq!((state.queue, state.blend), (3, Some(2.5)));
+    assert_eq!(robot.demo_motion_state().expect("the pack below is as it was").queue, 3);
+    controller.set_reply("demo_tool_voltage", [("voltage".to_owned(), 1.into())]);
+    let voltage: ToolVoltage = robot.demo_tool_voltage().expect("its type is the one of the pack below").voltage;
+    assert_eq!(voltage, ToolVoltage::V12);
+    let turn = later::Jog::turn(3);
+    assert!(robot.jog_later(&turn).is_err_and(|error| error.is_refused()), "the arm has no power");
+    assert_eq!(last_request(&controller), json!({"cmdName": "jog", "jog_mode": 9, "jnum": 3}));
+}
+
+#[test]
+fn a_robot_tells_by_a_pack_s_status_how_a_motion_goes() {
+    let controller = controller();
+    let config = Config::new();
+    let monitor: Monitor<changed::RobotStatus> =
+        config.connect_monitor(controller.status_addr()).expect("the port is open");
+    let mut robot = Robot::with_monitor(client(&controller), monitor);
+    robot.power_up(Duration::from_secs(5)).expect("it has power at once");
+    let request = changed::JointMove::absolute([5.0, 90.0, 90.0, 90.0, -90.0, 0.0], 90.0);
+    robot
+        .run(&request, Duration::from_secs(20))
+        .expect("it is accepted")
+        .reached()
+        .expect("the arm reaches its target");
+    let newest: Option<i64> = robot.monitor().last_known_packet().expect("there are packets").status.brake_state;
+    assert_eq!(newest, None);
+    controller.collide();
+    let stopped = |status: &changed::RobotStatus| status.protective_stop == Some(true);
+    robot.monitor().wait_until(stopped, Duration::from_secs(5)).expect("the packet shows it");
+    let error = robot.run(&request, Duration::from_secs(5)).expect_err("it is in a protective stop");
+    assert!(matches!(error.kind(), jaka_sync::ErrorKind::NotAcknowledged { .. }), "{error}");
 }
 
 #[test]

@@ -109,8 +109,49 @@ effect = "query"
 doc = "Reads how the motion stands."
 "#;
 
+/// Entries that the built-in spec has.
+const COVERED: &str = r#"
+title = "Test"
+
+[[command]]
+wire = "get_loaded_program"
+name = "loaded_program"
+effect = "query"
+doc = "Reads the program."
+
+[[command.reply]]
+wire = "programName"
+name = "program_name"
+type = "text"
+doc = "Its name."
+
+[[override]]
+target = "rapid_rate"
+request = "rate_value"
+max = 1
+
+[[error]]
+wire = 2
+name = "Overload"
+doc = "Too heavy."
+"#;
+
+/// A program that was written when it had not.
+const USE: &str = r#"#![deny(warnings)]
+jaka_sync::pack!("newer.toml");
+
+use newer::NewerCommands as _;
+
+pub fn run(robot: &mut jaka_sync::Robot) -> Result<newer::LoadedProgramReply, jaka_sync::Error> {
+    robot.set_rapid_rate_newer(0.5)?;
+    robot.client().call(&newer::SetRapidRate::new(0.5))?;
+    assert_eq!(newer::meaning(newer::OVERLOAD), Some("Too heavy."));
+    robot.loaded_program()
+}
+"#;
+
 #[test]
-fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
+fn errors_stand_at_the_macro_and_an_edit_is_noticed() {
     let code = "jaka_sync::pack!(\"newer.toml\");\n";
     let user = UserCrate::new("pack", "2024", code);
     user.expect(&expect![[r#"
@@ -149,26 +190,15 @@ fn errors_and_warnings_stand_at_the_macro_and_an_edit_is_noticed() {
         error: could not compile `pack` (lib) due to 3 previous errors
     "#]]);
 
-    user.write(
-        "newer.toml",
-        "title = \"Test\"\n\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 1\n",
-    );
-    user.expect(&expect![[r#"
-        warning: use of deprecated constant `_::PACK`: newer.toml:1:1: this pack no longer changes anything: the spec has all of it, so it can be deleted
-         --> src/lib.rs:1:18
-          |
-        1 | jaka_sync::pack!("newer.toml");
-          |                  ^^^^^^^^^^^^
-          |
-          = note: `#[warn(deprecated)]` on by default
+    // What the spec has by now is silent, and keeps its names.
+    user.write("newer.toml", COVERED);
+    user.write("src/lib.rs", USE);
+    user.expect(&expect![[""]]);
 
-        warning: use of deprecated constant `_::PACK`: newer.toml:3:1: override of `rapid_rate`: the spec says the same already; this override changes nothing and can be deleted
-         --> src/lib.rs:1:18
-          |
-        1 | jaka_sync::pack!("newer.toml");
-          |                  ^^^^^^^^^^^^
-
-    "#]]);
+    user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" over \"newer.toml\");\n");
+    user.expect(&expect![]);
+    user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" on \"older.toml\");\n");
+    user.expect(&expect![]);
 
     user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
     user.expect(&expect![[r"

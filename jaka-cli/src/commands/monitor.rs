@@ -13,6 +13,7 @@ use ratatui::crossterm::event::{self, Event};
 use crate::dashboard::{AfterKey, Feed, View, draw};
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
+use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
 
 /// The interval at which the screen is drawn; each key draws it, too.
@@ -28,6 +29,8 @@ const RECONNECT: Reconnect =
 #[derive(Debug, Args)]
 pub(crate) struct Monitor {
     #[command(flatten)]
+    spec: SpecArgs,
+    #[command(flatten)]
     robot: RobotArgs,
 }
 
@@ -36,7 +39,9 @@ impl Monitor {
         if !stdin().is_terminal() || !stdout().is_terminal() {
             return Err(Failure::Usage("`jaka monitor` needs a terminal; `jaka status --watch` does not".to_owned()));
         }
-        let target = self.robot.target()?;
+        let protocol = self.spec.load(self.robot.config())?;
+        let target = self.robot.target(&protocol.packs)?;
+        protocol.read_status();
         let mut feed = Feed::new(target.monitor(RECONNECT)?);
         let mut view = View::new(target.title());
         let ended = Arc::new(AtomicBool::new(false));

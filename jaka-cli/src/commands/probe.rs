@@ -34,10 +34,10 @@ pub(crate) struct Probe {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
-    /// Write a draft of a command pack with the keys that the spec does not know
+    /// Write a draft of a command pack with the keys that the spec does not know, and the types of what cannot be read
     ///
-    /// Each is optional, with a type guessed from its value, and without documentation. Fields that cannot be read are added
-    /// as suggestions, commented out. An existing file is not overwritten.
+    /// Each key is optional, with a type guessed from its value, and without documentation. A field that cannot be read gets the type
+    /// that its value looks like. An existing file is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
     #[command(flatten)]
@@ -49,7 +49,7 @@ pub(crate) struct Probe {
 impl Probe {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let protocol = self.spec.load(self.robot.config())?;
-        let target = self.robot.target_with_packs(&protocol.packs)?;
+        let target = self.robot.target(&protocol.packs)?;
         let commands = queries::ask_all(&protocol.spec, &target)?;
         let status = status::take(&protocol.spec, &target, self.packets.get());
         let findings = Findings::new(commands, status, &protocol.packs);
@@ -67,7 +67,9 @@ impl Probe {
 
 fn write_draft(path: &Path, spec: &Spec, findings: &Findings) -> Result<(), Failure> {
     let Some(draft) = draft::text(spec, findings) else {
-        output::tell("no draft is written: no message has a key that is not in the spec");
+        output::tell(
+            "no draft is written: no message has a key that is not in the spec, or a value that cannot be read",
+        );
         return Ok(());
     };
     let failed = |error| Failure::local(format!("cannot write {}", path.display()), error);

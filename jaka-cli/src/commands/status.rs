@@ -18,6 +18,7 @@ use crate::failure::Failure;
 use crate::fields::Field;
 use crate::interrupt::end_on_interrupt;
 use crate::output;
+use crate::packs::SpecArgs;
 use crate::seconds::seconds;
 use crate::target::RobotArgs;
 
@@ -49,6 +50,8 @@ pub(crate) struct Status {
     #[arg(long)]
     raw: bool,
     #[command(flatten)]
+    spec: SpecArgs,
+    #[command(flatten)]
     robot: RobotArgs,
 }
 
@@ -66,8 +69,10 @@ enum Format {
 
 impl Status {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        let protocol = self.spec.load(self.robot.config())?;
+        let target = self.robot.target(&protocol.packs)?;
+        protocol.read_status();
         let fields = self.fields()?;
-        let target = self.robot.target()?;
         end_on_interrupt()?;
         let period = self.watch.unwrap_or(Duration::from_secs(1));
         let mut packets = Packets::new(target.status_stream()?, period);

@@ -37,7 +37,10 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     let most = match view.page {
         Page::Overview => return overview::draw(frame, area, view),
         Page::Io => scrolled(frame, area, io::lines(status, area.width), view.scroll),
-        Page::Measurements => scrolled(frame, area, measurements::lines(status, area.width), view.scroll),
+        Page::Measurements => {
+            let lines = measurements::lines(status, &view.packed, area.width);
+            scrolled(frame, area, lines, view.scroll)
+        }
         Page::Alarms => {
             let title = style::rule("Alarms (UTC), the newest first", area.width);
             let lines = std::iter::once(title).chain(alarm_lines(view)).collect();

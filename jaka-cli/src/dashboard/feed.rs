@@ -4,11 +4,13 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
+use jaka_sync::proto::text::visible_json;
 use jaka_sync::{Monitor, Snapshot, Subscription};
 
 use super::View;
 use super::alarms::{Tone, duration};
 use super::view::{Link, STALE};
+use crate::packed_status::PackedStatus;
 
 /// Packets of some seconds, so that no alarm is missed while a terminal is slow.
 const CAPACITY: usize = 1000;
@@ -18,10 +20,10 @@ const OF_LATE: Duration = Duration::from_secs(2);
 /// Updates a view with what a monitor has read.
 #[derive(Debug)]
 pub(crate) struct Feed {
-    monitor: Monitor,
-    queue: Subscription<jaka_sync::status::RobotStatus>,
-    newest: Option<Arc<Snapshot>>,
-    shown: Option<Arc<Snapshot>>,
+    monitor: Monitor<PackedStatus>,
+    queue: Subscription<PackedStatus>,
+    newest: Option<Arc<Snapshot<PackedStatus>>>,
+    shown: Option<Arc<Snapshot<PackedStatus>>>,
     /// Whether the alarm for missing packets was raised and has not been cleared yet.
     silent: bool,
     /// How often the monitor had reconnected when packets last came.
@@ -33,7 +35,7 @@ pub(crate) struct Feed {
 }
 
 impl Feed {
-    pub(crate) fn new(monitor: Monitor) -> Self {
+    pub(crate) fn new(monitor: Monitor<PackedStatus>) -> Self {
         let queue = monitor.subscribe(CAPACITY);
         Self {
             monitor,
@@ -56,13 +58,15 @@ impl Feed {
         self.watch_silence(view);
         if !view.paused || self.shown.is_none() {
             self.shown.clone_from(&self.newest);
-            view.status = self.shown.as_ref().map(|packet| packet.status.clone());
+            view.status = self.shown.as_ref().map(|packet| packet.status.status.clone());
+            let own = self.shown.iter().flat_map(|packet| packet.status.own_fields());
+            view.packed = own.map(|(name, value)| (name, visible_json(&value.to_string()).into_owned())).collect();
         }
         view.age = self.shown.as_ref().map(|packet| packet.age());
         view.link = self.link();
     }
 
-    fn take(&mut self, packet: &Snapshot, view: &mut View) {
+    fn take(&mut self, packet: &Snapshot<PackedStatus>, view: &mut View) {
         let time = SystemTime::now().checked_sub(packet.age()).unwrap_or_else(SystemTime::now);
         let reconnects = self.monitor.statistics().reconnects;
         let again = if reconnects > self.reconnects { "reconnected" } else { "status packets resumed" };
@@ -73,12 +77,12 @@ impl Feed {
         }
         (self.silent, self.reconnects) = (false, reconnects);
         self.tell_unfit(packet, view, time);
-        view.alarms.packet(&packet.status, time);
+        view.alarms.packet(&packet.status.status, time);
     }
 
     /// Reports each field that does not fit once: its value is not known.
-    fn tell_unfit(&mut self, packet: &Snapshot, view: &mut View, time: SystemTime) {
-        for error in &packet.unfit {
+    fn tell_unfit(&mut self, packet: &Snapshot<PackedStatus>, view: &mut View, time: SystemTime) {
+        for error in packet.unfit.iter().chain(&packet.status.unfit) {
             if !self.unfit.iter().any(|told| told == error.field()) {
                 self.unfit.push(error.field().to_owned());
                 view.alarms.add(time, Tone::Bad, error.to_string());

@@ -29,7 +29,7 @@ const ROWS: [Row; 10] = [
 ];
 
 /// All of it.
-pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
+pub(super) fn lines(status: &RobotStatus, packed: &[(&str, String)], width: u16) -> Vec<Line<'static>> {
     let mut lines = vec![style::rule("Joints (no units stated by the protocol)", width), heading()];
     lines.push(row("position °", status.joint_actual_position.map(|joints| joints.0)));
     lines.push(row("commanded °", status.joint_commanded_position.map(|joints| joints.0)));
@@ -46,6 +46,10 @@ pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     lines.extend(cabinet(status));
     lines.push(style::rule("Torque sensor", width));
     lines.extend(torque_sensor(status));
+    if !packed.is_empty() {
+        lines.push(style::rule("Of packs", width));
+        lines.extend(packed.iter().map(|(name, value)| named(name, vec![Span::raw(format!(" {value}"))])));
+    }
     lines
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct View {
     pub(super) title: String,
     /// The packet that is shown.
     pub(super) status: Option<RobotStatus>,
+    /// The fields of it that packs add or change, with what came.
+    pub(super) packed: Vec<(&'static str, String)>,
     /// How long ago that packet came.
     pub(super) age: Option<Duration>,
     /// How packets come.

@@ -41,8 +41,8 @@ fn the_list_of_one_topic() {
     "]].assert_eq(&jaka(["call", "--list", "joints"]).text());
     expect![[r"
         newer: What newer firmware adds
-          demo_motion_state                           Reads how the motion stands.
-          demo_stop_state                      Reads whether the emergency stop is pressed.
+          demo_motion_state                 Reads how the motion stands.
+          demo_stop_state                   Reads whether the emergency stop is pressed.
           demo_set_period, set_demo_period  Sets the time between two status packets.
         exit code 0
     "]]

@@ -260,3 +260,25 @@ fn the_firmware_is_asked_first() {
     call(&controller, &motion);
     assert_eq!(controller.requests().len(), 4);
 }
+
+#[test]
+fn a_reply_says_what_it_lacks() {
+    let controller = controller();
+    let answer = |text: &str| controller.inject(Fault::Instead(text.as_bytes().to_vec()));
+    answer(r#"{"errorCode":"0","errorMsg":"","cmdName":"get_joint_pos"}"#);
+    expect![[r"
+        accepted
+        jaka: `get_joint_pos` was not refused, but its reply does not fit the spec: field `joint_pos`: the key `joint_pos` is missing
+        exit code 4
+    "]].assert_eq(&call(&controller, "get_joint_pos").text());
+    answer(r#"{"errorMsg":"","cmdName":"power_on"}"#);
+    expect![[r"
+        jaka: `power_on` was not refused, but its reply does not fit the spec: field `error_code`: the key `errorCode` is missing
+        exit code 4
+    "]].assert_eq(&call(&controller, "power_on --yes").text());
+    answer(r#"{"errorMsg":"","cmdName":"power_on"}"#);
+    expect![[r"
+        jaka: `power_on` was not refused, but its reply does not fit the spec: field `error_code`: the key `errorCode` is missing
+        exit code 4
+    "]].assert_eq(&call(&controller, "power_on --yes --raw").text());
+}

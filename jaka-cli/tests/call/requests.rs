@@ -287,3 +287,15 @@ fn what_a_pack_repeats_is_warned_of() {
     assert_eq!((run.code, run.out.as_str()), (Some(0), "{\"cmdName\":\"get_version\"}\n"));
     assert!(run.err.starts_with("jaka: warning: ") && run.err.contains("repeats.toml:2:"), "{}", run.err);
 }
+
+#[test]
+fn a_negative_value_is_not_an_option() {
+    check(
+        "set_digital_output --kind -1 --index 1 --value on --dry-run",
+        &expect![[r"
+        jaka: `set_digital_output` was not sent:
+          field `kind` is -1; allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension)
+        exit code 2
+    "]],
+    );
+}

@@ -1,5 +1,6 @@
 //! Why a message could not be decoded.
 
+use std::borrow::Cow;
 use std::fmt::{self, Write};
 
 use crate::text::{VisibleWriter, excerpt};
@@ -18,7 +19,7 @@ struct Inner {
 enum Kind {
     Malformed { expected: &'static str, offset: usize, found: String },
     Unfit { expected: String, found: String },
-    Missing { key: &'static str },
+    Missing { key: Cow<'static, str> },
     Repeated,
 }
 
@@ -34,8 +35,8 @@ impl DecodeError {
     }
 
     /// The key is absent, or its value is null.
-    pub fn missing(field: &'static str, key: &'static str) -> Self {
-        Self::new(Kind::Missing { key }).in_field(field)
+    pub fn missing(field: &str, key: impl Into<Cow<'static, str>>) -> Self {
+        Self::new(Kind::Missing { key: key.into() }).in_field(field)
     }
 
     pub(crate) fn repeated() -> Self {
@@ -106,7 +107,7 @@ impl fmt::Display for DecodeError {
                 write!(f, "not JSON: expected {expected} at byte {offset}, found `{found}`")
             }
             Kind::Unfit { expected, found } => write!(f, "expected {expected}, found `{found}`"),
-            Kind::Missing { key: "" } => f.write_str("the element is missing"),
+            Kind::Missing { key } if key.is_empty() => f.write_str("the element is missing"),
             Kind::Missing { key } => write!(f, "the key `{key}` is missing"),
             Kind::Repeated => f.write_str("the key appears twice"),
         }

@@ -6,6 +6,7 @@ use jaka_sync::{Call, Client, Error, Motion, Target};
 jaka_sync::pack!("newer.toml");
 jaka_sync::pack!("changed.toml");
 jaka_sync::pack!("strange.toml");
+jaka_sync::pack!("later.toml" on "newer.toml", "changed.toml");
 
 use changed::ChangedCommands as _;
 use newer::NewerCommands as _;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_dynamic::{Reading, departures};
+use jaka_dynamic::{DepartureKind, Reading, departures};
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::text::visible_json_line;
@@ -23,7 +23,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         // The bytes that would be sent, which are the user's own.
         return output::write(format!("{}\n", request.text).as_bytes());
     }
-    let target = options.robot.target_with_packs(&protocol.packs)?;
+    let target = options.robot.target(&protocol.packs)?;
     consent::obtain(request, options, target.title())?;
     let mut client = target.client()?;
     if options.check_firmware {
@@ -93,6 +93,12 @@ fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
     let Some(first) = departures.into_iter().find(|departure| departure.reading == Reading::Unreadable) else {
         return Ok(());
     };
-    let source = DecodeError::unfit(first.expected, &first.found).in_field(&first.field);
+    let source = match first.kind {
+        DepartureKind::Missing => {
+            let key = first.field.rsplit('.').next().unwrap_or_default().to_owned();
+            DecodeError::missing(&first.field, key)
+        }
+        _ => DecodeError::unfit(first.expected, &first.found).in_field(&first.field),
+    };
     Err(Error::from(ErrorKind::UnexpectedReply { command: command.wire.clone(), source }).into())
 }

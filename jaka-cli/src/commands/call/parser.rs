@@ -139,13 +139,12 @@ fn is_field(arg: &Arg) -> bool {
 }
 
 fn field(argument: &Argument, long: &str) -> Arg {
-    let is_number = matches!(&*argument.hint, "NUMBER" | "INTEGER");
     let has_parts = argument.hint.starts_with('[') || argument.hint == "JSON";
     Arg::new(id(argument))
         .long(long.to_owned())
         .value_name(if argument.values.is_empty() { argument.hint.clone() } else { "VALUE".to_owned() })
         .help(help::field(argument))
-        .allow_negative_numbers(is_number)
+        .allow_negative_numbers(true)
         .allow_hyphen_values(has_parts)
         .conflicts_with("params")
         .value_parser(Listed::of(argument))

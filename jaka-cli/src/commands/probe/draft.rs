@@ -10,13 +10,12 @@ use serde_json::Value;
 use super::finding::{Finding, Findings};
 use super::location::{self, Location};
 
-/// A pack with the keys that the spec does not know; none if there are no such keys.
+/// A pack with the keys that the spec does not know and the types of what cannot be read; none if there is neither.
 ///
 /// It loads as it is. What its author has to find out is marked `TODO`.
 pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
-    let mut draft =
-        Draft { spec, version, text: head(version, &findings.packs), added: Vec::new(), suggestions: String::new() };
+    let mut draft = Draft { spec, version, text: head(version, &findings.packs), written: Vec::new() };
     for finding in &findings.commands {
         let fields = spec.command(&finding.name).map_or(&[][..], |command| spec.reply_fields(command));
         draft.take(finding, |path| location::find(spec, &finding.name, "reply", fields, path));
@@ -25,7 +24,7 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
         let (name, fields) = (&spec[id].name, spec.status_fields());
         draft.take(&findings.status, |path| location::find(spec, name, "field", fields, path));
     }
-    (!draft.added.is_empty()).then(|| draft.text + &draft.suggestions)
+    (!draft.written.is_empty()).then_some(draft.text)
 }
 
 fn head(version: &str, packs: &[String]) -> String {
@@ -45,36 +44,39 @@ struct Draft<'s> {
     spec: &'s Spec,
     version: &'s str,
     text: String,
-    added: Vec<Location>,
-    /// What is commented out.
-    suggestions: String,
+    /// What it has entries or comments for.
+    written: Vec<Location>,
 }
 
 impl Draft<'_> {
     fn take(&mut self, finding: &Finding, find: impl Fn(&str) -> Option<Location>) {
         for departure in &finding.departures {
-            let Some(location) = find(&departure.field).filter(|location| !self.added.contains(location)) else {
+            let Some(location) = find(&departure.field).filter(|location| !self.written.contains(location)) else {
                 continue;
             };
             if departure.kind == DepartureKind::Unknown && !location.is_known {
                 self.extend(departure, location);
             } else if departure.reading == Reading::Unreadable && location.is_known {
-                self.suggest(finding, departure, &location);
+                self.change(finding, departure, location);
             }
         }
     }
 
     /// Adds a field for an unknown key, under a name that the spec takes.
     fn extend(&mut self, departure: &Departure, location: Location) {
-        let count = self.added.len() + 1;
+        let count = self.written.len() + 1;
         let names = [snake(&location.key), format!("{}_value", snake(&location.key)), format!("unknown_key_{count}")];
         let entries = names.iter().map(|name| self.entry(departure, &location, name));
-        let loads = |text: &String| load_pack(self.spec, Source { path: "draft.toml", text }).is_ok();
-        let draft = entries.map(|entry| format!("{}{entry}", self.text)).find(loads);
-        if let Some(text) = draft {
-            self.text = text;
-            self.added.push(location);
+        if let Some(entry) = entries.into_iter().find(|entry| self.loads(entry)) {
+            self.text += &entry;
+            self.written.push(location);
         }
+    }
+
+    /// True if the draft loads with this entry.
+    fn loads(&self, entry: &str) -> bool {
+        let text = format!("{}{entry}", self.text);
+        load_pack(self.spec, Source { path: "draft.toml", text: &text }).is_ok()
     }
 
     fn entry(&self, departure: &Departure, location: &Location, name: &str) -> String {
@@ -90,24 +92,30 @@ impl Draft<'_> {
         )
     }
 
-    /// Adds what may be done about a field that cannot be read, as a comment.
-    fn suggest(&mut self, finding: &Finding, departure: &Departure, location: &Location) {
+    /// Changes a field that cannot be read into one that can; as a comment, where the draft would not load with it.
+    fn change(&mut self, finding: &Finding, departure: &Departure, location: Location) {
         let change = match departure.kind {
             DepartureKind::Missing => "optional = true".to_owned(),
-            _ => format!("type = \"{}\"", guess(&departure.found)),
+            _ => retyped(&guess(&departure.found)),
         };
-        self.suggestions.push('\n');
-        let lines = [
-            format!("{}: {departure}", finding.name),
-            "[[override]]".to_owned(),
-            format!("target = {}", quoted(&location.target)),
-            format!("{} = {}", location.part, quoted(&location.key)),
-            change,
-        ];
-        for line in lines {
-            self.suggestions.extend(["# ", &visible(&line), "\n"]);
-        }
+        let target = quoted(&location.target);
+        let entry =
+            format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(&location.key));
+        let comment = comment(&format!("TODO: whether this is right. {}: {departure}", finding.name));
+        let entry = if self.loads(&format!("\n{entry}")) { entry } else { entry.lines().map(self::comment).collect() };
+        self.text += &format!("\n{comment}{entry}");
+        self.written.push(location);
     }
+}
+
+fn comment(line: &str) -> String {
+    format!("# {}\n", visible(line))
+}
+
+/// What gives a field another type. What is not a number has no unit.
+fn retyped(ty: &str) -> String {
+    let unit = if ty.starts_with("int") || ty.starts_with("float") { "" } else { "\nunit = \"\"" };
+    format!("type = \"{ty}\"{unit}")
 }
 
 /// The type of a value of which an excerpt is known.

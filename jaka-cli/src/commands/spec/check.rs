@@ -109,6 +109,10 @@ fn pack(spec: &Spec, path: &Path, findings: &mut ErrorCount) -> Result<Option<Sp
         Err(errors) => return findings.errors(&errors).map(|()| None),
     };
     pack.notes.iter().try_for_each(note)?;
+    pack.module_errors.iter().try_for_each(|error| {
+        let message = format!("it cannot be given to `pack!`: {}", error.message);
+        note(&Error { message, ..error.clone() })
+    })?;
     let added = pack.spec.topics.last().map_or(&[][..], |topic| &topic.commands);
     findings.examples(&pack.spec, added, source)?;
     let changes = tools::diff(spec, &pack.spec);

@@ -7,6 +7,7 @@ use jaka_sync::{Error, ErrorKind, StatusStream};
 use serde_json::Value;
 
 use crate::failure::Failure;
+use crate::packed_status::PackedStatus;
 
 /// A packet, ready to be printed.
 #[derive(Debug)]
@@ -34,18 +35,15 @@ impl Packets {
 
     /// The next packet that is due.
     pub(super) fn next(&mut self) -> Result<Packet, Failure> {
-        let status = self.next_due(StatusStream::next_packet)?;
-        self.tell_unfit();
-        let json = serde_json::to_value(status);
-        Ok(Packet {
-            time: unix_time(),
-            json: json.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?,
-        })
+        let status: PackedStatus = self.next_due(StatusStream::next_packet_as)?;
+        self.tell_unfit(&status);
+        let json = status.json().map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
+        Ok(Packet { time: unix_time(), json })
     }
 
     /// Reports each field that does not fit once: it is missing from what is printed.
-    fn tell_unfit(&mut self) {
-        for error in self.stream.unfit() {
+    fn tell_unfit(&mut self, status: &PackedStatus) {
+        for error in self.stream.unfit().iter().chain(&status.unfit) {
             if !self.told.iter().any(|told| told == error.field()) {
                 self.told.push(error.field().to_owned());
                 // If standard error cannot be written, the packet is still printed.
