@@ -2,6 +2,7 @@
 
 mod call;
 mod common;
+mod guide;
 mod held_packets;
 mod hostile_text;
 mod others;

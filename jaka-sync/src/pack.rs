@@ -35,8 +35,15 @@
 /// status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or decides what sources dispute. The
 /// module then has messages of its own for each command that is changed by it. Their methods bear the module's name, such as
 /// `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is read by a
-/// `Monitor<newer::RobotStatus>`. The format is described with
+/// `Monitor<newer::RobotStatus>`, and a robot takes it: [`Robot::with_monitor`](crate::Robot::with_monitor). The format is described with
 /// [jaka-spec](https://docs.rs/jaka-spec).
+///
+/// A pack can stand on others, which are named in their order, and whose modules stand next to its own:
+///
+/// ```ignore
+/// jaka_sync::pack!("newer.toml");
+/// jaka_sync::pack!("later.toml" on "newer.toml");
+/// ```
 ///
 /// A motion of a pack can be waited for by [`Robot::run`](crate::Robot::run) once you implement [`Motion`](crate::Motion) for it,
 /// which says where it ends.
@@ -44,8 +51,9 @@
 /// From the first look at a controller with newer firmware to a finished pack: the guide in
 /// [`newer_firmware`](crate::newer_firmware).
 ///
-/// Where a later version of this crate has an entry of your pack in its own spec, the compiler warns that the entry can be
-/// deleted; until then it goes on to work.
+/// Where a later version of this crate has an entry of your pack in its own spec, the module keeps the entry's names, and they stand for
+/// this crate's items. `jaka spec check` tells which entries these are. If this crate has something else under the name, so that your
+/// program would notice, that is a compiler error.
 #[macro_export]
 macro_rules! pack {
     ($($input:tt)+) => {

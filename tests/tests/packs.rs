@@ -180,7 +180,7 @@ fn a_robot_tells_by_a_pack_s_status_how_a_motion_goes() {
         .reached()
         .expect("the arm reaches its target");
     let newest: Option<i64> = robot.monitor().last_known_packet().expect("there are packets").status.brake_state;
-    assert_eq!(newest, None);
+    assert_eq!(newest, Some(0), "the pack's own key is there, too");
     controller.collide();
     let stopped = |status: &changed::RobotStatus| status.protective_stop == Some(true);
     robot.monitor().wait_until(stopped, Duration::from_secs(5)).expect("the packet shows it");
