@@ -47,7 +47,8 @@ pub(crate) fn expand(input: &Input) -> TokenStream {
         Err(errors) => compile_errors(path.span(), &errors),
     };
     // Names the files to the compiler, so that an edit of one rebuilds the crate.
-    let files = lower.iter().chain([path]).map(|path| folder().join(path.value()).display().to_string());
+    let files = lower.iter().chain([path]).map(|path| folder().join(path.value())).filter(|file| file.is_file());
+    let files = files.map(|file| file.display().to_string());
     quote! {
         #rendered
         #(const _: &[::core::primitive::u8] = ::core::include_bytes!(#files);)*

@@ -196,9 +196,25 @@ fn errors_stand_at_the_macro_and_an_edit_is_noticed() {
     user.expect(&expect![[""]]);
 
     user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" over \"newer.toml\");\n");
-    user.expect(&expect![]);
+    user.expect(&expect![[r#"
+        error: expected `on` and the packs on which this one stands
+         --> src/lib.rs:1:31
+          |
+        1 | jaka_sync::pack!("newer.toml" over "newer.toml");
+          |                               ^^^^
+
+        error: could not compile `pack` (lib) due to 1 previous error
+    "#]]);
     user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" on \"older.toml\");\n");
-    user.expect(&expect![]);
+    user.expect(&expect![[r#"
+        error: cannot read the pack `FOLDER/older.toml`: No such file or directory (os error 2); the path counts from the folder of the crate's Cargo.toml
+         --> src/lib.rs:1:34
+          |
+        1 | jaka_sync::pack!("newer.toml" on "older.toml");
+          |                                  ^^^^^^^^^^^^
+
+        error: could not compile `pack` (lib) due to 1 previous error
+    "#]]);
 
     user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
     user.expect(&expect![[r"

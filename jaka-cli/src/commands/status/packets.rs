@@ -37,7 +37,8 @@ impl Packets {
     pub(super) fn next(&mut self) -> Result<Packet, Failure> {
         let status: PackedStatus = self.next_due(StatusStream::next_packet_as)?;
         self.tell_unfit(&status);
-        let json = status.json().map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
+        let json =
+            status.json().map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
         Ok(Packet { time: unix_time(), json })
     }
 
