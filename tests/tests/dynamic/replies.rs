@@ -89,7 +89,7 @@ fn keys_types_lengths_ranges_and_values_are_distinguished() {
         "get_joint_pos",
         json!({"joint_pos": ["1", 2, 3, 4, 5, true, 7], "loads": [[0.5], [1]]}),
         expect![[r#"
-            lenient: `loads` is not in the spec; it looks like `json`: [[0.5],[1]]
+            lenient: `loads` is not in the spec; it looks like `float[][]`: [[0.5],[1]]
             unreadable: `joint_pos` has another length; expected is an array of 6, each a number (in deg): ["1",2,3,4,5,true,7]
             lenient: `joint_pos[0]` is "1"; expected is a number (in deg)
             unreadable: `joint_pos[5]` is true; expected is a number (in deg)
