@@ -11,10 +11,9 @@ pub fn notation(value: &Value) -> String {
         Value::Bool(_) => "bool".to_owned(),
         Value::Number(number) if number.is_f64() => "float".to_owned(),
         Value::Number(number) if number.is_i64() => "int".to_owned(),
-        Value::Number(_) => "json".to_owned(),
         Value::String(_) => "text".to_owned(),
         Value::Array(elements) => elements_notation(elements),
-        Value::Object(_) | Value::Null => "json".to_owned(),
+        Value::Number(_) | Value::Object(_) | Value::Null => "json".to_owned(),
     }
 }
 

@@ -106,7 +106,7 @@ pub enum NotSent {
     /// The spec forbids it.
     InvalidArgument(InvalidArgument),
     /// The controller's firmware does not have it.
-    NotInFirmware(NotInFirmware),
+    NotInFirmware(Box<NotInFirmware>),
 }
 
 impl fmt::Display for NotSent {
@@ -201,7 +201,7 @@ impl<'p> Place<'p> {
             return Ok(());
         };
         let field = Some(self.path()).filter(|path| !path.is_empty());
-        Err(NotSent::NotInFirmware(NotInFirmware::new(self.command, field, firmware, *range)))
+        Err(NotSent::NotInFirmware(Box::new(NotInFirmware::new(self.command, field, firmware, *range))))
     }
 
     /// Checks that the controller's firmware takes a value of an enum, where the firmware is known; the limits say which takes it.
@@ -210,7 +210,7 @@ impl<'p> Place<'p> {
     /// It does not.
     pub fn takes(&self, value: &dyn fmt::Display, limits: &Limits<'_>) -> Result<(), NotSent> {
         self.exists(&limits.firmware).map_err(|missing| match missing {
-            NotSent::NotInFirmware(missing) => NotSent::NotInFirmware(missing.with_value(value.to_string())),
+            NotSent::NotInFirmware(missing) => NotSent::NotInFirmware(Box::new(missing.with_value(value.to_string()))),
             other @ NotSent::InvalidArgument(_) => other,
         })
     }

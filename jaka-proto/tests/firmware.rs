@@ -111,7 +111,7 @@ fn check(request: &SetFan, firmware: &str) -> Result<(), NotSent> {
 
 fn missing(request: &SetFan, firmware: &str) -> NotInFirmware {
     match check(request, firmware) {
-        Err(NotSent::NotInFirmware(missing)) => missing,
+        Err(NotSent::NotInFirmware(missing)) => *missing,
         other => panic!("firmware {firmware} does not have it, not {other:?}"),
     }
 }

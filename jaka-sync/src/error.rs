@@ -160,7 +160,7 @@ impl From<NotSent> for Error {
     fn from(not_sent: NotSent) -> Self {
         match not_sent {
             NotSent::InvalidArgument(invalid) => invalid.into(),
-            NotSent::NotInFirmware(missing) => missing.into(),
+            NotSent::NotInFirmware(missing) => (*missing).into(),
         }
     }
 }

@@ -213,9 +213,9 @@ request = "tio_vout_vol"
 type = "bool"
 written = [0, 1]
 "#,
-        &expect![[r#"
+        &expect![[r"
             newer.toml:2:1: override of `set_tio_vout_param`: the meaning is disputed (document 2.0.4 alone: 0 = 12 V, 1 = 24 V; vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V); say in `settled` how you found out
-        "#]],
+        "]],
     );
 }
 
