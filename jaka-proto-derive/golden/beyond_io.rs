@@ -25,42 +25,34 @@ pub mod beyond_io {
         /// With the required fields alone.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn new(kind: super::io::DigitalOutputKind, index: i64) -> Self {}
         /// In the control cabinet.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn cabinet(index: i64) -> Self {}
         /// At the tool end of the arm.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn tool(index: i64) -> Self {}
         /// On an extension I/O module.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn extension(index: i64) -> Self {}
         /// A relay output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn relay(index: i64) -> Self {}
         /// An output of the Modbus slave.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn modbus_slave(index: i64) -> Self {}
         /// A Profinet output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn profinet(index: i64) -> Self {}
         /// An EtherNet/IP output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn ethernet_ip(index: i64) -> Self {}
     }
     /// What the controller answers to [`type@GetDigitalOutput`].
@@ -90,7 +82,6 @@ pub mod beyond_io {
         ///
         /// - `kind`: at least 0
         /// - `index`: at least 0
-        #[must_use]
         pub const fn new(kind: i64, index: i64) -> Self {}
     }
     /// What the controller answers to [`type@GetDigitalInput`].
@@ -119,42 +110,34 @@ pub mod beyond_io {
         /// With the required fields alone.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn new(kind: super::io::AnalogOutputKind, index: i64) -> Self {}
         /// In the control cabinet.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn cabinet(index: i64) -> Self {}
         /// At the tool end of the arm (one client).
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn tool(index: i64) -> Self {}
         /// On an extension I/O module.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn extension(index: i64) -> Self {}
         /// Reserved, by the same list; a relay where the output is digital.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn reserved(index: i64) -> Self {}
         /// An output of the Modbus slave.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn modbus_slave(index: i64) -> Self {}
         /// A Profinet output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn profinet(index: i64) -> Self {}
         /// An EtherNet/IP output.
         ///
         /// - `index`: at least 0
-        #[must_use]
         pub const fn ethernet_ip(index: i64) -> Self {}
     }
     /// What the controller answers to [`type@GetAnalogOutput`].
@@ -186,7 +169,6 @@ pub mod beyond_io {
         ///
         /// - `channel`: at least 0
         /// - `bytes`: 0 to 255
-        #[must_use]
         pub const fn new(channel: i64, bytes: Vec<i64>) -> Self {}
     }
     /// Reads what pins of the tool are used for.
@@ -208,7 +190,6 @@ pub mod beyond_io {
         /// With the required fields alone.
         ///
         /// - `pin_type`: at least 0
-        #[must_use]
         pub const fn new(pin_type: i64) -> Self {}
     }
     /// Sets what pins of the tool are used for.
@@ -231,7 +212,6 @@ pub mod beyond_io {
         ///
         /// - `pin_type`: at least 0
         /// - `pin_mode`: at least 0
-        #[must_use]
         pub const fn new(pin_type: i64, pin_mode: i64) -> Self {}
     }
     /// Reads the mode of a serial channel of the tool.
@@ -251,7 +231,6 @@ pub mod beyond_io {
         /// With the required fields alone.
         ///
         /// - `channel`: at least 0
-        #[must_use]
         pub const fn new(channel: i64) -> Self {}
     }
     /// What the controller answers to [`type@GetRs485ChnMode`].
@@ -281,7 +260,6 @@ pub mod beyond_io {
         ///
         /// - `channel`: at least 0
         /// - `mode`: at least 0
-        #[must_use]
         pub const fn new(channel: i64, mode: i64) -> Self {}
     }
     /// Reads the line settings of a serial channel of the tool.
@@ -307,7 +285,6 @@ pub mod beyond_io {
         /// With the required fields alone.
         ///
         /// - `channel`: at least 0
-        #[must_use]
         pub const fn new(channel: i64) -> Self {}
     }
     /// Sets the line of a serial channel of the tool.
@@ -345,7 +322,6 @@ pub mod beyond_io {
         /// - `baud_rate`: at least 0
         /// - `data_bits`: at least 0
         /// - `stop_bits`: at least 0
-        #[must_use]
         pub const fn new(
             channel: i64,
             slave_id: i64,
@@ -370,7 +346,6 @@ pub mod beyond_io {
     pub struct GetRs485SignalList {}
     impl GetRs485SignalList {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Reads the signals that are defined on the tool's serial channels, with their values.
@@ -385,7 +360,6 @@ pub mod beyond_io {
     pub struct GetTioSignals {}
     impl GetTioSignals {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetTioSignals`].
@@ -425,7 +399,6 @@ pub mod beyond_io {
         /// - `signal_type`: at least 0
         /// - `address`: at least 0
         /// - `frequency`: at least 0
-        #[must_use]
         pub fn new(
             name: impl Into<String>,
             channel: i64,
@@ -449,7 +422,6 @@ pub mod beyond_io {
     }
     impl DeleteTioRsSignal {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(name: impl Into<String>) -> Self {}
     }
     /// Parity of a serial line: the code of a letter.

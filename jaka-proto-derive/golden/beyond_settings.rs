@@ -26,7 +26,6 @@ pub mod beyond_settings {
         /// With the required fields alone.
         ///
         /// - `include_gravity`: 0 to 2
-        #[must_use]
         pub const fn new(currents: [f64; 6], include_gravity: i64) -> Self {}
     }
     /// Sets the kind of planner that drives motions.
@@ -44,7 +43,6 @@ pub mod beyond_settings {
     }
     impl SetMotionPlanner {
         /// With the required fields alone.
-        #[must_use]
         pub const fn new(planner: MotionPlanner) -> Self {}
     }
     /// Sets how far from a limit the controller warns, by the name.
@@ -64,7 +62,6 @@ pub mod beyond_settings {
         /// With the required fields alone.
         ///
         /// - `level`: 1 to 5
-        #[must_use]
         pub const fn new(level: i64) -> Self {}
     }
     /// Reads how far from a limit the controller warns, by the name.
@@ -79,7 +76,6 @@ pub mod beyond_settings {
     pub struct GetMotionLimitWarningRange {}
     impl GetMotionLimitWarningRange {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetMotionLimitWarningRange`].
@@ -111,7 +107,6 @@ pub mod beyond_settings {
         ///
         /// - `angle_x`: in deg, 0 to 180
         /// - `angle_z`: in deg, 0 to 360
-        #[must_use]
         pub const fn new(angle_x: f64, angle_z: f64) -> Self {}
     }
     /// Reads the time between two packets of port 10000.
@@ -126,7 +121,6 @@ pub mod beyond_settings {
     pub struct GetPort10000DelayMs {}
     impl GetPort10000DelayMs {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetPort10000DelayMs`].
@@ -159,7 +153,6 @@ pub mod beyond_settings {
     }
     impl SetOptionalInfoConfig {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(
             section: impl Into<String>,
             entry: impl Into<String>,
@@ -183,7 +176,6 @@ pub mod beyond_settings {
     }
     impl GetOptionalInfoConfig {
         /// With the required fields alone.
-        #[must_use]
         pub fn new(section: impl Into<String>, entry: impl Into<String>) -> Self {}
     }
     /// What the controller answers to [`type@GetOptionalInfoConfig`].

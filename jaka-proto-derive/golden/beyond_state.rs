@@ -18,7 +18,6 @@ pub mod beyond_state {
     pub struct GetData {}
     impl GetData {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Reads whether the robot is in drag mode, by the name.
@@ -35,7 +34,6 @@ pub mod beyond_state {
     pub struct GetDragStatus {}
     impl GetDragStatus {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Reads the speed rate, by the name.
@@ -52,7 +50,6 @@ pub mod beyond_state {
     pub struct GetRapidRate {}
     impl GetRapidRate {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Reads the id of the selected tool frame.
@@ -67,7 +64,6 @@ pub mod beyond_state {
     pub struct GetCurrToolId {}
     impl GetCurrToolId {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetCurrToolId`].
@@ -89,7 +85,6 @@ pub mod beyond_state {
     pub struct GetCurrUserId {}
     impl GetCurrUserId {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetCurrUserId`].
@@ -113,7 +108,6 @@ pub mod beyond_state {
     pub struct GetActualJointPos {}
     impl GetActualJointPos {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetActualJointPos`].
@@ -137,7 +131,6 @@ pub mod beyond_state {
     pub struct GetActualTcpPos {}
     impl GetActualTcpPos {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// What the controller answers to [`type@GetActualTcpPos`].

@@ -128,7 +128,6 @@ pub mod changed {
     pub struct GetData {}
     impl GetData {
         /// Without any optional field.
-        #[must_use]
         pub const fn new() -> Self {}
     }
     /// Voltage of the tool's output.

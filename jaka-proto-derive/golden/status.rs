@@ -376,11 +376,17 @@ pub mod status {
         /// Measurements of joints 1 to 6.
         pub joints: Vec<JointMonitor>,
         /// A seventh value, which newer firmware sends and no source explains; 0 in a capture.
-        pub seventh: Option<f64>,
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub seventh: Option<wire::Typed<i64>>,
         /// An eighth value, which newer firmware sends and no source explains; 0 in a capture.
-        pub eighth: Option<f64>,
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub eighth: Option<wire::Typed<i64>>,
         /// A ninth value, which newer firmware sends and no source explains; 0 in a capture.
-        pub ninth: Option<f64>,
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub ninth: Option<wire::Typed<i64>>,
         /// A tenth value, which newer firmware sends and no source explains. 23.39 in a capture, a voltage of the bus by the look of it.
         pub tenth: Option<f64>,
     }
