@@ -284,7 +284,7 @@ pub enum Reply {
     Fields(Vec<Field>),
     /// The keys of a named type, which is an object.
     Object(TypeId),
-    /// Keys that no source tells: raw JSON.
+    /// Keys that are not documented: raw JSON.
     Raw,
 }
 

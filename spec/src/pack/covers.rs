@@ -20,7 +20,8 @@ pub(super) fn command(spec: &Spec, known: &Command, new: &Command) -> Covers {
         (known, new) if known == new => Ok(()),
         (Reply::Fields(known), Reply::Fields(new)) => received(known, new),
         (Reply::Object(id), _) => Err(format!("its reply is a `{}`", spec[*id].name)),
-        (Reply::Fields(_), Reply::Object(_)) => Err("its reply has fields of its own".to_owned()),
+        (Reply::Raw, _) => Err("its reply is raw JSON".to_owned()),
+        (Reply::Fields(_), _) => Err("its reply has fields of its own".to_owned()),
     }
 }
 
