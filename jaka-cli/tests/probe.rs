@@ -224,7 +224,7 @@ fn a_connection_that_always_breaks_is_given_up() {
     let given_up = run.out.lines().filter(|line| line.contains("not probed: the connection broke 4 times")).count();
     assert_eq!(controller.requests().len(), 4, "{}", run.out);
     let spec = jaka_spec::builtin().expect("the built-in spec is correct");
-    let queries = spec.commands().filter(|command| command.effect == jaka_spec::Effect::Query && command.is_bare());
+    let queries = spec.commands().filter(|command| command.effect == Effect::Query && command.is_bare());
     assert_eq!(given_up, queries.count() - 4, "{}", run.out);
 }
 

@@ -289,8 +289,13 @@ fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
     for _ in 0..1000 {
         controller.inject_for("is_in_servomove", Fault::Instead(not_in.to_vec()));
     }
-    let error = robot.enter_servo_mode(&ServoConfig::new().enter_timeout(Duration::from_millis(300)));
-    let error = error.expect_err("the controller says that it is not in servo mode");
+    let mut enter = |timeout| {
+        let entered = robot.enter_servo_mode(&ServoConfig::new().enter_timeout(timeout));
+        entered.expect_err("the controller says that it is not in servo mode")
+    };
+    // On a busy machine the position can take longer than the shorter time.
+    let error = Some(enter(Duration::from_millis(300))).filter(|error| !error.is_timeout());
+    let error = error.unwrap_or_else(|| enter(Duration::from_secs(5)));
     assert!(
         matches!(error.kind(), ErrorKind::NotReady { .. }) && error.to_string().contains("did not enter"),
         "{error}"
@@ -431,9 +436,12 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
     assert_there(&controller, &robot.wait(LONG), 20.0);
     // A motion that somebody else has sent is waited for.
     let mut other = Client::connect(controller.command_addr()).expect("the controller listens");
-    other.joint_move(&to(30.0, 60.0)).expect("it is reachable");
     let monitor = robot.monitor().clone();
-    monitor.wait_until(|status| status.in_position == Some(false), LONG).expect("the arm moves");
+    let packets = monitor.subscribe(1000);
+    other.joint_move(&to(30.0, 5.0)).expect("it is reachable");
+    let packet_of_motion =
+        |_| packets.next_packet_within(LONG).expect("packets come").status.in_position == Some(false);
+    assert!((0..1000).any(packet_of_motion), "the arm moves");
     drop(robot);
     let mut robot = Robot::new(Client::connect(controller.command_addr()).expect("the controller listens"), monitor);
     drop(robot.enter_servo_mode(&ServoConfig::new()).expect("the arm has come to rest"));

@@ -112,7 +112,8 @@ impl<S: MotionStatus> Robot<S> {
         }
         // A stop or a packet does not matter here: what is sent then asks for both.
         std::thread::sleep(QUERY_PERIOD.min(left()));
-        let second = self.place(quantity, left())?;
+        // A query that is sent has time for its reply.
+        let second = self.place(quantity, left().max(QUERY_PERIOD))?;
         Ok(second.filter(|second| first.is_some_and(|first| first.is_still(second))))
     }
 
