@@ -18,7 +18,7 @@ use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
 use crate::world::World;
-use crate::{Port, Takeover, firmware, status_packet};
+use crate::{Port, Takeover, firmware};
 
 /// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -176,13 +176,14 @@ fn put_status(incoming: &Incoming, shared: &Shared, world: &World, reply: &mut W
     if !is_status || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
         return;
     }
+    let packet = shared.packet_of(&world.state);
     reply.clear();
     write_refusal(Some(&entry.command.wire), ErrorCode::SUCCESS, "", reply);
-    let members =
-        status_packet::members(&world.state, shared.options.firmware, &shared.spec_index, &shared.status_values());
-    let whole = reply.as_str().strip_suffix('}').unwrap_or_default().to_owned() + &members;
-    reply.clear();
-    reply.raw(&whole);
+    if let (Some(envelope), Some(keys)) = (reply.as_str().strip_suffix('}'), packet.strip_prefix('{')) {
+        let whole = format!("{envelope},{keys}");
+        reply.clear();
+        reply.raw(&whole);
+    }
 }
 
 /// Writes the fields that a user has set into the reply.

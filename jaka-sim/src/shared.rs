@@ -17,7 +17,7 @@ use crate::replay::ReplaySession;
 use crate::request_log::RequestLog;
 use crate::spec_index::SpecIndex;
 use crate::world::World;
-use crate::{Builder, FaultPlan, status_packet};
+use crate::{Builder, FaultPlan, State, status_packet};
 
 /// What the threads of one controller share. No lock is held while waiting for another of these, except `world`,
 /// which is taken last.
@@ -83,7 +83,12 @@ impl Shared {
 
     /// The status packet of the present state.
     pub(crate) fn packet(&self) -> Vec<u8> {
-        status_packet::packet(&self.world().state, self.options.firmware, &self.spec_index, &self.status_values())
+        self.packet_of(&self.world().state).into_bytes()
+    }
+
+    /// The status packet of a state.
+    pub(crate) fn packet_of(&self, state: &State) -> String {
+        status_packet::packet(state, self.options.firmware, &self.spec_index, &self.status_values())
     }
 
     /// Sends the present state to all status readers; nothing in a replay, which has its own packets.

@@ -13,21 +13,16 @@ use crate::json_text::{Separators, respace};
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, ReplyStyle, State};
 
-/// The packet that shows a state.
-pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> Vec<u8> {
-    let shape = firmware.shape();
-    let Some(length) = fields(shape, spec_index).next() else { return Vec::new() };
-    let tail = members(state, firmware, spec_index, set);
-    with_length(&format!("{{{}:", json(&length.wire)), &tail, shape.separators).into_bytes()
-}
-
-/// The members of a packet after its length, each after a comma, and the end of the object: the keys of the firmware, and those that
-/// packs add. A key that a user has set has the user's value.
-pub(crate) fn members(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> String {
+/// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the user's value.
+pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> String {
     let shape = firmware.shape();
     let values = Values::new(&spec_index.spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
+    let added = spec_index.added_status_keys.iter().map(String::as_str);
+    let named = |name: &str| spec_index.spec.status_fields().iter().find(|field| field.name == name);
+    let mut fields = keys::keys(shape).chain(added).filter_map(named);
+    let Some(length) = fields.next() else { return String::new() };
     let mut out = Writer::new();
-    for field in fields(shape, spec_index).skip(1) {
+    for field in fields {
         out.raw(",");
         out.raw(&json(&field.wire));
         out.raw(":");
@@ -37,14 +32,7 @@ pub(crate) fn members(state: &State, firmware: Firmware, spec_index: &SpecIndex,
         }
     }
     out.raw("}");
-    out.into_string()
-}
-
-/// The keys of packets, of which the length is the first.
-fn fields<'s>(shape: &'s Shape, spec_index: &'s SpecIndex) -> impl Iterator<Item = &'s Field> {
-    let added = spec_index.added_status_keys.iter().map(String::as_str);
-    let named = |name: &str| spec_index.spec.status_fields().iter().find(|field| field.name == name);
-    keys::keys(shape).chain(added).filter_map(named)
+    with_length(&format!("{{{}:", json(&length.wire)), out.as_str(), shape.separators)
 }
 
 /// What a packet shows of the state at a key, in JSON.
