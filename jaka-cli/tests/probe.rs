@@ -263,7 +263,7 @@ fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
     let draft = unwritten("fw-1.7.2 (new).toml").display().to_string();
     let run = probe(&controller, &["--draft", &draft]);
     assert_eq!(run.code, Some(7), "{}", run.text());
-    expect![[r##"
+    expect![[r#"
         # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
         title = "What a controller of unknown version sends beyond the spec"
 
@@ -278,7 +278,7 @@ fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
         target = "get_joint_pos"
         reply = "joint_pos"
         type = "float[]"
-    "##]].assert_eq(&fs::read_to_string(&draft).expect("the draft is written"));
+    "#]].assert_eq(&fs::read_to_string(&draft).expect("the draft is written"));
     let again = probe(&controller, &["--pack", &draft]);
     assert_eq!(again.code, Some(0), "{}", again.text());
     let checked = jaka(["spec", "check", &draft]);

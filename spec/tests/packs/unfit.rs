@@ -36,11 +36,11 @@ fn a_pack_without_a_title() {
 fn no_toml() {
     wrong(
         "\n[[command]\nwire = \"go\"\n",
-        &expect![[r#"
+        &expect![[r"
             newer.toml:1:1: a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]` or `[[override]]`
             newer.toml:2:11: not valid TOML: unclosed array table, expected `]`
             newer.toml:3:1: unknown key `wire`; the keys are command, doc, error, event, extend, override, title, title_zh, type
-        "#]],
+        "]],
     );
 }
 

@@ -103,7 +103,7 @@ impl Draft<'_> {
             format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(&location.key));
         let comment = comment(&format!("TODO: whether this is right. {}: {departure}", finding.name));
         let entry = if self.loads(&format!("\n{entry}")) { entry } else { entry.lines().map(self::comment).collect() };
-        self.text += &format!("\n{comment}{entry}");
+        self.text.extend(["\n", &comment, &entry]);
         self.written.push(location);
     }
 }
