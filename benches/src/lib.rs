@@ -2,6 +2,7 @@
 
 pub mod encode;
 pub mod framing;
+pub mod kinematics;
 pub mod limit;
 pub mod measure;
 pub mod peers;
@@ -17,5 +18,8 @@ pub const PACKET_OF_NEWER: &str = include_str!("../data/status-newer.json");
 
 /// All works.
 pub fn works() -> Vec<measure::Work<'static>> {
-    [encode::works(), reply::works(), status::works(), framing::works()].into_iter().flatten().collect()
+    [encode::works(), reply::works(), status::works(), framing::works(), kinematics::works()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

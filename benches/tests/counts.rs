@@ -1,10 +1,12 @@
 //! Counts that repeat exactly: allocations, and bytes visited.
 
 use allocation_counter::measure;
-use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, reply, status};
+use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, kinematics, limit, reply, status};
+use jaka_motion::{Frames, Model, Transform};
 use jaka_proto::Request;
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Writer;
 
 /// How often `once` allocates when all buffers are there.
@@ -51,6 +53,35 @@ fn a_choice_of_fields_allocates_nothing() {
     for packet in [PACKET_OF_DOCUMENT, PACKET_OF_NEWER] {
         let mut framer = Framer::default();
         assert_eq!(allocations(|| status::joints(packet, &mut framer)), 0);
+    }
+}
+
+#[test]
+fn kinematics_allocate_nothing() {
+    for arm in [Model::default(), Model::named("MiniCobo").expect("published").clone()] {
+        let (joints, frames) = (kinematics::JOINTS, Frames::new());
+        let pose = frames.pose(arm.forward(joints));
+        assert!(arm.inverse(pose, joints).is_ok(), "it is found");
+        assert_eq!(allocations(|| frames.pose(arm.forward(joints))), 0);
+        assert_eq!(allocations(|| arm.inverse(frames.flange(pose), [0.0; 6])), 0);
+        assert_eq!(allocations(|| arm.inverse_all(frames.flange(pose), [0.0; 6])), 0);
+        assert_eq!(allocations(|| arm.jacobian(joints, &Transform::identity())), 0);
+        assert_eq!(allocations(|| arm.singularity_distance(joints)), 0);
+    }
+}
+
+#[test]
+fn the_work_by_hand_is_the_same() {
+    let by_hand = limit::forward::forward(&kinematics::LENGTHS, &kinematics::JOINTS);
+    let flange = Model::default().forward(kinematics::JOINTS);
+    let point = |x: f64, z: f64| (flange * Pose::from([x, 0.0, z, 0.0, 0.0, 0.0]).into()).position_mm();
+    let expected = |axis: [f64; 3]| [0, 1, 2].map(|index| by_hand.place[index] + axis[index]);
+    for (found, expected) in [
+        (point(0.0, 0.0), by_hand.place),
+        (point(1.0, 0.0), expected(by_hand.x)),
+        (point(0.0, 1.0), expected(by_hand.z)),
+    ] {
+        assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-9), "{found:?}");
     }
 }
 

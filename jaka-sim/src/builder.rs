@@ -7,10 +7,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_motion::Model;
 use jaka_proto::Request;
 use jaka_proto::recording::Recording;
 
-use crate::kinematics::Model;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
 use crate::{Delays, FaultPlan, Firmware, Habits, Replay, ReplayTiming, ReplyStyle};

@@ -11,7 +11,6 @@ mod fault;
 mod firmware;
 mod habits;
 mod json_text;
-mod kinematics;
 mod link;
 mod link_selector;
 mod listener;
@@ -34,6 +33,8 @@ pub use delays::Delays;
 pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
 pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub use habits::{Habit, HabitError, Habits};
+/// The arm that is simulated.
+pub use jaka_motion::Model;
 /// The messages that [`State`] is made of.
 pub use jaka_proto as proto;
 /// A port of the controller: the one that takes commands, or the one that sends status packets.
@@ -41,7 +42,6 @@ pub use jaka_proto::recording::Port;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
 pub use json_text::Separators;
-pub use kinematics::Model;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{

@@ -13,16 +13,17 @@ mod servo;
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use jaka_motion::Model;
+
 use self::blend::Leaving;
 pub(crate) use self::blend::Zone;
 pub(crate) use self::jog::{Jogging, Reference, small};
-pub(crate) use self::path::{Arc, Joints, Path, Transform};
+pub(crate) use self::path::{Joints, Path};
 pub(crate) use self::profile::Profile;
 pub(crate) use self::running::Planned;
 use self::running::Running;
 pub(crate) use self::servo::Servo;
 use crate::clock::CYCLE;
-use crate::kinematics::Model;
 
 /// How many cycles ahead of the arm its commanded position can be.
 const MOST_AHEAD: u128 = 100;

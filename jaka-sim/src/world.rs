@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use std::io;
 use std::time::Duration;
 
+use jaka_motion::{Frames, Model, Transform};
 use jaka_proto::messages::force::IdentifyStatus;
 use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::{JointPosition, Pose};
@@ -15,8 +16,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use self::events::Reported;
 pub(crate) use self::events::collide;
 use crate::clock::CYCLE;
-use crate::kinematics::{Model, from_pose, to_pose};
-use crate::motion::{Engine, Joints, Transform};
+use crate::motion::{Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
 use crate::{Builder, Delays, Habits, State};
@@ -131,10 +131,10 @@ impl World {
         self.run_program();
         let joints = self.state.joint_position.0;
         let rate = self.rate();
-        let before = self.tool_point(joints);
+        let before = self.tool_at(joints);
         let after = self.engine.cycle(joints, rate, &self.model);
         self.state.joint_position = JointPosition(after);
-        let moved = (self.tool_point(after) - before).norm();
+        let moved = self.tool_at(after).distance_mm(&before);
         self.state.tcp_speed = moved / CYCLE.as_secs_f64();
         self.record(after);
         if self.identifying && self.engine.pending() == 0 {
@@ -223,8 +223,8 @@ impl World {
         self.engine.stop(self.state.joint_position.0, &self.model);
     }
 
-    fn tool_point(&self, joints: Joints) -> nalgebra::Vector3<f64> {
-        (self.model.forward(joints) * self.tool()).translation.vector
+    fn tool_at(&self, joints: Joints) -> Transform {
+        self.model.forward(joints) * self.tool()
     }
 
     /// The tool frame in use, on the flange.
@@ -237,14 +237,18 @@ impl World {
         offset(&self.state.user_frames, self.state.user_frame_id)
     }
 
+    fn frames(&self) -> Frames {
+        Frames::new().with_tool(self.tool()).with_user_frame(self.user())
+    }
+
     /// The tool frame in use, seen from the user frame in use, for these joints.
     pub(crate) fn pose(&self, joints: Joints) -> Pose {
-        to_pose(&(self.user().inverse() * self.model.forward(joints) * self.tool())).into()
+        self.frames().pose(self.model.forward(joints))
     }
 
     /// The flange for a pose as [`pose`](Self::pose) gives it.
     pub(crate) fn flange(&self, pose: Pose) -> Transform {
-        self.user() * from_pose(pose.into()) * self.tool().inverse()
+        self.frames().flange(pose)
     }
 
     fn identified(&mut self) {
@@ -267,5 +271,5 @@ impl World {
 
 fn offset(frames: &[crate::Frame], id: i64) -> Transform {
     let frame = usize::try_from(id).ok().and_then(|id| frames.get(id));
-    frame.map_or_else(Transform::identity, |frame| from_pose(frame.offset.into()))
+    frame.map_or_else(Transform::identity, |frame| frame.offset.into())
 }

@@ -10,6 +10,7 @@ mod reserved_port;
 mod seeds;
 mod skipped;
 pub mod soak;
+pub mod witness;
 
 pub use recording_buffer::{RecordingBuffer, events, recorded, requests};
 pub use reserved_port::ReservedPort;

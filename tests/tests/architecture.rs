@@ -10,8 +10,9 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto-derive", &["jaka-spec"]),
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
+    ("jaka-motion", &["jaka-proto"]),
     ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
-    ("jaka-sim", &["jaka-dynamic", "jaka-proto", "jaka-spec"]),
+    ("jaka-sim", &["jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-spec"]),
     ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 

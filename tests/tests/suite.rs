@@ -12,6 +12,7 @@ mod faults;
 mod firmware;
 mod first_program;
 mod hostile_text;
+mod kinematics;
 mod monitor;
 mod motion;
 mod odd_replies;

@@ -18,9 +18,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::KineForward(command) => reply(command, out, |reply| reply.pose = world.pose(command.joint_position.0)),
         Request::KineInverse(command) => {
             let flange = world.flange(command.pose);
-            match world.model.inverse(&flange, command.reference_joint_position.0) {
-                Some(joints) => reply(command, out, |reply| reply.joint_position = joints.into()),
-                None => Outcome::Refused,
+            match world.model.inverse(flange, command.reference_joint_position) {
+                Ok(joints) => reply(command, out, |reply| reply.joint_position = joints),
+                Err(_) => Outcome::Refused,
             }
         }
         _ => Outcome::Unhandled,

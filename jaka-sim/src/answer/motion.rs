@@ -1,10 +1,12 @@
 //! Jog and planned motion.
 
+use jaka_motion::Transform;
 use jaka_proto::Request;
 use jaka_proto::messages::motion::{Jog, JogFrame};
+use jaka_proto::messages::types::Pose;
 
 use super::{Draft, Outcome};
-use crate::motion::{Jogging, Path, Planned, Reference, Transform, small};
+use crate::motion::{Jogging, Path, Planned, Reference, small};
 use crate::world::World;
 
 /// Acceleration of a jog, in deg/s² and mm/s². That of real controllers is not known.
@@ -88,8 +90,8 @@ fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl F
     // In the tool's own frame, its pose is zero.
     let now = match frame {
         JogFrame::Tool => 0.0,
-        _ => crate::kinematics::to_pose(&(flange * tool))[index],
+        _ => <[f64; 6]>::from(Pose::from(flange * tool))[index],
     };
-    let end = reference.moved(&flange, &small(index, to(now) - now));
+    let end = reference.moved(flange, small(index, to(now) - now));
     world.plan(Path::line(flange * tool, end * tool, tool), speed, JOG_ACCELERATION)
 }

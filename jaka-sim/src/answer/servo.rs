@@ -36,7 +36,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
 fn set_point(world: &mut World, target: Joints, step_count: Option<i64>) {
     let cycles = step_count.and_then(|count| u32::try_from(count).ok()).unwrap_or(1);
     // A target beyond the soft limits has no effect, like one that is too fast.
-    if world.model.within_limits(&target) {
+    if world.model.is_within_range(target) {
         world.engine.servo.push(world.state.joint_position.0, target, cycles);
     }
 }
@@ -52,8 +52,8 @@ fn joint_target(world: &World, mode: MoveMode, position: JointPosition) -> Joint
 fn pose_target(world: &World, mode: MoveMode, pose: Pose) -> Option<Joints> {
     let last = world.engine.servo.tail(world.state.joint_position.0);
     let flange = match mode {
-        MoveMode::Relative => world.displaced(&world.model.forward(last), pose),
+        MoveMode::Relative => world.displaced(world.model.forward(last), pose),
         _ => world.flange(pose),
     };
-    world.model.inverse(&flange, last)
+    world.model.inverse(flange, last).ok().map(Into::into)
 }

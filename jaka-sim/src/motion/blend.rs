@@ -1,10 +1,9 @@
 //! The way around a corner, from one motion into the next.
 
-use nalgebra::Vector3;
+use jaka_motion::{Model, Transform};
 
-use super::path::{Joints, Transform};
+use super::path::Joints;
 use super::running::Running;
-use crate::kinematics::Model;
 
 /// Where a motion may go over into the next one.
 #[derive(Debug, Clone)]
@@ -12,7 +11,7 @@ pub(crate) struct Zone {
     /// The tool on the flange.
     tool: Transform,
     /// Where the tool is at the end of the motion, and how near to it the next may begin, in millimetres.
-    end: Vector3<f64>,
+    end: Transform,
     radius: f64,
 }
 
@@ -28,13 +27,12 @@ pub(super) struct Leaving {
 }
 
 impl Zone {
-    pub(crate) fn new(tool: Transform, end: &Transform, radius: f64) -> Option<Self> {
-        (radius > 0.0).then_some(Self { tool, end: end.translation.vector, radius })
+    pub(crate) fn new(tool: Transform, end: Transform, radius: f64) -> Option<Self> {
+        (radius > 0.0).then_some(Self { tool, end, radius })
     }
 
     pub(super) fn contains(&self, joints: Joints, model: &Model) -> bool {
-        let here = (model.forward(joints) * self.tool).translation.vector;
-        (here - self.end).norm() < self.radius
+        (model.forward(joints) * self.tool).distance_mm(&self.end) < self.radius
     }
 }
 

@@ -1,10 +1,10 @@
 //! Continuous jogs. Jogs by a distance or to a position are planned motions.
 
-use nalgebra::{Translation3, UnitQuaternion, Vector3};
+use jaka_motion::{Model, Transform};
+use jaka_proto::messages::types::Pose;
 
-use super::path::{Joints, Transform};
+use super::path::Joints;
 use crate::clock::CYCLE;
-use crate::kinematics::Model;
 
 /// A jog that goes on until it is stopped, or the arm can go no further.
 #[derive(Debug, Clone, Copy)]
@@ -42,11 +42,11 @@ impl Jogging {
                 Some(next)
             }
             Self::Axis { index, velocity, reference } => {
-                let flange = reference.moved(&model.forward(joints), &small(index, velocity * step));
-                model.inverse(&flange, joints)
+                let flange = reference.moved(model.forward(joints), small(index, velocity * step));
+                model.inverse(flange, joints).ok().map(Into::into)
             }
         };
-        match next.filter(|next| model.within_limits(next)) {
+        match next.filter(|next| model.is_within_range(*next)) {
             Some(next) => (next, true),
             None => (joints, false),
         }
@@ -55,25 +55,17 @@ impl Jogging {
 
 impl Reference {
     /// The flange after a displacement along this frame's axes.
-    pub(crate) fn moved(&self, flange: &Transform, by: &Transform) -> Transform {
+    pub(crate) fn moved(self, flange: Transform, by: Transform) -> Transform {
         match self {
             Self::Tool { tool } => flange * tool * by * tool.inverse(),
-            Self::Fixed { base, tool } => {
-                let mut pose = base.inverse() * flange * tool;
-                pose.translation = Translation3::from(pose.translation.vector + by.translation.vector);
-                pose.rotation = by.rotation * pose.rotation;
-                base * pose * tool.inverse()
-            }
+            Self::Fixed { base, tool } => base * (base.inverse() * flange * tool).displaced(&by) * tool.inverse(),
         }
     }
 }
 
 /// A displacement along, or a turn about, one of the axes x, y, z, rx, ry, rz.
 pub(crate) fn small(index: usize, amount: f64) -> Transform {
-    let axis = Vector3::ith(index % 3, 1.0);
-    if index < 3 {
-        Transform::from_parts(Translation3::from(axis * amount), UnitQuaternion::identity())
-    } else {
-        Transform::from_parts(Translation3::identity(), UnitQuaternion::from_scaled_axis(axis * amount.to_radians()))
-    }
+    let mut pose = [0.0; 6];
+    pose[index] = amount;
+    Pose::from(pose).into()
 }

@@ -1,10 +1,11 @@
 //! A planned motion, and the one that runs.
 
+use jaka_motion::Model;
+
 use super::blend::Zone;
 use super::path::{Joints, Path};
 use super::profile::{Along, Brake, Profile};
 use crate::clock::CYCLE;
-use crate::kinematics::Model;
 
 /// A motion that has been accepted.
 #[derive(Debug, Clone)]

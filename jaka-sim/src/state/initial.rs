@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::{array, io};
 
+use jaka_motion::Model;
 use jaka_proto::messages::types::Pose;
 use jaka_proto::messages::{
     collision, force, frames, io as pins, kinematics, network, payload, power, program, servo, trajectory, variables,
@@ -13,7 +14,6 @@ use super::{
     AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, Payload, State, ToolVoltage, TorqueSensor,
     Trajectory, TrajectoryConfig,
 };
-use crate::kinematics::Model;
 use crate::spec_index::SpecIndex;
 
 /// Joint positions at the start: the arm bent, its flange down, and no joint near its end.

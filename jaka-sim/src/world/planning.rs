@@ -1,12 +1,12 @@
 //! Motions as planned from the requests that command them.
 
+use jaka_motion::Transform;
 use jaka_proto::Request;
 use jaka_proto::messages::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
 
 use super::World;
-use crate::kinematics::from_pose;
-use crate::motion::{Arc, Joints, Path, Planned, Profile, Reference, Transform, Zone};
+use crate::motion::{Joints, Path, Planned, Profile, Reference, Zone};
 
 /// Acceleration where a command leaves it out, in deg/s² and mm/s². What controllers choose is not known.
 const USUAL_ACCELERATION: f64 = 180.0;
@@ -36,7 +36,7 @@ impl World {
     /// The way of all joints to a target.
     pub(crate) fn plan_joints(&self, to: Joints, speed: f64, acceleration: f64) -> Option<Planned> {
         let from = self.tail();
-        self.model.within_limits(&to).then_some(())?;
+        self.model.is_within_range(to).then_some(())?;
         self.plan(Path::Joints { from, to }, speed, acceleration)
     }
 
@@ -53,13 +53,13 @@ impl World {
     fn rounded(&self, planned: Planned, tolerance: Option<f64>) -> Planned {
         let radius = tolerance.filter(|_| self.habits.blend).unwrap_or_default();
         let end = self.model.forward(planned.end) * self.tool();
-        Planned { zone: Zone::new(self.tool(), &end, radius), ..planned }
+        Planned { zone: Zone::new(self.tool(), end, radius), ..planned }
     }
 
     /// The flange displaced along the axes of the user frame.
-    pub(crate) fn displaced(&self, flange: &Transform, by: Pose) -> Transform {
+    pub(crate) fn displaced(&self, flange: Transform, by: Pose) -> Transform {
         let reference = Reference::Fixed { base: self.user(), tool: self.tool() };
-        reference.moved(flange, &from_pose(by.into()))
+        reference.moved(flange, by.into())
     }
 }
 
@@ -74,15 +74,15 @@ fn joint_move(command: &JointMove, world: &World) -> Option<Planned> {
 }
 
 fn end_move(command: &EndMove, world: &World) -> Option<Planned> {
-    let to = world.model.inverse(&world.flange(command.pose), world.tail())?;
-    world.plan_joints(to, command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
+    let to = world.model.inverse(world.flange(command.pose), world.tail()).ok()?;
+    world.plan_joints(to.into(), command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
 }
 
 /// Where the tool is at a pose that a command gives.
 fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Transform {
     let tool = world.tool();
     match mode {
-        MoveMode::Relative => world.displaced(&world.model.forward(world.tail()), pose) * tool,
+        MoveMode::Relative => world.displaced(world.model.forward(world.tail()), pose) * tool,
         _ => world.flange(pose) * tool,
     }
 }
@@ -92,7 +92,7 @@ fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
     let from = world.model.forward(world.tail()) * tool;
     let to = match command.mode {
         LineMode::Relative => tool_at(world, MoveMode::Relative, command.pose),
-        LineMode::RelativeToTool => from * from_pose(command.pose.into()),
+        LineMode::RelativeToTool => from * command.pose.into(),
         _ => tool_at(world, MoveMode::Absolute, command.pose),
     };
     let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
@@ -105,7 +105,7 @@ fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
     let from = world.model.forward(world.tail()) * tool;
     let middle = tool_at(world, command.mode, command.mid_pose);
     let to = tool_at(world, command.mode, command.end_pose);
-    let arc = Arc::through(from, middle, to, tool)?;
-    let planned = world.plan(Path::Arc(Box::new(arc)), command.speed, command.acceleration)?;
+    let arc = Path::arc(from, middle, to, tool)?;
+    let planned = world.plan(arc, command.speed, command.acceleration)?;
     Some(world.rounded(planned, Some(command.tolerance)))
 }

@@ -1,8 +1,8 @@
 //! Joints to a pose and back, over random joints of every model.
 
-use super::super::model::Wrist;
-use super::super::{Model, from_pose, to_pose};
-use super::{Random, assert_close};
+use super::{Random, assert_close, from_pose, to_pose};
+use crate::Model;
+use crate::closed_form::Wrist;
 
 const POSES: usize = 10_000;
 /// Looser than the sum of rounding, tighter than required.
@@ -10,11 +10,11 @@ const CLOSE: (f64, f64) = (0.001, 0.0001);
 
 /// Whether two solutions meet at these joints, so that which of them is nearest is a matter of rounding.
 fn singular(model: &Model, joints: &[f64; 6]) -> bool {
-    let parallel = model.wrist == Wrist::Parallel;
+    let parallel = model.closed_form.wrist == Wrist::Parallel;
     let bars = if parallel { joints[2] } else { joints[2] + model.joint_home_offset()[2] + 90.0 };
     let aside = (model.d()[1] + model.d()[2] + if parallel { model.d()[3] } else { 0.0 }).abs();
     let flange = model.forward(*joints);
-    let wrist = flange * nalgebra::Point3::new(0.0, 0.0, -model.d()[5]);
+    let wrist = flange.0 * nalgebra::Point3::new(0.0, 0.0, -model.d()[5]);
     let flat = |degrees: f64| degrees.to_radians().sin().abs() < 0.05;
     flat(joints[4]) || flat(bars) || wrist.x.hypot(wrist.y) < 1.05 * aside + 5.0
 }
@@ -31,8 +31,11 @@ fn a_close_reference_gives_the_joints_back() {
             tried += 1;
             let reference = joints.map(|joint| joint + random.between(-0.5, 0.5));
             // Through the pose's numbers, as a client would.
-            let target = from_pose(to_pose(&model.forward(joints)));
-            let found = model.inverse(&target, reference).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            let target = from_pose(to_pose(model.forward(joints)));
+            let found = model
+                .inverse(target, reference)
+                .unwrap_or_else(|error| panic!("{} {joints:?}: {error}", model.name()))
+                .0;
             assert_close(&model.forward(found), &target, CLOSE, model.name());
             let same = found.iter().zip(joints).all(|(found, joint)| (found - joint).abs() < 0.01);
             assert!(same, "{} {joints:?} {found:?}", model.name());
@@ -47,9 +50,12 @@ fn a_far_reference_gives_a_solution_too() {
         for _ in 0..POSES / 5 {
             let (joints, reference) = (random.joints(model), random.joints(model));
             let target = model.forward(joints);
-            let found = model.inverse(&target, reference).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            let found = model
+                .inverse(target, reference)
+                .unwrap_or_else(|error| panic!("{} {joints:?}: {error}", model.name()))
+                .0;
             assert_close(&model.forward(found), &target, CLOSE, model.name());
-            assert!(model.within_limits(&found), "{} {found:?}", model.name());
+            assert!(model.is_within_range(found), "{} {found:?}", model.name());
         }
     }
 }
@@ -62,7 +68,7 @@ fn nothing_nearer_to_the_reference_is_missed() {
         let mut random = Random::new(seed);
         for _ in 0..1_000 {
             let (joints, reference) = (random.joints(model), random.joints(model));
-            let found = model.inverse(&model.forward(joints), reference).expect("reachable");
+            let found = model.inverse(model.forward(joints), reference).expect("reachable").0;
             assert!(
                 distance(&found, &reference) <= distance(&joints, &reference) + 1e-3,
                 "{} {joints:?}",
@@ -83,9 +89,12 @@ fn a_singular_wrist_keeps_the_reference() {
                 let half_turn = if round % 2 == 1 && model.joint_max()[4] > 180.0 { 180.0 } else { 0.0 };
                 joints[4] = half_turn + f64::to_degrees(sine);
                 let target = model.forward(joints);
-                let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+                let found = model
+                    .inverse(target, joints)
+                    .unwrap_or_else(|error| panic!("{} {joints:?}: {error}", model.name()))
+                    .0;
                 assert_close(&model.forward(found), &target, CLOSE, model.name());
-                let free = if model.wrist == Wrist::Parallel { 5 } else { 3 };
+                let free = if model.closed_form.wrist == Wrist::Parallel { 5 } else { 3 };
                 assert!(
                     sine > 1e-8 || (found[free] - joints[free]).abs() < 0.01,
                     "{} {joints:?} {found:?}",
@@ -106,7 +115,8 @@ fn a_stretched_or_upright_arm_solves() {
             [0.0, 0.0, 90.0, 0.0, 0.0, 360.0],
         ] {
             let target = model.forward(joints);
-            let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            let found =
+                model.inverse(target, joints).unwrap_or_else(|error| panic!("{} {joints:?}: {error}", model.name())).0;
             assert_close(&model.forward(found), &target, (0.01, 0.01), model.name());
         }
     }
@@ -117,7 +127,7 @@ fn turns_follow_the_reference() {
     let arm = Model::default();
     for turn in [-360.0, 0.0, 360.0] {
         let joints = [f64::midpoint(turn, 0.0), 60.0, 80.0, 30.0, -90.0, turn];
-        let found = arm.inverse(&arm.forward(joints), joints).expect("reachable");
+        let found = arm.inverse(arm.forward(joints), joints).expect("reachable").0;
         assert!(found.iter().zip(joints).all(|(found, joint)| (found - joint).abs() < 0.001), "{joints:?} {found:?}");
     }
 }
@@ -136,9 +146,34 @@ fn joints_at_their_limits_solve() {
                 }
             }
             let target = model.forward(joints);
-            let found = model.inverse(&target, joints).unwrap_or_else(|| panic!("{} {joints:?}", model.name()));
+            let found =
+                model.inverse(target, joints).unwrap_or_else(|error| panic!("{} {joints:?}: {error}", model.name())).0;
             assert_close(&model.forward(found), &target, CLOSE, model.name());
-            assert!(model.within_limits(&found), "{} {found:?}", model.name());
+            assert!(model.is_within_range(found), "{} {found:?}", model.name());
         }
+    }
+}
+
+/// Every branch brings the flange there, is found from a reference near it, and the joints the pose was made of are one.
+#[test]
+fn the_inverse_returns_each_branch() {
+    for (seed, model) in (1001..).zip(Model::published()) {
+        let (mut random, mut most) = (Random::new(seed), 0);
+        for _ in 0..500 {
+            let joints = random.joints(model);
+            if singular(model, &joints) {
+                continue;
+            }
+            let target = model.forward(joints);
+            let branches = model.inverse_all(target, joints).expect("reachable");
+            assert!(branches[0].max_distance(&joints.into()) < 1e-6, "{} {joints:?} {branches:?}", model.name());
+            for branch in branches.iter() {
+                assert_close(&model.forward(*branch), &target, CLOSE, model.name());
+                let found = model.inverse(target, *branch).expect("reachable");
+                assert!(found.max_distance(branch) < 1e-6, "{} {joints:?} {branches:?}", model.name());
+            }
+            most = most.max(branches.len());
+        }
+        assert_eq!(most, 8, "{}", model.name());
     }
 }

@@ -15,9 +15,12 @@
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
 //! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.3 mm, the
-//! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests::urdf` compares each model with its chain.
+//! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests/tests/kinematics.rs` of the repository compares each model with its
+//! chain.
 
-use super::model::{Model, Wrist};
+use super::Model;
+use crate::closed_form::{ClosedForm, Precision, Wrist};
+use crate::links::Links;
 
 pub(super) static PUBLISHED: [Model; 20] = [
     arm("Zu 5", [120.15, 430.0, 368.5, 114.0, 113.5, 107.0], EVEN_180),
@@ -51,28 +54,36 @@ const FAST_WRIST: [f64; 6] = [120.0, 120.0, 120.0, 220.0, 220.0, 220.0];
 /// offsets of joints 4, 5 and 6.
 const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Model {
     let [base, upper_arm, forearm, wrist_1, wrist_2, wrist_3] = lengths;
-    Model {
-        name,
+    let links = Links {
         alpha: [0.0, 90.0, 0.0, 0.0, 90.0, -90.0],
         a: [0.0, 0.0, upper_arm, forearm, 0.0, 0.0],
         d: [base, 0.0, 0.0, -wrist_1, wrist_2, wrist_3],
         joint_home_offset: [0.0; 6],
+    };
+    Model {
+        name,
+        links,
+        closed_form: ClosedForm { links, wrist: Wrist::Parallel, precision: Precision::Exact },
         joint_min: [-360.0, -85.0, -175.0, -85.0, -360.0, -360.0],
         joint_max: [360.0, 265.0, 175.0, 265.0, 360.0, 360.0],
         joint_speed,
-        wrist: Wrist::Parallel,
     }
 }
 
 /// The small arm with a spherical wrist, which stands upright at zero.
-const MINICOBO: Model = Model {
-    name: "MiniCobo",
-    alpha: [0.0, 90.0, 0.0, -90.0, 90.0, -90.0],
-    a: [0.0, 0.0, 210.0, 0.0, 0.0, 0.0],
-    d: [187.0, 6.0, 0.0, 210.5, 0.0, 159.3],
-    joint_home_offset: [0.0, 90.0, -90.0, 0.0, 0.0, 0.0],
-    joint_min: [-360.0, -120.0, -130.0, -360.0, -120.0, -360.0],
-    joint_max: [360.0, 120.0, 130.0, 360.0, 120.0, 360.0],
-    joint_speed: [90.0; 6],
-    wrist: Wrist::Spherical,
+const MINICOBO: Model = {
+    let links = Links {
+        alpha: [0.0, 90.0, 0.0, -90.0, 90.0, -90.0],
+        a: [0.0, 0.0, 210.0, 0.0, 0.0, 0.0],
+        d: [187.0, 6.0, 0.0, 210.5, 0.0, 159.3],
+        joint_home_offset: [0.0, 90.0, -90.0, 0.0, 0.0, 0.0],
+    };
+    Model {
+        name: "MiniCobo",
+        links,
+        closed_form: ClosedForm { links, wrist: Wrist::Spherical, precision: Precision::Exact },
+        joint_min: [-360.0, -120.0, -130.0, -360.0, -120.0, -360.0],
+        joint_max: [360.0, 120.0, 130.0, 360.0, 120.0, 360.0],
+        joint_speed: [90.0; 6],
+    }
 };

@@ -1,14 +1,18 @@
 //! What the tests share: a deterministic source of numbers, and differences between transforms.
 
+mod calibrated;
+mod captured;
 mod conventions;
+mod differences;
+mod fit;
 mod hostile;
 mod polish;
 mod round_trip;
-mod urdf;
+mod singular;
 
-use nalgebra::Isometry3;
+use jaka_proto::messages::types::Pose;
 
-use super::Model;
+use crate::{Model, Transform};
 
 /// Marsaglia's xorshift, 64 bits.
 struct Random(u64);
@@ -31,14 +35,23 @@ impl Random {
     }
 }
 
+/// The transform of a pose in mm and degrees.
+fn from_pose(pose: [f64; 6]) -> Transform {
+    Pose::from(pose).into()
+}
+
+/// The pose in mm and degrees of a transform.
+fn to_pose(transform: Transform) -> [f64; 6] {
+    Pose::from(transform).into()
+}
+
 /// How far apart two transforms are in mm and degrees.
-fn apart(one: &Isometry3<f64>, other: &Isometry3<f64>) -> (f64, f64) {
-    let moved = (one.translation.vector - other.translation.vector).norm();
-    (moved, one.rotation.angle_to(&other.rotation).to_degrees())
+fn apart(one: &Transform, other: &Transform) -> (f64, f64) {
+    (one.distance_mm(other), one.angle_deg(other))
 }
 
 #[track_caller]
-fn assert_close(one: &Isometry3<f64>, other: &Isometry3<f64>, within: (f64, f64), what: &str) {
+fn assert_close(one: &Transform, other: &Transform, within: (f64, f64), what: &str) {
     let (moved, turned) = apart(one, other);
     assert!(moved <= within.0 && turned <= within.1, "{what}: {moved} mm, {turned} degrees apart");
 }

@@ -1,14 +1,15 @@
 //! The Newton step that removes the error of rounding.
 
-use super::super::Model;
 use super::{Random, apart};
+use crate::Model;
+use crate::model::inverse::DAMPING;
 
 #[test]
 fn a_step_takes_off_a_small_error() {
     for model in Model::published() {
         let joints = [10.0, 60.0, 80.0, 30.0, -90.0, 5.0];
         let target = model.forward(joints);
-        let polished = model.newton(&joints.map(|joint| joint + 1e-4), &target).expect("not singular");
+        let polished = model.newton(&joints.map(|joint| joint + 1e-4), &target.0, DAMPING).expect("not singular");
         assert!(apart(&model.forward(polished), &target).0 < 1e-5, "{}", model.name());
         assert!(
             polished.iter().zip(joints).all(|(polished, joint)| (polished - joint).abs() < 1e-5),
@@ -25,7 +26,7 @@ fn a_step_does_not_run_away() {
     for model in Model::published() {
         for joints in [[0.0; 6], [0.0, 90.0, 0.0, 90.0, 0.0, 0.0], [0.0, 0.0, 90.0, 0.0, 0.0, 360.0]] {
             let off = joints.map(|joint| joint + random.between(-1e-9, 1e-9));
-            let polished = model.newton(&off, &model.forward(joints)).expect("damping keeps it solvable");
+            let polished = model.newton(&off, &model.forward(joints).0, DAMPING).expect("damping keeps it solvable");
             assert!(
                 polished.iter().zip(joints).all(|(polished, joint)| (polished - joint).abs() < 1e-6),
                 "{}",

@@ -1,7 +1,8 @@
 //! Targets out of reach, and invalid inputs.
 
-use super::super::model::Wrist;
-use super::super::{Model, from_pose, to_pose};
+use super::{from_pose, to_pose};
+use crate::closed_form::Wrist;
+use crate::{Model, NoSolution};
 
 const ODD: [f64; 10] =
     [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, f64::MAX, f64::MIN_POSITIVE, -0.0, 1e9, 360.0];
@@ -10,7 +11,12 @@ const ODD: [f64; 10] =
 fn too_far_is_out_of_reach() {
     for model in Model::published() {
         for x in [1e3 * 2.5, 1e4, -1e5] {
-            assert_eq!(model.inverse(&from_pose([x, 0.0, 300.0, 180.0, 0.0, 0.0]), [0.0; 6]), None, "{}", model.name());
+            let found = model.inverse(from_pose([x, 0.0, 300.0, 180.0, 0.0, 0.0]), [0.0; 6]);
+            assert!(
+                matches!(found, Err(NoSolution::OutOfReach { by_mm }) if by_mm > 0.0),
+                "{}: {found:?}",
+                model.name()
+            );
         }
     }
 }
@@ -19,11 +25,15 @@ fn too_far_is_out_of_reach() {
 #[test]
 fn too_near_the_base_axis_is_out_of_reach() {
     for model in Model::published() {
-        let nearer =
-            0.9 * (model.d()[1] + model.d()[2] + if model.wrist == Wrist::Parallel { model.d()[3] } else { 0.0 }).abs();
+        let nearer = 0.9
+            * (model.d()[1]
+                + model.d()[2]
+                + if model.closed_form.wrist == Wrist::Parallel { model.d()[3] } else { 0.0 })
+            .abs();
         for z in [0.0, 200.0, 400.0] {
             let target = from_pose([nearer, 0.0, z, 180.0, 0.0, 0.0]);
-            assert_eq!(model.inverse(&target, [0.0; 6]), None, "{}", model.name());
+            let found = model.inverse(target, [0.0; 6]);
+            assert!(matches!(found, Err(NoSolution::OutOfReach { .. })), "{}: {found:?}", model.name());
         }
     }
 }
@@ -33,24 +43,25 @@ fn too_near_the_base_axis_is_out_of_reach() {
 fn a_pose_that_needs_a_joint_beyond_its_limit_is_refused() {
     let arm = Model::named("MiniCobo").expect("published");
     let beyond = [96.0, 66.0, -3.0, -35.0, 175.0, 314.0];
-    assert!(!arm.within_limits(&beyond));
-    assert_eq!(arm.inverse(&arm.forward(beyond), beyond), None);
+    assert!(!arm.is_within_range(beyond));
+    let found = arm.inverse(arm.forward(beyond), beyond);
+    assert!(matches!(found, Err(NoSolution::BeyondRange { joint: 5, limit_deg: 120.0, .. })), "{found:?}");
 }
 
 #[test]
 fn odd_numbers_anywhere_give_none_or_a_true_solution() {
     for model in Model::published() {
         let joints = [10.0, 60.0, 80.0, 30.0, -90.0, 5.0];
-        let pose = to_pose(&model.forward(joints));
+        let pose = to_pose(model.forward(joints));
         for odd in ODD {
             for index in 0..6 {
                 let (mut pose, mut reference) = (pose, joints);
                 pose[index] = odd;
                 check(model, pose, joints);
-                pose = to_pose(&model.forward(joints));
+                pose = to_pose(model.forward(joints));
                 reference[index] = odd;
                 check(model, pose, reference);
-                check(model, to_pose(&model.forward(reference)), joints);
+                check(model, to_pose(model.forward(reference)), joints);
             }
             check(model, [odd; 6], [odd; 6]);
         }
@@ -58,8 +69,8 @@ fn odd_numbers_anywhere_give_none_or_a_true_solution() {
 }
 
 fn check(model: &Model, pose: [f64; 6], reference: [f64; 6]) {
-    let Some(found) = model.inverse(&from_pose(pose), reference) else { return };
-    assert!(model.within_limits(&found), "{found:?}");
+    let Ok(found) = model.inverse(from_pose(pose), reference) else { return };
+    assert!(model.is_within_range(found), "{found:?}");
     let (moved, turned) = super::apart(&model.forward(found), &from_pose(pose));
     assert!(moved < 0.01 && turned < 0.01, "{pose:?} {found:?}");
 }
@@ -68,8 +79,8 @@ fn check(model: &Model, pose: [f64; 6], reference: [f64; 6]) {
 fn a_finite_reference_however_large_still_solves() {
     let arm = Model::default();
     let target = arm.forward([10.0, 60.0, 80.0, 30.0, -90.0, 5.0]);
-    assert!(arm.inverse(&target, [1e300; 6]).is_some());
-    assert_eq!(arm.inverse(&target, [f64::NAN; 6]), None);
+    assert!(arm.inverse(target, [1e300; 6]).is_ok());
+    assert_eq!(arm.inverse(target, [f64::NAN; 6]), Err(NoSolution::NotFinite));
 }
 
 #[test]

@@ -1,59 +1,14 @@
-//! Each model against the chain of the vendor's URDF.
+//! The figures of the vendor's URDF files.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
-
-use super::super::Model;
-use super::{Random, assert_close};
-
 /// A joint of a URDF: origin xyz in metres, origin rpy in radians, and the sign of its axis along z.
-type Joint = [f64; 7];
-
-/// The base mesh may be off the axis of joint 1 and have a zero height of its own; only the height over the base counts.
-fn chain(urdf: &[Joint; 6], joints: &[f64; 6]) -> Isometry3<f64> {
-    urdf.iter().zip(joints).enumerate().fold(Isometry3::identity(), |before, (index, (origin, joint))| {
-        let [x, y, z, next_u64, pitch, yaw, axis] = *origin;
-        let at = if index == 0 { Vector3::new(0.0, 0.0, z) } else { Vector3::new(x, y, z) } * 1e3;
-        let frame =
-            Isometry3::from_parts(Translation3::from(at), UnitQuaternion::from_euler_angles(next_u64, pitch, yaw));
-        before * frame * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), axis * joint.to_radians())
-    })
-}
-
-/// The mesh of the S7's last link is rotated by half a turn compared with those of the other arms; the flange is not.
-fn flange(name: &str) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), if name == "S7" { PI } else { 0.0 })
-}
-
-/// The URDF rounds a quarter turn to 1.5708, which is corrected below, and has up to 0.26 mm of noise per joint.
-#[test]
-fn forward_follows_the_vendors_chain() {
-    assert_eq!(URDF.len(), Model::published().len());
-    for (name, urdf) in &URDF {
-        let (model, mut random) = (Model::named(name).expect("published"), Random::new(7));
-        for _ in 0..200 {
-            let joints = random.joints(model);
-            let expected = chain(urdf, &joints) * flange(name);
-            assert_close(&model.forward(joints), &expected, (0.4, 0.01), name);
-        }
-    }
-}
-
-/// The default model has only 0.012 mm of noise, and is tested with that.
-#[test]
-fn the_zu_5_follows_the_vendors_chain_closely() {
-    let mut random = Random::new(11);
-    for _ in 0..1_000 {
-        let joints = random.joints(&Model::default());
-        assert_close(&Model::default().forward(joints), &chain(&URDF[0].1, &joints), (0.012, 1e-6), "Zu 5");
-    }
-}
+pub(super) type Joint = [f64; 7];
 
 /// From `JakaCobot/jaka_ros2` `src/jaka_description/urdf/`; the Zu 12's two heights, 0.04 and 0.10265, are added up.
 #[rustfmt::skip]
 #[expect(clippy::unreadable_literal, reason = "the digits as the files have them")]
-const URDF: [(&str, [Joint; 6]); 20] = [
+pub(super) const URDF: [(&str, [Joint; 6]); 20] = [
     ("Zu 5", [
         [0.0, 0.0, 0.12015, 0.0, 0.0, 0.0, 1.0],
         [0.0, 0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 1.0],

@@ -1,0 +1,8 @@
+//! Kinematics: `cargo bench -p jaka-benches --bench kinematics`. A set-point may take 20 microseconds of it in all; that nothing
+//! allocates is `tests/counts.rs`'s.
+
+fn main() {
+    for mut work in jaka_benches::kinematics::works() {
+        println!("{}", work.report());
+    }
+}

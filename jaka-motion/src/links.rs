@@ -1,0 +1,81 @@
+//! The chain of links, and where it brings the frames of the joints.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+use std::ops::Range;
+
+use nalgebra::{Isometry3, Matrix6, Quaternion, Translation3, UnitQuaternion, Vector3};
+
+/// Denavit-Hartenberg parameters in mm and degrees, in Craig's convention.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Links {
+    pub(crate) alpha: [f64; 6],
+    pub(crate) a: [f64; 6],
+    pub(crate) d: [f64; 6],
+    pub(crate) joint_home_offset: [f64; 6],
+}
+
+impl Links {
+    /// The angles of the links in radians for joint positions in degrees.
+    pub(crate) fn angles(&self, joints: &[f64; 6]) -> [f64; 6] {
+        std::array::from_fn(|index| (joints[index] + self.joint_home_offset[index]).to_radians())
+    }
+
+    /// The joint positions in degrees for angles of the links in radians.
+    pub(crate) fn positions(&self, angles: &[f64; 6]) -> [f64; 6] {
+        std::array::from_fn(|index| angles[index].to_degrees() - self.joint_home_offset[index])
+    }
+
+    /// The transform across consecutive links, counted from 0, at angles in radians.
+    pub(crate) fn product(&self, links: Range<usize>, angles: &[f64; 6]) -> Isometry3<f64> {
+        links.fold(Isometry3::identity(), |before, index| before * self.link(index, angles[index]))
+    }
+
+    /// The flange in the base frame for joint positions in degrees.
+    pub(crate) fn flange(&self, joints: &[f64; 6]) -> Isometry3<f64> {
+        self.product(0..6, &self.angles(joints))
+    }
+
+    /// The frame of every joint in the base frame for joint positions in degrees; the last one is the flange.
+    pub(crate) fn frames(&self, joints: &[f64; 6]) -> [Isometry3<f64>; 6] {
+        let angles = self.angles(joints);
+        let mut frame = Isometry3::identity();
+        std::array::from_fn(|index| {
+            frame *= self.link(index, angles[index]);
+            frame
+        })
+    }
+
+    /// No point of the flange is further than this from the base, in mm.
+    pub(crate) fn length(&self) -> f64 {
+        self.a.iter().chain(&self.d).map(|length| length.abs()).sum()
+    }
+
+    /// The transform across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
+    fn link(&self, index: usize, angle: f64) -> Isometry3<f64> {
+        let (half_sin, half_cos) = half_turn(self.alpha[index]);
+        let (twist_sin, twist_cos) = (2.0 * half_sin * half_cos, half_cos * half_cos - half_sin * half_sin);
+        let along = Translation3::new(self.a[index], -twist_sin * self.d[index], twist_cos * self.d[index]);
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        let turn = Quaternion::new(half_cos * cos, half_sin * cos, -half_sin * sin, half_cos * sin);
+        Isometry3::from_parts(along, UnitQuaternion::new_unchecked(turn))
+    }
+}
+
+/// Sine and cosine of half an angle in degrees; those of most links are known.
+fn half_turn(degrees: f64) -> (f64, f64) {
+    match degrees {
+        0.0 => (0.0, 1.0),
+        90.0 => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+        -90.0 => (-FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+        degrees => (0.5 * degrees.to_radians()).sin_cos(),
+    }
+}
+
+/// How a point on the last link moves with each joint: mm per radian, and below it radians per radian.
+pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Matrix6<f64> {
+    Matrix6::from_columns(&frames.map(|frame| {
+        let axis = frame.rotation * Vector3::z();
+        let moved = axis.cross(&(point - frame.translation.vector));
+        [moved.x, moved.y, moved.z, axis.x, axis.y, axis.z].into()
+    }))
+}

@@ -1,0 +1,66 @@
+//! How far joint positions are from those at which the arm loses a direction.
+
+use jaka_proto::messages::types::JointPosition;
+use nalgebra::Vector3;
+
+use super::Model;
+use crate::links::jacobian;
+
+/// How far joint positions are from a singularity, where the tool cannot be moved or turned in some direction, and near which
+/// a slow motion of the tool takes a fast one of the joints.
+///
+/// Each number is zero at a singularity and has no unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct SingularityDistance {
+    /// How far the wrist, where the axes of joints 5 and 6 meet, is from the plane through the axis of joint 1 that is parallel to the axis of
+    /// joint 2, divided by [`Model::reach_mm`]. It is zero where the wrist is above the shoulder.
+    pub shoulder: f64,
+    /// The sine of the angle between upper arm and forearm, zero where the arm is stretched.
+    pub elbow: f64,
+    /// The sine of the angle between the axes of joints 4 and 6, zero where joint 5 puts them in line.
+    pub wrist: f64,
+    /// The smallest singular value of the Jacobian at the flange, for radians of the joints, with lengths divided by
+    /// [`Model::reach_mm`].
+    pub smallest_singular_value: f64,
+}
+
+/// The most rounds of the search for singular values. It takes about ten.
+const ROUNDS: usize = 200;
+
+impl Model {
+    /// How far these joint positions are from the singularities of shoulder, elbow and wrist; NaN for joint positions that are
+    /// not finite.
+    ///
+    /// ```
+    /// use jaka_motion::Model;
+    ///
+    /// let arm = Model::named("Zu 5").expect("a published arm");
+    /// let stretched = arm.singularity_distance([0.0, 60.0, 0.0, 30.0, -90.0, 0.0]);
+    /// assert!(stretched.elbow < 1e-9 && stretched.wrist > 0.9 && stretched.smallest_singular_value < 1e-9);
+    /// ```
+    pub fn singularity_distance(&self, joints: impl Into<JointPosition>) -> SingularityDistance {
+        let (frames, reach) = (self.links.frames(&joints.into().0), self.reach_mm());
+        let at = |index: usize| frames[index].translation.vector;
+        let axis = |index: usize| frames[index].rotation * Vector3::z();
+        // Joint 2 turns both in one plane, to which lengths along its axis do not count.
+        let in_plane = |bar: Vector3<f64>| bar - axis(1) * axis(1).dot(&bar);
+        let (upper_arm, forearm) = (in_plane(at(2) - at(1)), in_plane(at(3) - at(2)));
+        let mut unitless = jacobian(&frames, &at(5));
+        unitless.fixed_rows_mut::<3>(0).unscale_mut(reach);
+        SingularityDistance {
+            shoulder: axis(0).cross(&axis(1)).dot(&(at(4) - at(0))).abs() / reach,
+            elbow: upper_arm.cross(&forearm).norm() / (upper_arm.norm() * forearm.norm()),
+            wrist: axis(3).cross(&axis(5)).norm(),
+            smallest_singular_value: smallest_singular_value(unitless),
+        }
+    }
+}
+
+/// NaN for a matrix that is not finite, on which the search would not end; zero, as at a singularity, where it does not.
+fn smallest_singular_value(matrix: nalgebra::Matrix6<f64>) -> f64 {
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return f64::NAN;
+    }
+    matrix.try_svd_unordered(false, false, f64::EPSILON, ROUNDS).map_or(0.0, |parts| parts.singular_values.min())
+}

@@ -1,0 +1,61 @@
+//! The Jacobian against differences of poses, and the distances from singularities against the Jacobian.
+
+use nalgebra::Matrix6;
+
+use super::{Random, from_pose};
+use crate::{Model, Transform};
+
+/// Of a joint, in degrees.
+const STEP: f64 = 1e-3;
+
+/// How the tool moves with one joint, in mm and degrees for a degree.
+fn difference(model: &Model, joints: [f64; 6], joint: usize, tool: Transform) -> [f64; 6] {
+    let at = |sign: f64| {
+        let mut moved = joints;
+        moved[joint] += sign * 0.5 * STEP;
+        (model.forward(moved) * tool).0
+    };
+    let (before, after) = (at(-1.0), at(1.0));
+    let moved = (after.translation.vector - before.translation.vector) / STEP;
+    let turned = (after.rotation * before.rotation.inverse()).scaled_axis() / STEP;
+    [moved.x, moved.y, moved.z, turned.x.to_degrees(), turned.y.to_degrees(), turned.z.to_degrees()]
+}
+
+#[test]
+fn the_jacobian_is_how_the_tool_moves() {
+    let tool = from_pose([30.0, -20.0, 150.0, 10.0, 20.0, 30.0]);
+    for (seed, model) in (501..).zip(Model::published()) {
+        let mut random = Random::new(seed);
+        for _ in 0..200 {
+            let joints = random.joints(model);
+            let jacobian = model.jacobian(joints, &tool);
+            for joint in 0..6 {
+                for (row, expected) in difference(model, joints, joint, tool).into_iter().enumerate() {
+                    let found = jacobian[row][joint];
+                    assert!((found - expected).abs() < 1e-5, "{} {joints:?} {found} {expected}", model.name());
+                }
+            }
+        }
+    }
+}
+
+/// The Jacobian's determinant is the product of the three distances and of lengths.
+#[test]
+fn the_distances_are_those_of_the_jacobian() {
+    for (seed, model) in (601..).zip(Model::published()) {
+        let mut random = Random::new(seed);
+        let forearm = if model.name() == "MiniCobo" { model.d()[3] } else { model.a()[3] };
+        for _ in 0..500 {
+            let joints = random.joints(model);
+            let rows = model.jacobian(joints, &Transform::identity());
+            let mut jacobian = Matrix6::from_row_slice(rows.as_flattened());
+            jacobian.fixed_rows_mut::<3>(0).scale_mut(1_f64.to_degrees() / model.reach_mm());
+            let distance = model.singularity_distance(joints);
+            let lengths = model.a()[2] * forearm / model.reach_mm().powi(2);
+            let product = lengths * distance.shoulder * distance.elbow * distance.wrist;
+            assert!((jacobian.determinant().abs() - product).abs() < 1e-9, "{} {joints:?}", model.name());
+            let values = jacobian.singular_values();
+            assert!((distance.smallest_singular_value - values.min()).abs() < 1e-9, "{} {joints:?}", model.name());
+        }
+    }
+}
