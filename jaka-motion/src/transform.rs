@@ -27,6 +27,9 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform(pub(crate) Isometry3<f64>);
 
+/// Half a turn has two signs. One that is nearer to it than this, in degrees, is positive, so that rounding does not choose.
+const ROUNDING: f64 = 1e-9;
+
 impl Transform {
     /// The frame from which it is seen.
     pub fn identity() -> Self {
@@ -98,7 +101,9 @@ impl From<Transform> for Pose {
         let unturned = Self::from_millimetres_degrees(frame.translation.vector.into(), [f64::NAN; 3]);
         // Only numbers that are not finite are not a rotation here.
         let pose = unturned.with_rotation_matrix(rows).unwrap_or(unturned);
+        let half_turn = |angle: f64| if angle < ROUNDING - 180.0 { 180.0 } else { angle };
         // Adding zero turns -0 into 0.
-        Self { x: pose.x + 0.0, y: pose.y + 0.0, z: pose.z + 0.0, ..pose }
+        let [x, y, z] = pose.position_mm().map(|length| length + 0.0);
+        Self { x, y, z, rx: half_turn(pose.rx), rz: half_turn(pose.rz), ..pose }
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 use self::urdf::{Joint, URDF};
 
 /// Below this a length in metres is noise of the drawing.
-const NOISE: f64 = 0.000_3;
+const NOISE: f64 = 0.000_4;
 
 /// A rotation and a position in mm: the first three rows of a homogeneous matrix.
 pub type Frame = [[f64; 4]; 3];
@@ -25,7 +25,7 @@ impl Witness {
         URDF.iter().map(|(name, _)| *name)
     }
 
-    /// The arm as it is drawn, with up to 0.26 mm of noise a joint. The base mesh may lie aside of the axis of joint 1; only
+    /// The arm as it is drawn, with up to 0.39 mm of noise a joint. The base mesh may lie aside of the axis of joint 1; only
     /// the height over the base counts.
     ///
     /// # Panics

@@ -14,7 +14,7 @@
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
-//! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.3 mm, the
+//! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.4 mm, the
 //! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests/tests/kinematics.rs` of the repository compares each model with its
 //! chain.
 
