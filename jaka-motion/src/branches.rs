@@ -1,11 +1,12 @@
 //! All joint positions that reach a pose.
 
+use std::fmt;
 use std::ops::Deref;
 
 use jaka_proto::messages::types::JointPosition;
 
 /// The joint positions that bring the flange to a pose, one for each branch: a slice, at most eight, nearest first.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Branches {
     joints: [JointPosition; 8],
     count: usize,
@@ -36,5 +37,11 @@ impl Deref for Branches {
 
     fn deref(&self) -> &[JointPosition] {
         &self.joints[..self.count]
+    }
+}
+
+impl fmt::Debug for Branches {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
     }
 }

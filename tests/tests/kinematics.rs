@@ -116,12 +116,12 @@ fn what_is_refused_no_search_finds() {
     let (mut reachable, mut reached) = (0, 0);
     for (name, arm) in Witness::names().zip(0..) {
         let (model, witness) = (Model::named(name).expect("published"), Witness::published(name));
-        for seed in 0..20 {
+        for seed in 0..6 {
             // Around the edge of reach.
             let out = |index: u64| 2.0 * share(9_000_000 + 1_000 * arm + seed * 6 + index) - 1.0;
             let place = [0, 1, 2].map(|index| out(index) * 0.6 * model.reach_mm());
             let target = Pose::from_millimetres_degrees(place, [3, 4, 5].map(|index| out(index) * 180.0));
-            let found = (0..12).find_map(|start| {
+            let found = (0..8).find_map(|start| {
                 let joints = search(&witness, frame(target), joints(model, 1_000 * seed + start));
                 let (moved, turned) = apart(witness.flange(joints), frame(target));
                 (moved < 0.01 && turned < 0.01 && turns_within_range(model, joints)).then_some(joints)
@@ -133,7 +133,7 @@ fn what_is_refused_no_search_finds() {
             }
         }
     }
-    assert!(reachable > 50 && reached * 10 > reachable * 8, "{reached} of {reachable}");
+    assert!(reachable > 20 && reached * 10 > reachable * 8, "{reached} of {reachable}");
 }
 
 fn turns_within_range(model: &Model, joints: [f64; 6]) -> bool {
@@ -148,7 +148,7 @@ fn search(witness: &Witness, target: Frame, start: [f64; 6]) -> [f64; 6] {
     let off = |joints: [f64; 6]| difference(witness.flange(joints), target);
     let size = |off: [f64; 12]| off.iter().map(|entry| entry * entry).sum::<f64>();
     let (mut joints, mut now, mut damping) = (start, off(start), 1.0);
-    for _ in 0..60 {
+    for _ in 0..40 {
         let slopes: [[f64; 12]; 6] = std::array::from_fn(|joint| {
             let mut next = joints;
             next[joint] += 1e-5;
