@@ -1,7 +1,7 @@
 //! How far joint positions are from those at which the arm loses a direction.
 
 use jaka_proto::messages::types::JointPosition;
-use nalgebra::Vector3;
+use nalgebra::{Matrix6, Vector3};
 
 use super::Model;
 use crate::links::jacobian;
@@ -52,13 +52,13 @@ impl Model {
             shoulder: axis(0).cross(&axis(1)).dot(&(at(4) - at(0))).abs() / reach,
             elbow: upper_arm.cross(&forearm).norm() / (upper_arm.norm() * forearm.norm()),
             wrist: axis(3).cross(&axis(5)).norm(),
-            smallest_singular_value: smallest_singular_value(unitless),
+            smallest_singular_value: smallest_singular_value(&unitless),
         }
     }
 }
 
 /// NaN for a matrix that is not finite, on which the search would not end; zero, as at a singularity, where it does not.
-fn smallest_singular_value(matrix: nalgebra::Matrix6<f64>) -> f64 {
+fn smallest_singular_value(matrix: &Matrix6<f64>) -> f64 {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return f64::NAN;
     }

@@ -30,8 +30,8 @@ fn the_jacobian_is_how_the_tool_moves() {
             let joints = random.joints(model);
             let jacobian = model.jacobian(joints, &tool);
             for joint in 0..6 {
-                for (row, expected) in difference(model, joints, joint, tool).into_iter().enumerate() {
-                    let found = jacobian[row][joint];
+                for (row, expected) in jacobian.iter().zip(difference(model, joints, joint, tool)) {
+                    let found = row[joint];
                     assert!((found - expected).abs() < 1e-5, "{} {joints:?} {found} {expected}", model.name());
                 }
             }
