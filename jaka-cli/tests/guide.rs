@@ -30,7 +30,9 @@ fn controller() -> Controller {
     controller.set_reply("get_version", [("version".to_owned(), json!("1.7.2_02_X64"))]);
     controller.set_reply("get_payload", [("demo_identified_at".to_owned(), json!(1_795_254_000))]);
     let keys = [("demo_brakes", json!(1)), ("protective_stop", json!("free"))];
-    controller.set_status(keys.map(|(key, value)| (key.to_owned(), value)));
+    let keys = keys.map(|(key, value)| (key.to_owned(), value));
+    controller.set_reply("get_data", keys.clone());
+    controller.set_status(keys);
     controller
 }
 

@@ -17,8 +17,12 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
     let mut draft = Draft { spec, version, text: head(version, &findings.packs), written: Vec::new() };
     for finding in &findings.commands {
-        let fields = spec.command(&finding.name).map_or(&[][..], |command| spec.reply_fields(command));
-        draft.take(finding, |path| location::find(spec, &finding.name, "reply", fields, path));
+        let command = spec.command(&finding.name);
+        let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
+        // The fields of a reply that is an object of a named type are that type's.
+        let object = command.and_then(|command| command.reply.object()).map(|id| &*spec[id].name);
+        let (target, part) = object.map_or((&*finding.name, "reply"), |name| (name, "field"));
+        draft.take(finding, |path| location::find(spec, target, part, fields, path));
     }
     if let Some(id) = spec.status_type() {
         let (name, fields) = (&spec[id].name, spec.status_fields());
