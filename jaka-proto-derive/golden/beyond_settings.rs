@@ -109,6 +109,25 @@ pub mod beyond_settings {
         /// - `angle_z`: in deg, 0 to 360
         pub const fn new(angle_x: f64, angle_z: f64) -> Self {}
     }
+    /// Sets the time between two packets of port 10000.
+    ///
+    /// Sends `set_port10000_delay_ms`.
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Certain: two independent clients.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetPort10000DelayMs {
+        /// Time between two packets. In ms, at least 0. `port10000_delay_ms` on the wire.
+        pub delay: i64,
+    }
+    impl SetPort10000DelayMs {
+        /// With the required fields alone.
+        ///
+        /// - `delay`: in ms, at least 0
+        pub const fn new(delay: i64) -> Self {}
+    }
     /// Reads the time between two packets of port 10000.
     ///
     /// Sends `get_port10000_delay_ms`. Changes nothing on the robot. The reply is [`GetPort10000DelayMsReply`].

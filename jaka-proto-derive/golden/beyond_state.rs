@@ -20,6 +20,76 @@ pub mod beyond_state {
         /// Without any optional field.
         pub const fn new() -> Self {}
     }
+    /// Reads how the motions stand that were sent.
+    ///
+    /// Sends `get_motion_state`. Changes nothing on the robot. The reply is [`GetMotionStateReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: one client; the vendor's SDK has the same state with further keys, which are optional here.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetMotionState {}
+    impl GetMotionState {
+        /// Without any optional field.
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@GetMotionState`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetMotionStateReply {
+        /// Whether the previous motion has ended. `inpos` on the wire.
+        ///
+        /// Further ones may wait: see `queue`.
+        pub in_position: bool,
+        /// Whether motion is paused.
+        pub paused: bool,
+        /// How many commands wait in the motion queue.
+        pub queue: i64,
+        /// How many motions are in the buffer for blending.
+        pub active_queue: i64,
+        /// A line that belongs to the motion, by the name. Not explained.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub motion_line: Option<wire::Typed<i64>>,
+        /// The same for the vendor's SDK, by the name. Not explained.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub motion_line_sdk: Option<wire::Typed<i64>>,
+        /// Says that the previous command was dropped, for instance since the arm was at its target already. `err_add_line` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub error_add_line: Option<wire::Typed<i64>>,
+        /// Whether the queue is full, so that further motions are dropped.
+        pub queue_full: Option<bool>,
+        /// Whether a limit was hit, by the name.
+        pub on_limit: Option<bool>,
+        /// Whether the robot is in an emergency stop, by the name. `in_estop` on the wire.
+        pub in_emergency_stop: Option<bool>,
+        /// Whether a collision was detected, by the name.
+        pub in_collision: Option<bool>,
+    }
+    /// Reads whether the robot is in an emergency stop.
+    ///
+    /// Sends `emergency_stop_status`. Changes nothing on the robot. The reply is [`EmergencyStopStatusReply`].
+    ///
+    /// Known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Likely: the TCP document V2.0.6 of January 2024 has it, and one client; firmware 1.5.14 refuses it.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct EmergencyStopStatus {}
+    impl EmergencyStopStatus {
+        /// Without any optional field.
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@EmergencyStopStatus`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct EmergencyStopStatusReply {
+        /// Whether the robot is in an emergency stop.
+        pub emergency_stop: bool,
+    }
     /// Reads whether the robot is in drag mode, by the name.
     ///
     /// The reply's keys are not known, so they are given as they come. [`drag_status`](crate::messages::force::DragStatus) of the document reads the same.

@@ -368,6 +368,14 @@ impl Client {
 impl Client {
     /// Reads one status packet on the command port.
     pub fn get_data(&mut self) -> Result<self::status::RobotStatus, Error> {}
+    /// Reads how the motions stand that were sent.
+    pub fn get_motion_state(
+        &mut self,
+    ) -> Result<self::beyond_state::GetMotionStateReply, Error> {}
+    /// Reads whether the robot is in an emergency stop.
+    pub fn emergency_stop_status(
+        &mut self,
+    ) -> Result<self::beyond_state::EmergencyStopStatusReply, Error> {}
     /// Reads whether the robot is in drag mode, by the name.
     pub fn get_drag_status(&mut self) -> Result<::jaka_proto::wire::Value, Error> {}
     /// Reads the speed rate, by the name.
@@ -485,6 +493,8 @@ impl Client {
         &mut self,
         request: &self::beyond_settings::SetInstallationAngle,
     ) -> Result<(), Error> {}
+    /// Sets the time between two packets of port 10000.
+    pub fn set_port10000_delay_ms(&mut self, delay: i64) -> Result<(), Error> {}
     /// Reads the time between two packets of port 10000.
     pub fn get_port10000_delay_ms(
         &mut self,

@@ -168,6 +168,10 @@ pub enum Request {
     Quit(session::Quit),
     /// `get_data`
     GetData(beyond_state::GetData),
+    /// `get_motion_state`
+    GetMotionState(beyond_state::GetMotionState),
+    /// `emergency_stop_status`
+    EmergencyStopStatus(beyond_state::EmergencyStopStatus),
     /// `get_drag_status`
     GetDragStatus(beyond_state::GetDragStatus),
     /// `get_rapid_rate`
@@ -218,6 +222,8 @@ pub enum Request {
     GetMotionLimitWarningRange(beyond_settings::GetMotionLimitWarningRange),
     /// `set_installation_angle`
     SetInstallationAngle(beyond_settings::SetInstallationAngle),
+    /// `set_port10000_delay_ms`
+    SetPort10000DelayMs(beyond_settings::SetPort10000DelayMs),
     /// `get_port10000_delay_ms`
     GetPort10000DelayMs(beyond_settings::GetPort10000DelayMs),
     /// `setOptionalInfoConfig`
@@ -314,6 +320,8 @@ impl From<force::SetVelCompliantCtrl> for Request {}
 impl From<network::SetNetworkExceptionHandle> for Request {}
 impl From<session::Quit> for Request {}
 impl From<beyond_state::GetData> for Request {}
+impl From<beyond_state::GetMotionState> for Request {}
+impl From<beyond_state::EmergencyStopStatus> for Request {}
 impl From<beyond_state::GetDragStatus> for Request {}
 impl From<beyond_state::GetRapidRate> for Request {}
 impl From<beyond_state::GetCurrToolId> for Request {}
@@ -339,6 +347,7 @@ impl From<beyond_settings::SetMotionPlanner> for Request {}
 impl From<beyond_settings::SetMotionLimitWarningRange> for Request {}
 impl From<beyond_settings::GetMotionLimitWarningRange> for Request {}
 impl From<beyond_settings::SetInstallationAngle> for Request {}
+impl From<beyond_settings::SetPort10000DelayMs> for Request {}
 impl From<beyond_settings::GetPort10000DelayMs> for Request {}
 impl From<beyond_settings::SetOptionalInfoConfig> for Request {}
 impl From<beyond_settings::GetOptionalInfoConfig> for Request {}

@@ -67,7 +67,7 @@ min = "zero"
 units = "mm/s"
 doc = "Speed."
 "#,
-        &expect![[r#"
+        &expect![[r"
             spec/test.toml:2:9: `title` must be a string
             spec/test.toml:4:1: command `move`: `effect` is missing
             spec/test.toml:5:8: command `move`: `move` is not a snake_case Rust name; give one as `name`
@@ -77,7 +77,7 @@ doc = "Speed."
             spec/test.toml:9:7: command `move`: `doc` is empty
             spec/test.toml:14:7: command `move`, field `speed`: `min` must be a finite number
             spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advisory, ascii, constructors, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
-        "#]],
+        "]],
     );
 }
 
@@ -388,10 +388,10 @@ fn errors_of_several_files_come_together() {
     let sources =
         [Source { path: "spec/b.toml", text: "titel = 1" }, Source { path: "spec/a.toml", text: "title = \"\"" }];
     let errors = load(&sources).expect_err("both files are wrong");
-    expect![[r#"
+    expect![[r"
         spec/a.toml:1:9: `title` is empty
         spec/b.toml:1:1: `title` is missing
-        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, event, title, title_zh, type"#]]
+        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, event, title, title_zh, type"]]
     .assert_eq(&errors.to_string());
 }
 

@@ -5,6 +5,8 @@ use crate::program::jaka;
 /// A line for `jaka call`, and the request as public clients send it.
 const TABLE: &[(&[&str], &str)] = &[
     (&["get_data"], r#"{"cmdName":"get_data"}"#),
+    (&["get_motion_state"], r#"{"cmdName":"get_motion_state"}"#),
+    (&["emergency_stop_status"], r#"{"cmdName":"emergency_stop_status"}"#),
     (&["get_drag_status"], r#"{"cmdName":"get_drag_status"}"#),
     (&["get_rapid_rate"], r#"{"cmdName":"get_rapid_rate"}"#),
     (&["get_curr_tool_id"], r#"{"cmdName":"get_curr_tool_id"}"#),
@@ -86,6 +88,7 @@ const TABLE: &[(&[&str], &str)] = &[
         &["set_installation_angle", "--angle-x", "0", "--angle-z", "0"],
         r#"{"cmdName":"set_installation_angle","angleX":0,"angleZ":0}"#,
     ),
+    (&["set_port10000_delay_ms", "--delay", "50"], r#"{"cmdName":"set_port10000_delay_ms","port10000_delay_ms":50}"#),
     (&["get_port10000_delay_ms"], r#"{"cmdName":"get_port10000_delay_ms"}"#),
     (
         &["setOptionalInfoConfig", "--section", "ATTROPTIONALDATA", "--entry", "joint_actual_position", "--value", "1"],

