@@ -37,7 +37,7 @@ fn a_table_shows_the_usual_fields() {
         actual_position.x      -482.000 mm
         actual_position.y      114.000 mm
         actual_position.z      443.150 mm
-        actual_position.rx     -180.000 deg
+        actual_position.rx     180.000 deg
         actual_position.ry     0.000 deg
         actual_position.rz     90.000 deg
         tcp_speed              0.000 mm/s
@@ -95,7 +95,7 @@ fn other_models_have_other_poses() {
         actual_position.x   -686.500 mm
         actual_position.y   131.500 mm
         actual_position.z   634.150 mm
-        actual_position.rx  -180.000 deg
+        actual_position.rx  180.000 deg
         actual_position.ry  0.000 deg
         actual_position.rz  90.000 deg
         task_state          PoweredOff (1)

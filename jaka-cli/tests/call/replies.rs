@@ -22,15 +22,15 @@ fn call(controller: &Controller, line: &str) -> Run {
 fn fields_have_names_and_units() {
     simulated(
         "get_tcp_pos",
-        &expect![[r"
-        pose.x   -482 mm
-        pose.y   114 mm
-        pose.z   443.15 mm
-        pose.rx  -180 deg
-        pose.ry  0 deg
-        pose.rz  90 deg
-        exit code 0
-    "]],
+        &expect![[r#"
+            pose.x   -482 mm
+            pose.y   114 mm
+            pose.z   443.15 mm
+            pose.rx  180 deg
+            pose.ry  0 deg
+            pose.rz  90 deg
+            exit code 0
+        "#]],
     );
     simulated(
         "get_joint_pos",
