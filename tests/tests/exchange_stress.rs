@@ -75,12 +75,12 @@ fn serve(mut stream: &TcpStream, random: &mut TestRng) -> u32 {
     stream.set_read_timeout(Some(TIMEOUT / 50)).expect("the time is not zero");
     while answered < REPLIES {
         while let Some(request) = framer.next_frame().expect("clients send requests") {
-            if random.next_u32() % 200 != 0 {
+            if !random.next_u32().is_multiple_of(200) {
                 out.extend(reply_to(request));
                 answered += 1;
             }
         }
-        if random.next_u32() % 3 == 0 {
+        if random.next_u32().is_multiple_of(3) {
             let cut = random.next_u32() as usize % (out.len() + 1);
             let sent: Vec<u8> = out.drain(..cut).collect();
             // The client may have broken the connection.

@@ -66,10 +66,10 @@ fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended
             continue;
         }
         // All other events, such as a new size, only need a new drawing.
-        if let Event::Key(key) = event::read()? {
-            if view.key(key) == AfterKey::Quit {
-                break;
-            }
+        if let Event::Key(key) = event::read()?
+            && view.key(key) == AfterKey::Quit
+        {
+            break;
         }
     }
     Ok(())

@@ -22,7 +22,7 @@ fn call(controller: &Controller, line: &str) -> Run {
 fn fields_have_names_and_units() {
     simulated(
         "get_tcp_pos",
-        &expect![[r#"
+        &expect![[r"
             pose.x   -482 mm
             pose.y   114 mm
             pose.z   443.15 mm
@@ -30,7 +30,7 @@ fn fields_have_names_and_units() {
             pose.ry  0 deg
             pose.rz  90 deg
             exit code 0
-        "#]],
+        "]],
     );
     simulated(
         "get_joint_pos",

@@ -181,7 +181,7 @@ fn read(config: &Config, ports: Ports, ends: &AtomicBool, order: &mut Order, tal
     let mut stream = config.connect_status(ports.status)?;
     tally.one("status streams");
     while !ends.load(Ordering::SeqCst) {
-        let newest = tally.get("packets") % 4 == 0;
+        let newest = tally.get("packets").is_multiple_of(4);
         let error = match if newest { stream.newest_packet() } else { stream.next_packet() } {
             Ok(status) => {
                 tally.one("packets");
