@@ -407,7 +407,7 @@ fn a_recording_of_nothing_is_not_kept() {
     assert_eq!((nobody.code, path.exists()), (Some(3), false), "{}", nobody.err);
     let idle = ["--listen", "127.0.0.1", "--listen-commands", "0", "--listen-status", "0", "--seconds", "0.05"];
     let idle = jaka(["record", file, "--sim"].iter().chain(&idle));
-    assert!(idle.out.ends_with("nothing was recorded\n") && !path.exists(), "{}", idle.out);
+    assert!(idle.out.ends_with("nothing was recorded\n") && !path.exists(), "{}", idle.text());
 }
 
 #[test]

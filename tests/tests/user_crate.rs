@@ -181,7 +181,7 @@ fn errors_stand_at_the_macro_and_an_edit_is_noticed() {
         1 | jaka_sync::pack!("newer.toml");
           |                  ^^^^^^^^^^^^
 
-        error: newer.toml:7:1: command `demo_motion_state`: unknown key `docs`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, example, name, reconstructed, refusal, reply, reply_certain, request, requires, section, since, until, wire
+        error: newer.toml:7:1: command `demo_motion_state`: unknown key `docs`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, evidence, example, name, reconstructed, refusal, reply, reply_certain, request, requires, requires_source, section, since, title_zh, until, wire
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!("newer.toml");
@@ -207,7 +207,7 @@ fn errors_stand_at_the_macro_and_an_edit_is_noticed() {
     "#]]);
     user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" on \"older.toml\");\n");
     user.expect(&expect![[r#"
-        error: cannot read the pack `FOLDER/older.toml`: No such file or directory (os error 2); the path counts from the folder of the crate's Cargo.toml
+        error: cannot read the pack `FOLDER/older.toml`: No such file or directory (os error 2); the path is relative to the folder of the crate's Cargo.toml
          --> src/lib.rs:1:34
           |
         1 | jaka_sync::pack!("newer.toml" on "older.toml");

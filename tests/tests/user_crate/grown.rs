@@ -114,7 +114,9 @@ fn value(spec: &Spec, ty: &Type) -> String {
         Type::Scalar(Scalar::Int) => "1".to_owned(),
         Type::Scalar(Scalar::Float) => "1.0".to_owned(),
         Type::Scalar(Scalar::Text) => "\"text\"".to_owned(),
+        Type::Scalar(Scalar::Json) => "jaka_sync::proto::wire::Value::from(1)".to_owned(),
         Type::Array(element, len) => format!("[{}; {len}]", value(spec, element)),
+        Type::List(element) => format!("vec![{}]", value(spec, element)),
         Type::Named(id) => named(spec, *id),
         other => panic!("no request has a {other:?}"),
     }
