@@ -145,8 +145,12 @@ fn analog(name: &str, values: Option<&[f64]>, width: u16) -> Vec<Line<'static>> 
     let Some(values) = values else { return vec![absent(name)] };
     let texts = values.iter().enumerate().filter(|(_, value)| **value != 0.0);
     let texts: Vec<_> = texts.map(|(index, value)| format!("[{index}] {:<10}", fixed(*value, 3))).collect();
-    let which = if texts.is_empty() { "all 0" } else { "all others 0" };
-    let summary = format!("{} values, {which}", values.len());
+    let which = match texts.len() {
+        0 => ", all 0",
+        count if count == values.len() => "",
+        _ => ", all others 0",
+    };
+    let summary = format!("{} values{which}", values.len());
     let mut lines = vec![Line::from(vec![label_span(name), Span::styled(summary, style::faint())])];
     let per_line = (usize::from(width).saturating_sub(NAME + 2) / 16).max(1);
     lines.extend(texts.chunks(per_line).map(|row| Line::from(vec![label_span(""), Span::raw(row.concat())])));
