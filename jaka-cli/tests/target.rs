@@ -2,19 +2,20 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
+use std::fs;
 use std::net::TcpListener;
 use std::path::PathBuf;
-use std::{env, fs};
 
 use expect_test::expect;
 use jaka_sim::Controller;
 use jaka_tests::ReservedPort;
 
 use crate::common::{failure, jaka, output};
+use crate::program::scratch;
 
 /// A config file of this text, for one test.
 fn config(name: &str, text: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let path = scratch(name);
     fs::write(&path, text).unwrap();
     path
 }
@@ -46,7 +47,7 @@ fn the_config_file_has_robots_by_name() {
 
 #[test]
 fn the_usual_config_file_is_in_the_users_folder() {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("usual");
+    let folder = scratch("usual");
     fs::create_dir_all(folder.join("jaka")).unwrap();
     fs::write(folder.join("jaka/config.toml"), "robot = 'cell 2'\n").unwrap();
     expect![[r#"
@@ -58,7 +59,7 @@ fn the_usual_config_file_is_in_the_users_folder() {
 #[test]
 fn a_config_file_that_is_wrong_is_named_with_the_line() {
     let path = config("wrong.toml", "[robots.cell1]\naddress = '127.0.0.1'\nport = 10000\n");
-    let folder = format!("{}/", env!("CARGO_TARGET_TMPDIR"));
+    let folder = path.display().to_string().replace("wrong.toml", "");
     let failed = failure(jaka(&["status", "-r", "cell1"]).arg("--config").arg(&path));
     expect![[r#"
         jaka: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`

@@ -6,6 +6,7 @@ use std::ffi::OsStr;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::{fs, thread};
 
 use jaka_sim::Controller;
 
@@ -65,7 +66,10 @@ pub(crate) fn pack(name: &str) -> String {
     folder.join(name).display().to_string()
 }
 
-/// A file of this name that a test may write.
+/// A file of this name that a test may write, in a folder of the test's own: other tests use the same names at the same time.
 pub(crate) fn scratch(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+    let test = thread::current().name().unwrap_or("unnamed").replace("::", "-");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
 }
