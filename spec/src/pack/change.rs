@@ -33,6 +33,14 @@ impl Target {
         }
         None
     }
+
+    /// Where its fields stand.
+    fn parts(&self) -> &'static [Part] {
+        match self {
+            Self::Command(_) => &[Part::Request, Part::Reply],
+            Self::Type(_) => &[Part::Type],
+        }
+    }
 }
 
 /// Where the fields stand that an entry names.
@@ -58,12 +66,8 @@ impl<'s> Draft<'s, '_> {
     pub(super) fn extend(&mut self, item: &Item<'_, 's>) {
         let Some(target) = Target::of(item, &self.spec) else { return };
         let variant = if item.is_text("variant") { item.text("variant") } else { None };
-        let parts: &[Part] = match target {
-            Target::Command(_) => &[Part::Request, Part::Reply],
-            Target::Type(_) => &[Part::Type],
-        };
         let mut added = Vec::new();
-        for part in parts {
+        for part in target.parts() {
             let fields = item.items(part.key(), "field");
             added.extend(fields.iter().map(|field| self.add_field(item, field, (&target, variant.as_ref(), *part))));
         }
@@ -159,14 +163,10 @@ impl<'s> Draft<'s, '_> {
     pub(super) fn change(&mut self, item: &Item<'_, 's>) {
         let Some(target) = Target::of(item, &self.spec) else { return };
         let variant = item.text("variant");
-        let parts = match target {
-            Target::Command(_) => &[Part::Request, Part::Reply][..],
-            Target::Type(_) => &[Part::Type],
-        };
         if let (Target::Type(id), true) = (&target, item.has("value")) {
             return self.change_value(item, *id);
         }
-        let named: Vec<_> = parts.iter().filter_map(|part| Some((*part, item.text(part.key())?))).collect();
+        let named: Vec<_> = target.parts().iter().filter_map(|part| Some((*part, item.text(part.key())?))).collect();
         match (named.as_slice(), &target) {
             ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
             ([], Target::Command(wire)) => self.change_command(item, wire),
