@@ -98,7 +98,7 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         }
         Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => {
             match spec_index.entry(&command) {
-                Some(_) if !is_in_firmware(&command, world) => refuse_unknown(spec_index, out),
+                Some(entry) if !entry.is_in_firmware(&world.state.version) => refuse_unknown(spec_index, out),
                 Some(entry) if entry.packed => {
                     carry_out_packed(text, entry, spec_index, world, out);
                     return usual_sequel(entry, world);
@@ -149,7 +149,7 @@ pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
 
 fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) {
     let name = request.info().name;
-    let known = spec_index.entry(name).filter(|_| is_in_firmware(name, world));
+    let known = spec_index.entry(name).filter(|entry| entry.is_in_firmware(&world.state.version));
     let Some(entry) = known else { return refuse_unknown(spec_index, out) };
     if let Some(refusal) = refusal(entry, world) {
         return refuse(name, &refusal, out);
@@ -169,13 +169,6 @@ fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut 
         Outcome::Unhandled => out.raw(&entry.sample),
     }
     world.make_consistent();
-}
-
-/// Whether firmware of the controller's version has the command, where the document does not. One whose version cannot be read has all.
-fn is_in_firmware(command: &str, world: &World) -> bool {
-    let beyond = Request::COMMANDS.iter().find(|info| info.name == command && info.section.is_empty());
-    let version = world.state.version.parse().ok();
-    beyond.zip(version).is_none_or(|(info, version)| info.firmware.contains(version))
 }
 
 /// Answers a command that only a pack has, or a request that only a pack allows.

@@ -158,11 +158,14 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
             Sequel::Nothing
         }
     };
-    put_status(incoming, shared, &world, reply);
-    put_set_fields(incoming, shared, reply);
+    let command = incoming.command();
+    if let Some(command) = &command {
+        put_status(command, shared, &world, reply);
+        put_set_fields(command, shared, reply);
+    }
     firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
     drop(world);
-    let fault = shared.faults().next(incoming.command().as_deref());
+    let fault = shared.faults().next(command.as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
         shared.request_log.record(text.clone());
     }
@@ -170,8 +173,8 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
 }
 
 /// Writes what a packet shows into the accepted reply that has a packet's keys.
-fn put_status(incoming: &Incoming, shared: &Shared, world: &World, reply: &mut Writer) {
-    let Some(entry) = incoming.command().and_then(|command| shared.spec_index.entry(&command)) else { return };
+fn put_status(command: &str, shared: &Shared, world: &World, reply: &mut Writer) {
+    let Some(entry) = shared.spec_index.entry(command) else { return };
     let is_status = entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type());
     if !is_status || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
         return;
@@ -187,12 +190,8 @@ fn put_status(incoming: &Incoming, shared: &Shared, world: &World, reply: &mut W
 }
 
 /// Writes the fields that a user has set into the reply.
-fn put_set_fields(incoming: &Incoming, shared: &Shared, reply: &mut Writer) {
-    let replies = shared.replies();
-    if replies.is_empty() {
-        return;
-    }
-    if let Some(fields) = incoming.command().and_then(|command| replies.get(&command).cloned()) {
+fn put_set_fields(command: &str, shared: &Shared, reply: &mut Writer) {
+    if let Some(fields) = shared.replies().get(command).cloned() {
         answer::put(&fields, reply);
     }
 }

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, Envelope, ErrorCode, read_payload, write_refusal};
+use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, read_payload, write_refusal};
 use jaka_spec::{Effect, Field, Requirement, Source, Spec};
 use serde_json::Value;
 
@@ -33,6 +33,8 @@ pub(crate) struct CommandEntry {
     pub(crate) moves: bool,
     /// True for one that a pack adds or changes.
     pub(crate) packed: bool,
+    /// The firmware that has it, where the document does not.
+    beyond: Option<FirmwareRange>,
     /// The code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
     /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes it.
@@ -112,14 +114,21 @@ impl CommandEntry {
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
         let printed = replies.find(|reply| is_success(reply) && !packed).map(str::to_owned);
         let sample = printed.unwrap_or_else(|| made_up(spec, command));
+        let beyond = Request::COMMANDS.iter().find(|info| info.name == command.wire && info.section.is_empty());
         Self {
             moves: command.effect == Effect::Motion && command.requires.contains(&Requirement::Enabled),
             packed,
+            beyond: beyond.map(|info| info.firmware),
             refusal: own.unwrap_or_else(|| usual_refusal(&command.wire)),
             typed_sample: base.map_or_else(|| sample.clone(), |base| base.typed_sample.clone()),
             sample,
             command: command.clone(),
         }
+    }
+
+    /// Whether firmware of this version has the command. One whose version cannot be read has all.
+    pub(crate) fn is_in_firmware(&self, version: &str) -> bool {
+        self.beyond.is_none_or(|range| version.parse().map_or(true, |version| range.contains(version)))
     }
 }
 
