@@ -57,6 +57,27 @@ impl Arc {
         self.from.angle_deg(&self.middle) + self.middle.angle_deg(&self.to)
     }
 
+    /// How fast the position moves at a share of the arc, in mm for the whole of it.
+    pub(crate) fn velocity(&self, share: f64) -> Vector3<f64> {
+        let (_, to_end) = self.angles;
+        self.axis.cross(&(Rotation3::from_axis_angle(&self.axis, to_end * share) * self.spoke())) * to_end
+    }
+
+    /// The share of the arc at which the middle pose is.
+    pub(crate) fn middle_share(&self) -> f64 {
+        self.angles.0 / self.angles.1
+    }
+
+    /// The angle of the arc in radians.
+    pub(crate) fn angle(&self) -> f64 {
+        self.angles.1
+    }
+
+    /// The three poses.
+    pub(crate) fn poses(&self) -> [Transform; 3] {
+        [self.from, self.middle, self.to]
+    }
+
     /// From the centre to the beginning.
     fn spoke(&self) -> Vector3<f64> {
         self.from.0.translation.vector - self.centre.coords

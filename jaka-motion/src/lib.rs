@@ -1,10 +1,13 @@
 #![doc = include_str!("../README.md")]
 
 mod arc;
+mod beyond;
 mod branches;
+mod checker;
 mod closed_form;
 mod fit;
 mod frames;
+mod limits;
 mod links;
 mod model;
 mod no_solution;
@@ -15,11 +18,14 @@ mod up_to_eight;
 mod tests;
 
 pub use arc::Arc;
+pub use beyond::{Beyond, Exceeded, Way};
 pub use branches::Branches;
+pub use checker::{Checker, JointPace, TcpPace};
 pub use fit::{Fit, FitError, Tolerance};
 pub use frames::Frames;
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
-pub use model::{DhMismatch, Model, SingularityDistance};
+pub use limits::{InvalidLimit, Limits, Point, Region, RegionFrame};
+pub use model::{DhMismatch, Model, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;
 pub use transform::Transform;

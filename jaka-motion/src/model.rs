@@ -10,7 +10,7 @@ use jaka_proto::messages::types::JointPosition;
 
 pub use self::dh::DhMismatch;
 use self::published::PUBLISHED;
-pub use self::singularity::SingularityDistance;
+pub use self::singularity::{Singularity, SingularityDistance};
 use crate::closed_form::{ClosedForm, Precision};
 use crate::links::Links;
 
@@ -86,6 +86,11 @@ impl Model {
     /// The upper end of each joint's range in degrees.
     pub fn joint_max(&self) -> &[f64; 6] {
         &self.joint_max
+    }
+
+    /// The range of each joint in degrees; where two sources differ, the tighter one.
+    pub(crate) fn tighter_range(&self) -> ([f64; 6], [f64; 6]) {
+        published::tighter_range(self)
     }
 
     /// The highest speed of each joint in deg/s.

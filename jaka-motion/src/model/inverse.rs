@@ -15,7 +15,7 @@ const ACCEPTED: f64 = 1e-3;
 /// An error not worth a Newton step, in the same unit.
 const EXACT: f64 = 1e-8;
 /// The weight of one radian relative to one millimetre.
-const RADIAN: f64 = 1e3;
+pub(crate) const RADIAN: f64 = 1e3;
 /// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from
 /// singularities.
 pub(crate) const DAMPING: f64 = 1.0;
@@ -187,7 +187,7 @@ impl From<Beyond> for NoSolution {
 }
 
 /// The small translation and rotation that take one transform to the other.
-fn off(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
+pub(crate) fn off(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
     let moved: Vector3<f64> = to.translation.vector - from.translation.vector;
     let turned = (to.rotation * from.rotation.inverse()).scaled_axis() * RADIAN;
     Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z)

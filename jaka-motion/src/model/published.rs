@@ -9,8 +9,8 @@
 //! - Zu 7: the URDF has 303.53 for the forearm; both others, and the URDF of C7, S7 and Pro 7, have 303.5, followed
 //!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
-//! - Zu 12 and Zu 18: the catalogue has tighter limits, 270 degrees for joints 1, 5 and 6 and on the Zu 18 less for 2
-//!   and 3.
+//! - Zu 12 and Zu 18: the catalogue has tighter limits, 270 degrees for joints 1, 5 and 6 and on the Zu 18 -50 to 230
+//!   for joint 2 and 155 for joint 3. The models have those of the URDF, [`tighter_range`] these.
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
@@ -44,6 +44,15 @@ pub(super) static PUBLISHED: [Model; 20] = [
     arm("A5", [120.15, 430.0, 368.5, 115.0, 113.5, 107.0], [210.0; 6]),
     MINICOBO,
 ];
+
+/// The joint ranges of a model, or those of the catalogue where these are tighter.
+pub(super) fn tighter_range(model: &Model) -> ([f64; 6], [f64; 6]) {
+    match model.name {
+        "Zu 12" => ([-270.0, -85.0, -175.0, -85.0, -270.0, -270.0], [270.0, 265.0, 175.0, 265.0, 270.0, 270.0]),
+        "Zu 18" => ([-270.0, -50.0, -155.0, -85.0, -270.0, -270.0], [270.0, 230.0, 155.0, 265.0, 270.0, 270.0]),
+        _ => (model.joint_min, model.joint_max),
+    }
+}
 
 const EVEN_180: [f64; 6] = [180.0; 6];
 const SLOW_BASE: [f64; 6] = [120.0, 120.0, 120.0, 180.0, 180.0, 180.0];

@@ -1,7 +1,9 @@
 //! How far joint positions are from those at which the arm loses a direction.
 
+use std::fmt;
+
 use jaka_proto::messages::types::JointPosition;
-use nalgebra::{Matrix6, Vector3};
+use nalgebra::{Isometry3, Matrix6, Vector3};
 
 use super::Model;
 use crate::links::jacobian;
@@ -25,6 +27,32 @@ pub struct SingularityDistance {
     pub smallest_singular_value: f64,
 }
 
+/// Where the arm loses a direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Singularity {
+    /// The wrist is above the shoulder.
+    Shoulder,
+    /// The arm is stretched.
+    Elbow,
+    /// Joint 5 puts the axes of joints 4 and 6 in line.
+    Wrist,
+}
+
+impl Singularity {
+    /// All three, in the order of the joints.
+    pub(crate) const ALL: [Self; 3] = [Self::Shoulder, Self::Elbow, Self::Wrist];
+}
+
+impl fmt::Display for Singularity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Shoulder => "shoulder",
+            Self::Elbow => "elbow",
+            Self::Wrist => "wrist",
+        })
+    }
+}
+
 /// The most rounds of the search for singular values. It takes about ten.
 const ROUNDS: usize = 200;
 
@@ -40,20 +68,25 @@ impl Model {
     /// assert!(stretched.elbow < 1e-9 && stretched.wrist > 0.9 && stretched.smallest_singular_value < 1e-9);
     /// ```
     pub fn singularity_distance(&self, joints: impl Into<JointPosition>) -> SingularityDistance {
-        let (frames, reach) = (self.links.frames(&joints.into().0), self.reach_mm());
+        let frames = self.links.frames(&joints.into().0);
+        let [shoulder, elbow, wrist] = self.distances(&frames);
+        let mut unitless = jacobian(&frames, &frames[5].translation.vector);
+        unitless.fixed_rows_mut::<3>(0).unscale_mut(self.reach_mm());
+        SingularityDistance { shoulder, elbow, wrist, smallest_singular_value: smallest_singular_value(&unitless) }
+    }
+
+    /// How far shoulder, elbow and wrist are from their singularities, for the frames of the joints.
+    pub(crate) fn distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         let at = |index: usize| frames[index].translation.vector;
         let axis = |index: usize| frames[index].rotation * Vector3::z();
         // Joint 2 turns both in one plane, to which lengths along its axis do not count.
         let in_plane = |bar: Vector3<f64>| bar - axis(1) * axis(1).dot(&bar);
         let (upper_arm, forearm) = (in_plane(at(2) - at(1)), in_plane(at(3) - at(2)));
-        let mut unitless = jacobian(&frames, &at(5));
-        unitless.fixed_rows_mut::<3>(0).unscale_mut(reach);
-        SingularityDistance {
-            shoulder: axis(0).cross(&axis(1)).dot(&(at(4) - at(0))).abs() / reach,
-            elbow: upper_arm.cross(&forearm).norm() / (upper_arm.norm() * forearm.norm()),
-            wrist: axis(3).cross(&axis(5)).norm(),
-            smallest_singular_value: smallest_singular_value(&unitless),
-        }
+        [
+            axis(0).cross(&axis(1)).dot(&(at(4) - at(0))).abs() / self.reach_mm(),
+            upper_arm.cross(&forearm).norm() / (upper_arm.norm() * forearm.norm()),
+            axis(3).cross(&axis(5)).norm(),
+        ]
     }
 }
 

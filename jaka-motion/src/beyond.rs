@@ -1,0 +1,158 @@
+//! What a motion would exceed.
+
+mod display;
+
+use std::sync::Arc;
+
+use crate::limits::Point;
+use crate::model::Singularity;
+use crate::no_solution::NoSolution;
+
+/// Why a motion should not be sent: what it would exceed, and where on its way.
+///
+/// ```
+/// use jaka_motion::{Checker, Frames, JointPace, Limits, Model};
+///
+/// let arm = Model::named("MiniCobo").expect("a published arm");
+/// let checker = Checker::new(Limits::of(arm), Frames::new());
+/// let pace = JointPace { speed_deg_s: 20.0, acceleration_deg_s2: Some(30.0) };
+/// let beyond = checker.check_joint_way([0.0; 6].into(), [0.0, 0.0, 135.5, 0.0, 0.0, 0.0].into(), pace).unwrap_err();
+/// assert_eq!(beyond.to_string(), "joint 3 would be at 135.5 deg; limit 130 (MiniCobo)");
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Beyond {
+    /// What is exceeded, or why it is not known.
+    pub exceeded: Exceeded,
+    /// What was checked.
+    pub way: Way,
+    /// How much of the way is behind the arm there, from 0 to 1.
+    pub share: f64,
+    /// The arm's name.
+    pub model: &'static str,
+}
+
+/// What a motion would exceed, or why that cannot be said.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Exceeded {
+    /// A joint would be beyond its range.
+    JointRange {
+        /// The joint, 1 to 6.
+        joint: usize,
+        /// Where it would be, in degrees.
+        position_deg: f64,
+        /// The end of its range, in degrees.
+        limit_deg: f64,
+    },
+    /// A joint would turn too fast.
+    JointSpeed {
+        /// The joint, 1 to 6.
+        joint: usize,
+        /// How fast it would turn, in deg/s.
+        speed_deg_s: f64,
+        /// How fast it may turn, in deg/s.
+        limit_deg_s: f64,
+        /// The singularity that is near, if one is.
+        near: Option<Singularity>,
+    },
+    /// A joint would be accelerated or slowed down too much.
+    JointAcceleration {
+        /// The joint, 1 to 6.
+        joint: usize,
+        /// Its acceleration, in deg/s².
+        acceleration_deg_s2: f64,
+        /// What it may be, in deg/s².
+        limit_deg_s2: f64,
+    },
+    /// The motion names no acceleration. The controller's own is not known.
+    NoAcceleration {
+        /// The highest that would be within the limits, in deg/s².
+        most_deg_s2: f64,
+    },
+    /// The tool centre point would move too fast.
+    TcpSpeed {
+        /// How fast it would move, in mm/s.
+        speed_mm_s: f64,
+        /// How fast it may move, in mm/s.
+        limit_mm_s: f64,
+    },
+    /// A point of the arm would be beyond a region.
+    Region {
+        /// The region's name.
+        name: Arc<str>,
+        /// The point of the arm.
+        point: Point,
+        /// How far beyond, in mm, with the tolerance added.
+        by_mm: f64,
+        /// How far from its way blending may take the arm, in mm.
+        tolerance_mm: f64,
+    },
+    /// The arm does not reach there.
+    OutOfReach {
+        /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.
+        by_mm: f64,
+    },
+    /// The arm would come too near to a singularity.
+    Singularity {
+        /// Which one.
+        which: Singularity,
+        /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it.
+        distance: f64,
+        /// The least distance.
+        least: f64,
+    },
+    /// No joint position was confirmed for the pose, which is so at the edge of reach.
+    NotConfirmed,
+    /// The positions of the three poses of an arc lie on a line.
+    NoArc,
+    /// The tool would turn by half a turn, and which way round is not known.
+    HalfTurn,
+    /// The pace of the motion is not a pace.
+    Pace {
+        /// What of it, for example `speed`.
+        what: &'static str,
+        /// The number that was given.
+        given: f64,
+    },
+    /// A number of a joint position, of a pose or of a frame is not finite.
+    NotFinite,
+    /// The way has more turns and steps than are checked.
+    TooLong,
+}
+
+/// What was checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Way {
+    /// A place, at rest.
+    Place,
+    /// The way straight in joint space.
+    JointWay,
+    /// The straight line of the tool centre point.
+    Line,
+    /// The arc of the tool centre point.
+    Arc,
+    /// The ways in joint space that the controller may choose for a pose.
+    EndMove,
+    /// One set-point of a servo session.
+    SetPoint,
+}
+
+/// What is exceeded, and at which share of the way.
+pub(crate) type Found = (Exceeded, f64);
+
+impl From<NoSolution> for Exceeded {
+    fn from(reason: NoSolution) -> Self {
+        match reason {
+            NoSolution::NotFinite => Self::NotFinite,
+            NoSolution::OutOfReach { by_mm } => Self::OutOfReach { by_mm },
+            NoSolution::BeyondRange { joint, position_deg, limit_deg } => {
+                Self::JointRange { joint, position_deg, limit_deg }
+            }
+            NoSolution::NotConfirmed => Self::NotConfirmed,
+        }
+    }
+}
+
+impl std::error::Error for Beyond {}

@@ -1,0 +1,294 @@
+//! Joints that follow the tool along a line or an arc.
+
+use nalgebra::{Isometry3, Point3, Vector3, Vector6};
+
+use super::amounts::{BEND_MM, LEAST_STEP};
+use super::pace::TcpPace;
+use super::path::{Path, Piece};
+use super::{Checker, rounded_up};
+use crate::arc::Arc;
+use crate::beyond::{Exceeded, Found};
+use crate::limits::Point;
+use crate::model::Singularity;
+use crate::transform::Transform;
+
+/// A path shorter than this, in mm, only turns the tool.
+const ONLY_TURNS_MM: f64 = 0.1;
+/// The longest step, in mm of the path and in degrees of the tool's turn.
+const LONGEST_STEP: (f64, f64) = (10.0, 2.0);
+/// The most that a joint moves in a step, in degrees.
+const JOINT_STEP: f64 = 1.0;
+/// The most that a joint is away from an even turn within a step, in degrees.
+const JOINT_BEND: f64 = 0.05;
+/// The most that a step differs from the mean of the rates at its ends, in degrees: else it leads to another branch.
+const JOINT_JUMP: f64 = 0.1;
+/// The least step, as a share of the path. A joint that turns a degree in it is at a singularity.
+const LEAST_FOLLOWED: f64 = 1e-9;
+/// The most steps, right and wrong.
+const MOST_STEPS: u32 = 50_000;
+/// A joint is fast near a singularity where its distance is below this.
+const NEAR: f64 = 0.1;
+/// The points that are looked at for how far the path is out of reach.
+const REACH_STEPS: u32 = 64;
+
+/// A line or an arc being checked.
+struct Following<'a> {
+    checker: &'a Checker,
+    path: Path,
+    tolerance: f64,
+    /// How much of the path is done in a second, if that is known.
+    per_second: Option<f64>,
+    /// The joint positions at the start.
+    start: [f64; 6],
+    /// The elbow and the wrist at the start.
+    start_points: [Point3<f64>; 2],
+    /// The least distance from each singularity.
+    least: [f64; 3],
+}
+
+/// Where the joints are at a share of the path.
+#[derive(Debug, Clone)]
+struct Sample {
+    share: f64,
+    joints: [f64; 6],
+    /// How they turn, in degrees for the length of the whole path.
+    rates: [f64; 6],
+    frames: [Isometry3<f64>; 6],
+    distances: [f64; 3],
+}
+
+impl Checker {
+    pub(super) fn line(&self, from: &[f64; 6], to: Isometry3<f64>, pace: TcpPace) -> Result<[f64; 6], Found> {
+        self.lead(from, Path::Line { from: Transform(self.tcp(from)), to: Transform(to) }, pace)
+    }
+
+    pub(super) fn arc(
+        &self,
+        from: &[f64; 6],
+        [mid, end]: [Isometry3<f64>; 2],
+        pace: TcpPace,
+    ) -> Result<[f64; 6], Found> {
+        let arc = Arc::through(Transform(self.tcp(from)), Transform(mid), Transform(end));
+        self.lead(from, Path::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), pace)
+    }
+
+    fn lead(&self, from: &[f64; 6], path: Path, pace: TcpPace) -> Result<[f64; 6], Found> {
+        let at_end = |exceeded| (exceeded, 1.0);
+        pace.check().map_err(at_end)?;
+        if let Some(limit_mm_s) = self.limits.tcp_speed().filter(|limit| pace.speed_mm_s > rounded_up(*limit)) {
+            return Err(at_end(Exceeded::TcpSpeed { speed_mm_s: pace.speed_mm_s, limit_mm_s }));
+        }
+        if let Err(unreached @ Exceeded::OutOfReach { .. }) = self.any_branch(&path.at(1.0), from) {
+            return Err(at_end(unreached));
+        }
+        self.along(Point::Tcp, pace.tolerance_mm, path.course(), |share| path.at(share).translation.vector.into())?;
+        Following::new(self, from, path, pace).follow()
+    }
+}
+
+impl<'a> Following<'a> {
+    fn new(checker: &'a Checker, from: &[f64; 6], path: Path, pace: TcpPace) -> Self {
+        let (model, length_mm) = (checker.limits.model(), path.length_mm());
+        let frames = model.links.frames(from);
+        let least = checker.limits.singularity_distance();
+        Self {
+            checker,
+            tolerance: pace.tolerance_mm,
+            per_second: (length_mm >= ONLY_TURNS_MM).then(|| pace.speed_mm_s / length_mm),
+            start: *from,
+            start_points: [2, 4].map(|frame: usize| frames[frame].translation.vector.into()),
+            least: model.distances(&frames).map(|distance| distance.min(least)),
+            path,
+        }
+    }
+
+    /// The joint positions at the end.
+    fn follow(&self) -> Result<[f64; 6], Found> {
+        let pieces = self.path.pieces().ok_or((Exceeded::HalfTurn, 0.0))?;
+        let (mut joints, mut share, mut steps) = (self.start, 0.0, 0);
+        for piece in &pieces {
+            let longest = self.longest_step(piece);
+            let mut here = self.sample(piece, share, &joints).ok_or_else(|| self.lost(share, &joints))?;
+            self.check(&here)?;
+            let mut step = longest;
+            while here.share < piece.end {
+                steps += 1;
+                if steps > MOST_STEPS {
+                    return Err((Exceeded::TooLong, here.share));
+                }
+                let next_share = if here.share + step < piece.end { here.share + step } else { piece.end };
+                match self.advance(piece, &here, next_share)? {
+                    Some(next) => (here, step) = (next, (2.0 * step).min(longest)),
+                    None if step < LEAST_FOLLOWED => return Err(self.lost(next_share, &here.joints)),
+                    None => step = 0.5 * (next_share - here.share),
+                }
+            }
+            (joints, share) = (here.joints, here.share);
+        }
+        Ok(joints)
+    }
+
+    fn longest_step(&self, piece: &Piece) -> f64 {
+        let (most_mm, most_deg) = LONGEST_STEP;
+        (most_mm / self.path.length_mm()).min(most_deg / piece.turn.norm().to_degrees()).clamp(LEAST_STEP, 1.0)
+    }
+
+    /// The next sample, if nothing between it and this one can have been missed.
+    fn advance(&self, piece: &Piece, here: &Sample, share: f64) -> Result<Option<Sample>, Found> {
+        let step = share - here.share;
+        let guess = std::array::from_fn(|index| here.joints[index] + step * here.rates[index]);
+        let Some(next) = self.sample(piece, share, &guess).filter(|next| continuous(here, next)) else {
+            return Ok(None);
+        };
+        self.check(&next)?;
+        let clear = self.speeds_clear(here, &next)
+            && self.singularities_clear(here, &next)
+            && self.point_clear(piece, Point::Elbow, here, &next)?
+            && self.point_clear(piece, Point::Wrist, here, &next)?;
+        Ok(clear.then_some(next))
+    }
+
+    fn sample(&self, piece: &Piece, share: f64, guess: &[f64; 6]) -> Option<Sample> {
+        let solved = self.checker.solved(&self.path.at(share), guess)?;
+        let (moved, turned) = (self.path.velocity(share), piece.turn);
+        let rates = solved.rates(&Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z))?;
+        let distances = self.checker.limits.model().distances(&solved.frames);
+        Some(Sample { share, joints: solved.joints, rates, frames: solved.frames, distances })
+    }
+
+    /// Checks what holds at each share of the path.
+    fn check(&self, here: &Sample) -> Result<(), Found> {
+        let there = |exceeded| (exceeded, here.share);
+        self.checker.within_ranges(&here.joints, &self.start).map_err(there)?;
+        for (index, which) in Singularity::ALL.into_iter().enumerate() {
+            let (distance, least) = (here.distances[index], self.least[index]);
+            if distance < least - f64::EPSILON {
+                return Err(there(Exceeded::Singularity { which, distance, least }));
+            }
+        }
+        self.check_speeds(here).map_err(there)?;
+        for point in [Point::Elbow, Point::Wrist] {
+            self.check_point(point, &here.frames).map_err(there)?;
+        }
+        Ok(())
+    }
+
+    fn check_speeds(&self, here: &Sample) -> Result<(), Exceeded> {
+        let Some(per_second) = self.per_second else { return Ok(()) };
+        let limits = self.checker.limits.joint_speeds();
+        let factor = |index: usize| (here.rates[index] * per_second).abs() / limits[index];
+        let index = (0..6).fold(0, |worst, index| if factor(index) > factor(worst) { index } else { worst });
+        let (speed_deg_s, limit_deg_s) = ((here.rates[index] * per_second).abs(), limits[index]);
+        if speed_deg_s <= rounded_up(limit_deg_s) {
+            return Ok(());
+        }
+        let (which, distance) = nearest_singularity(&here.distances);
+        let near = (distance < NEAR).then_some(which);
+        Err(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near })
+    }
+
+    fn check_point(&self, point: Point, frames: &[Isometry3<f64>; 6]) -> Result<(), Exceeded> {
+        let (at, start) = (place(point, frames), self.start_of(point));
+        self.checker.beyond_regions(point, Some(start), &at, self.tolerance).map(|_| ())
+    }
+
+    /// Whether no joint can have been faster between two samples than its limit by more than the stated amount.
+    fn speeds_clear(&self, here: &Sample, next: &Sample) -> bool {
+        let Some(per_second) = self.per_second else { return true };
+        let limits = self.checker.limits.joint_speeds();
+        (0..6).all(|index| {
+            let (one, other) = (here.rates[index], next.rates[index]);
+            let peak = one.abs().max(other.abs()) + 0.5 * (other - one).abs();
+            peak * per_second <= (1.0 + Checker::AMOUNT_SPEED) * limits[index]
+        })
+    }
+
+    /// Whether no singularity can have been nearer between two samples than the least distance by more than the stated amount.
+    fn singularities_clear(&self, here: &Sample, next: &Sample) -> bool {
+        let turned = |index: usize| {
+            let moved = (next.joints[index] - here.joints[index]).abs();
+            (moved + 2.0 * bend(here, next, index)).to_radians()
+        };
+        let (radii, reach) = (self.checker.radii(Point::Wrist), self.checker.limits.model().reach_mm());
+        let changes = [(1..4).map(|index| turned(index) * radii[index]).sum::<f64>() / reach, turned(2), turned(4)];
+        (0..3).all(|index| {
+            let least = 0.5 * (here.distances[index] + next.distances[index] - changes[index]);
+            self.least[index] <= 0.0 || least >= self.least[index] - Checker::AMOUNT_SINGULARITY
+        })
+    }
+
+    /// Whether elbow or wrist cannot have been beyond a region between two samples by more than the stated amount.
+    fn point_clear(&self, piece: &Piece, point: Point, here: &Sample, next: &Sample) -> Result<bool, Found> {
+        if self.checker.regions_of(point).next().is_none() {
+            return Ok(true);
+        }
+        let step = next.share - here.share;
+        let change = velocity(point, next) - velocity(point, here);
+        // Twice as much as an even change would be.
+        if 0.25 * step * change.norm() > BEND_MM {
+            return Ok(false);
+        }
+        let way = [place(point, &here.frames), place(point, &next.frames)];
+        for part in self.checker.crossings(point, self.start_of(point), way, self.tolerance) {
+            let share = here.share + part * step;
+            let guess =
+                std::array::from_fn(|index| here.joints[index] + part * (next.joints[index] - here.joints[index]));
+            let Some(crossing) = self.sample(piece, share, &guess) else { return Ok(false) };
+            self.check_point(point, &crossing.frames).map_err(|exceeded| (exceeded, share))?;
+        }
+        Ok(true)
+    }
+
+    fn start_of(&self, point: Point) -> &Point3<f64> {
+        &self.start_points[usize::from(point != Point::Elbow)]
+    }
+
+    /// Why the joints cannot follow any further: the path leaves the arm's reach, or it leads through a singularity.
+    fn lost(&self, share: f64, joints: &[f64; 6]) -> Found {
+        let short = |share: f64| match self.checker.any_branch(&self.path.at(share), joints) {
+            Err(Exceeded::OutOfReach { by_mm }) => Some((by_mm, share)),
+            _ => None,
+        };
+        let shares = (0..=REACH_STEPS).map(|step| share + (1.0 - share) * f64::from(step) / f64::from(REACH_STEPS));
+        if let Some((by_mm, share)) = shares.filter_map(short).max_by(|one, other| one.0.total_cmp(&other.0)) {
+            return (Exceeded::OutOfReach { by_mm }, share);
+        }
+        let model = self.checker.limits.model();
+        let (which, distance) = nearest_singularity(&model.distances(&model.links.frames(joints)));
+        (Exceeded::Singularity { which, distance, least: self.checker.limits.singularity_distance() }, share)
+    }
+}
+
+/// Whether the joints went from one sample to the other without a jump, and evenly enough.
+fn continuous(here: &Sample, next: &Sample) -> bool {
+    let step = next.share - here.share;
+    (0..6).all(|index| {
+        let moved = next.joints[index] - here.joints[index];
+        let even = 0.5 * step * (here.rates[index] + next.rates[index]);
+        moved.abs() <= JOINT_STEP && (moved - even).abs() <= JOINT_JUMP && bend(here, next, index) <= JOINT_BEND
+    })
+}
+
+/// How far a joint is from an even turn between two samples, in degrees, if its rate changes evenly.
+fn bend(here: &Sample, next: &Sample, index: usize) -> f64 {
+    0.125 * (next.share - here.share) * (next.rates[index] - here.rates[index]).abs()
+}
+
+fn place(point: Point, frames: &[Isometry3<f64>; 6]) -> Point3<f64> {
+    frames[if point == Point::Elbow { 2 } else { 4 }].translation.vector.into()
+}
+
+/// How elbow or wrist moves, in mm for the length of the whole path.
+fn velocity(point: Point, here: &Sample) -> Vector3<f64> {
+    let at = place(point, &here.frames).coords;
+    let moving = if point == Point::Elbow { 2 } else { 4 };
+    let parts = here.frames.iter().zip(here.rates).take(moving).map(|(frame, rate)| {
+        (frame.rotation * Vector3::z()).cross(&(at - frame.translation.vector)) * rate.to_radians()
+    });
+    parts.sum()
+}
+
+fn nearest_singularity(distances: &[f64; 3]) -> (Singularity, f64) {
+    let distances = Singularity::ALL.into_iter().zip(*distances);
+    distances.min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or((Singularity::Wrist, f64::NAN))
+}

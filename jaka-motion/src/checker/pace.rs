@@ -1,0 +1,48 @@
+//! How fast a motion is requested to be.
+
+use crate::beyond::Exceeded;
+
+/// How fast a motion straight in joint space is requested to be: of the joint with the longest way, the others less in
+/// proportion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointPace {
+    /// The speed, in deg/s.
+    pub speed_deg_s: f64,
+    /// The acceleration, in deg/s². Without one the motion is refused, since the controller's own is not known.
+    pub acceleration_deg_s2: Option<f64>,
+}
+
+/// How fast a line or an arc is requested to be, and how far from its way blending may take the arm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TcpPace {
+    /// The speed of the tool centre point, in mm/s.
+    pub speed_mm_s: f64,
+    /// The acceleration of the tool centre point, in mm/s². It is not compared with a limit.
+    pub acceleration_mm_s2: Option<f64>,
+    /// How far the arm may be from its way, in mm: what regions allow is less by as much.
+    pub tolerance_mm: f64,
+}
+
+impl JointPace {
+    pub(super) fn check(&self) -> Result<(), Exceeded> {
+        above_zero("speed", self.speed_deg_s)?;
+        self.acceleration_deg_s2.map_or(Ok(()), |given| above_zero("acceleration", given))
+    }
+}
+
+impl TcpPace {
+    pub(super) fn check(&self) -> Result<(), Exceeded> {
+        above_zero("speed", self.speed_mm_s)?;
+        self.acceleration_mm_s2.map_or(Ok(()), |given| above_zero("acceleration", given))?;
+        let tolerance = self.tolerance_mm;
+        if tolerance.is_finite() && tolerance >= 0.0 {
+            Ok(())
+        } else {
+            Err(Exceeded::Pace { what: "tolerance", given: tolerance })
+        }
+    }
+}
+
+pub(super) fn above_zero(what: &'static str, given: f64) -> Result<(), Exceeded> {
+    if given.is_finite() && given > 0.0 { Ok(()) } else { Err(Exceeded::Pace { what, given }) }
+}

@@ -1,0 +1,80 @@
+//! Where the tool centre point is led.
+
+use nalgebra::{Isometry3, Vector3};
+
+use super::points::Course;
+use crate::arc::Arc;
+use crate::transform::Transform;
+
+/// The way of the tool in the arm's base.
+#[derive(Debug)]
+pub(super) enum Path {
+    Line { from: Transform, to: Transform },
+    Arc(Arc),
+}
+
+/// A part of a path on which the tool turns evenly.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece {
+    /// Where it ends, as a share of the path.
+    pub(super) end: f64,
+    /// How the tool turns, in radians for the length of the whole path.
+    pub(super) turn: Vector3<f64>,
+}
+
+/// A turn of this many degrees or more could as well be the other way round.
+const HALF_TURN: f64 = 179.99;
+
+impl Path {
+    pub(super) fn at(&self, share: f64) -> Isometry3<f64> {
+        match self {
+            // Exact at both ends.
+            Self::Line { to, .. } if share >= 1.0 => to.0,
+            Self::Line { from, to } => from.between(to, share).0,
+            Self::Arc(arc) => arc.at(share).0,
+        }
+    }
+
+    /// How the tool centre point moves, in mm for the length of the whole path.
+    pub(super) fn velocity(&self, share: f64) -> Vector3<f64> {
+        match self {
+            Self::Line { from, to } => to.0.translation.vector - from.0.translation.vector,
+            Self::Arc(arc) => arc.velocity(share),
+        }
+    }
+
+    pub(super) fn length_mm(&self) -> f64 {
+        match self {
+            Self::Line { from, to } => from.distance_mm(to),
+            Self::Arc(arc) => arc.length_mm(),
+        }
+    }
+
+    /// How the tool centre point goes: on a circle the change of its speed is the angle times it.
+    pub(super) fn course(&self) -> Course {
+        let rate_mm = self.length_mm();
+        let bend_mm = match self {
+            Self::Line { .. } => 0.0,
+            Self::Arc(arc) => rate_mm * arc.angle(),
+        };
+        Course { rate_mm, bend_mm }
+    }
+
+    /// The parts on which the tool turns evenly; none where it turns half way round on one.
+    pub(super) fn pieces(&self) -> Option<[Piece; 2]> {
+        let piece = |from: Transform, to: Transform, start: f64, end: f64| {
+            let turn = from.0.rotation * (from.0.rotation.inverse() * to.0.rotation).scaled_axis() / (end - start);
+            (from.angle_deg(&to) < HALF_TURN).then_some(Piece { end, turn })
+        };
+        Some(match self {
+            Self::Line { from, to } => {
+                let whole = piece(*from, *to, 0.0, 1.0)?;
+                [whole, whole]
+            }
+            Self::Arc(arc) => {
+                let ([from, middle, to], share) = (arc.poses(), arc.middle_share());
+                [piece(from, middle, 0.0, share)?, piece(middle, to, share, 1.0)?]
+            }
+        })
+    }
+}

@@ -1,0 +1,145 @@
+//! Points of the arm on their way through regions.
+
+use nalgebra::{Isometry3, Point3};
+
+use super::Checker;
+use super::amounts::{BEND_MM, LEAST_STEP, ROUNDING};
+use crate::beyond::{Exceeded, Found};
+use crate::limits::{Point, Region, RegionFrame};
+
+/// All points that regions can be for.
+pub(super) const POINTS: [Point; 3] = [Point::Tcp, Point::Elbow, Point::Wrist];
+
+/// How a point goes along a way, whose length is 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Course {
+    /// The most that it moves, in mm.
+    pub(super) rate_mm: f64,
+    /// The most that its speed changes, in mm.
+    pub(super) bend_mm: f64,
+}
+
+impl Checker {
+    /// Joint ranges and regions.
+    pub(super) fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
+        self.within_ranges(joints, joints)?;
+        let reached = |point| self.beyond_regions(point, None, &self.point(point, joints), 0.0);
+        POINTS.into_iter().try_for_each(|point| reached(point).map(|_| ()))
+    }
+
+    /// Whether all joints are within their ranges, or no further beyond than where the motion started.
+    pub(super) fn within_ranges(&self, joints: &[f64; 6], start: &[f64; 6]) -> Result<(), Exceeded> {
+        let (min, max) = (self.limits.joint_min(), self.limits.joint_max());
+        let least = |index: usize| min[index].min(start[index]) - ROUNDING;
+        let most = |index: usize| max[index].max(start[index]) + ROUNDING;
+        let beyond = |index: &usize| joints[*index] < least(*index) || joints[*index] > most(*index);
+        let by = |index: usize| (min[index] - joints[index]).max(joints[index] - max[index]);
+        let furthest = (0..6).filter(beyond).max_by(|one, other| by(*one).total_cmp(&by(*other)));
+        furthest.map_or(Ok(()), |index| {
+            let limit_deg = if joints[index] > max[index] { max[index] } else { min[index] };
+            Err(Exceeded::JointRange { joint: index + 1, position_deg: joints[index], limit_deg })
+        })
+    }
+
+    /// Where a point of the arm is, in the arm's base.
+    pub(super) fn point(&self, point: Point, joints: &[f64; 6]) -> Point3<f64> {
+        let links = &self.limits.model().links;
+        let frame = match point {
+            Point::Tcp => self.tcp(joints),
+            Point::Elbow => links.product(0..3, &links.angles(joints)),
+            Point::Wrist => links.product(0..5, &links.angles(joints)),
+        };
+        frame.translation.vector.into()
+    }
+
+    /// The regions for a point.
+    pub(super) fn regions_of(&self, point: Point) -> impl Iterator<Item = &Region> {
+        self.limits.regions().iter().filter(move |region| region.point() == point)
+    }
+
+    /// How far the point is within all its regions at least, in mm; all places are in the arm's base.
+    ///
+    /// Where it was at the start counts as within. Blending takes off what is `tolerance`.
+    pub(super) fn beyond_regions(
+        &self,
+        point: Point,
+        start: Option<&Point3<f64>>,
+        at: &Point3<f64>,
+        tolerance: f64,
+    ) -> Result<f64, Exceeded> {
+        self.regions_of(point).try_fold(f64::INFINITY, |clear, region| {
+            let by_mm = self.beyond_region(region, at) + tolerance;
+            let within = self.allowed(region, start, tolerance) - by_mm;
+            if within < -ROUNDING {
+                return Err(Exceeded::Region { name: region.name().clone(), point, by_mm, tolerance_mm: tolerance });
+            }
+            Ok(clear.min(within.max(0.0)))
+        })
+    }
+
+    /// Where a straight way between two places goes through the midst of boxes to be kept outside of, as shares of the way.
+    pub(super) fn crossings<'a>(
+        &'a self,
+        point: Point,
+        start: &'a Point3<f64>,
+        way: [Point3<f64>; 2],
+        tolerance: f64,
+    ) -> impl Iterator<Item = f64> + 'a {
+        self.regions_of(point).filter_map(move |region| {
+            let seen = self.seen_from(region);
+            let depth = self.allowed(region, Some(start), tolerance) - tolerance;
+            region.crossed(&(seen * way[0]), &(seen * way[1]), depth)
+        })
+    }
+
+    /// Checks the regions for a point along a way; `at` is its place in the arm's base for a share of the way.
+    pub(super) fn along(
+        &self,
+        point: Point,
+        tolerance: f64,
+        course: Course,
+        at: impl Fn(f64) -> Point3<f64>,
+    ) -> Result<(), Found> {
+        if self.regions_of(point).next().is_none() {
+            return Ok(());
+        }
+        // A chord of this length is nowhere further from its arc than this.
+        let step = (8.0 * BEND_MM / course.bend_mm).sqrt().min(1.0);
+        if step.is_nan() || step < LEAST_STEP {
+            return Err((Exceeded::TooLong, 0.0));
+        }
+        let start = at(0.0);
+        let check = |share: f64, here: &Point3<f64>| {
+            self.beyond_regions(point, Some(&start), here, tolerance).map_err(|exceeded| (exceeded, share))
+        };
+        let (mut share, mut here) = (0.0, start);
+        while share < 1.0 {
+            let clear = check(share, &here)?;
+            let next_share = f64::min(share + step.max(clear / course.rate_mm), 1.0);
+            let next = at(next_share);
+            for part in self.crossings(point, &start, [here, next], tolerance) {
+                let crossing = share + part * (next_share - share);
+                check(crossing, &at(crossing))?;
+            }
+            (share, here) = (next_share, next);
+        }
+        check(1.0, &here).map(|_| ())
+    }
+
+    fn beyond_region(&self, region: &Region, at: &Point3<f64>) -> f64 {
+        region.beyond(&(self.seen_from(region) * at))
+    }
+
+    /// How far beyond a region a point may be: not at all, or as far as it is at the start.
+    fn allowed(&self, region: &Region, start: Option<&Point3<f64>>, tolerance: f64) -> f64 {
+        start.map_or(0.0, |start| (self.beyond_region(region, start) + tolerance).max(0.0))
+    }
+
+    /// The arm's base, seen from the frame of a region.
+    fn seen_from(&self, region: &Region) -> Isometry3<f64> {
+        match region.frame() {
+            RegionFrame::ArmBase => Isometry3::identity(),
+            RegionFrame::User => self.base,
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! What an arm may do.
+
+mod invalid;
+pub(crate) mod region;
+
+pub use self::invalid::InvalidLimit;
+pub use self::region::{Point, Region, RegionFrame};
+use crate::model::Model;
+
+/// What an arm may do: joint ranges, joint speeds and accelerations, the speed of the tool, regions, and the distance
+/// from singularities.
+///
+/// It is what a [`Checker`](crate::Checker) compares motions with, before they are sent. It is not a fence and not a safety
+/// function: what another program, a person at the pendant or the controller itself makes the arm do is not checked.
+///
+/// ```
+/// use jaka_motion::{Limits, Model, Point, Region};
+///
+/// let arm = Model::named("Zu 5").expect("a published arm");
+/// let limits = Limits::of(arm)
+///     .with_joint_range(1, -90.0, 90.0)?
+///     .with_tcp_speed(250.0)?
+///     .with_region(Region::half_space("table", [0.0, 0.0, 20.0], [0.0, 0.0, 1.0])?)?
+///     .with_region(Region::outside_box("camera", [300.0, -100.0, 0.0], [500.0, 100.0, 900.0])?.of(Point::Elbow))?;
+/// assert_eq!(limits.joint_max()[0], 90.0);
+///
+/// let wider = limits.with_joint_range(3, -180.0, 180.0).unwrap_err();
+/// assert_eq!(wider.to_string(), "joint 3: -180 deg is beyond the -175 deg of the Zu 5; a limit can only be tighter");
+/// # Ok::<(), jaka_motion::InvalidLimit>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    model: Model,
+    joint_min: [f64; 6],
+    joint_max: [f64; 6],
+    joint_speeds: [f64; 6],
+    joint_accelerations: [f64; 6],
+    tcp_speed: Option<f64>,
+    singularity_distance: f64,
+    regions: Vec<Region>,
+}
+
+/// How much of its speed a joint gains in a second by default: a fifth of it in half a second. Ours: no source has accelerations of these
+/// arms.
+const SPEED_GAINED: f64 = 0.2 / 0.5;
+/// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a hundred times as fast
+/// as the tool.
+const SINGULARITY_DISTANCE: f64 = 0.01;
+
+impl Limits {
+    /// What is published for an arm, and where nothing is, careful defaults of ours.
+    ///
+    /// - Joint ranges and speeds are the published ones. Of the Zu 12 and Zu 18, for which two sources differ, the tighter
+    ///   ranges count.
+    /// - Joint accelerations are **not published** for these arms. The default is ours: a fifth of the joint's speed reached in 0.5 s, for example
+    ///   72 deg/s² where the speed is 180 deg/s.
+    /// - The least distance from a singularity, 0.01, is ours too.
+    /// - The speed of the tool is not limited, and there are no regions.
+    pub fn of(model: &Model) -> Self {
+        let (joint_min, joint_max) = model.tighter_range();
+        Self {
+            joint_min,
+            joint_max,
+            joint_speeds: *model.joint_speed(),
+            joint_accelerations: model.joint_speed().map(|speed| SPEED_GAINED * speed),
+            tcp_speed: None,
+            singularity_distance: SINGULARITY_DISTANCE,
+            regions: Vec::new(),
+            model: model.clone(),
+        }
+    }
+
+    /// With this range of a joint, 1 to 6, in degrees.
+    ///
+    /// # Errors
+    /// There is no such joint, the range is empty, or it is wider than that of the [`model`](Self::model).
+    pub fn with_joint_range(mut self, joint: usize, min_deg: f64, max_deg: f64) -> Result<Self, InvalidLimit> {
+        let index = index_of(joint)?;
+        finite("joint range", &[min_deg, max_deg])?;
+        if min_deg > max_deg {
+            return Err(InvalidLimit::EmptyRange { joint, min_deg, max_deg });
+        }
+        let (least, most) = (self.model.joint_min()[index], self.model.joint_max()[index]);
+        for (given, published) in [(min_deg, least), (max_deg, most)] {
+            if given < least || given > most {
+                return Err(InvalidLimit::Wider { joint, given, published, unit: "deg", model: self.model.name() });
+            }
+        }
+        (self.joint_min[index], self.joint_max[index]) = (min_deg, max_deg);
+        Ok(self)
+    }
+
+    /// With these highest speeds of joints 1 to 6, in deg/s.
+    ///
+    /// # Errors
+    /// One is not above 0, or higher than that of the [`model`](Self::model).
+    pub fn with_joint_speeds(mut self, deg_s: [f64; 6]) -> Result<Self, InvalidLimit> {
+        positive("joint speed", &deg_s)?;
+        for ((joint, given), published) in (1..).zip(deg_s).zip(*self.model.joint_speed()) {
+            if given > published {
+                return Err(InvalidLimit::Wider { joint, given, published, unit: "deg/s", model: self.model.name() });
+            }
+        }
+        self.joint_speeds = deg_s;
+        Ok(self)
+    }
+
+    /// With these highest accelerations of joints 1 to 6, in deg/s².
+    ///
+    /// # Errors
+    /// One is not above 0.
+    pub fn with_joint_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
+        positive("joint acceleration", &deg_s2)?;
+        self.joint_accelerations = deg_s2;
+        Ok(self)
+    }
+
+    /// With this highest speed of the tool centre point, in mm/s.
+    ///
+    /// # Errors
+    /// It is not above 0.
+    pub fn with_tcp_speed(mut self, mm_s: f64) -> Result<Self, InvalidLimit> {
+        positive("speed of the tool centre point", &[mm_s])?;
+        self.tcp_speed = Some(mm_s);
+        Ok(self)
+    }
+
+    /// With this least distance from each of the three singularities, as [`SingularityDistance`](crate::SingularityDistance) counts it for
+    /// shoulder, elbow and wrist; 0 for none.
+    ///
+    /// It counts where the tool is led: on lines, on arcs and for set-points that are poses. On a way straight in joint space a singularity
+    /// does no harm.
+    ///
+    /// # Errors
+    /// It is not from 0 to below 1.
+    pub fn with_singularity_distance(mut self, least: f64) -> Result<Self, InvalidLimit> {
+        if !(0.0..1.0).contains(&least) {
+            return Err(InvalidLimit::NotADistance { given: least });
+        }
+        self.singularity_distance = least;
+        Ok(self)
+    }
+
+    /// With one more region.
+    ///
+    /// # Errors
+    /// Another region has its name.
+    pub fn with_region(mut self, region: Region) -> Result<Self, InvalidLimit> {
+        if self.regions.iter().any(|other| other.name() == region.name()) {
+            return Err(InvalidLimit::NameTaken { name: region.name().clone() });
+        }
+        self.regions.push(region);
+        Ok(self)
+    }
+
+    /// The arm.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The lower end of each joint's range in degrees.
+    pub fn joint_min(&self) -> &[f64; 6] {
+        &self.joint_min
+    }
+
+    /// The upper end of each joint's range in degrees.
+    pub fn joint_max(&self) -> &[f64; 6] {
+        &self.joint_max
+    }
+
+    /// The highest speed of each joint in deg/s.
+    pub fn joint_speeds(&self) -> &[f64; 6] {
+        &self.joint_speeds
+    }
+
+    /// The highest acceleration of each joint in deg/s².
+    pub fn joint_accelerations(&self) -> &[f64; 6] {
+        &self.joint_accelerations
+    }
+
+    /// The highest speed of the tool centre point in mm/s, if it is limited.
+    pub fn tcp_speed(&self) -> Option<f64> {
+        self.tcp_speed
+    }
+
+    /// The least distance from a singularity; 0 for none.
+    pub fn singularity_distance(&self) -> f64 {
+        self.singularity_distance
+    }
+
+    /// The regions, in the order in which they were added.
+    pub fn regions(&self) -> &[Region] {
+        &self.regions
+    }
+}
+
+fn index_of(joint: usize) -> Result<usize, InvalidLimit> {
+    if (1..=6).contains(&joint) { Ok(joint - 1) } else { Err(InvalidLimit::NoSuchJoint { joint }) }
+}
+
+fn finite(what: &'static str, numbers: &[f64]) -> Result<(), InvalidLimit> {
+    if numbers.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(InvalidLimit::NotFinite { what }) }
+}
+
+fn positive(what: &'static str, numbers: &[f64]) -> Result<(), InvalidLimit> {
+    finite(what, numbers)?;
+    let other = numbers.iter().find(|number| **number <= 0.0);
+    other.map_or(Ok(()), |given| Err(InvalidLimit::NotPositive { what, given: *given }))
+}
