@@ -28,6 +28,9 @@ pub use config::Config;
 pub use error::{Disconnect, Error, ErrorKind};
 /// The layer below: messages, framing and codec, without I/O.
 pub use jaka_proto as proto;
+/// Kinematics and limits. Needs the feature `motion`.
+#[cfg(feature = "motion")]
+pub use jaka_motion;
 #[doc(no_inline)]
 pub use jaka_proto::geometry;
 #[doc(inline)]
@@ -46,8 +49,10 @@ pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription}
 pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{
-    Explanation, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Robot, RobotStop, StatusProblem, Target,
+    Explanation, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Path, Robot, RobotStop, StatusProblem, Target,
 };
+#[cfg(feature = "motion")]
+pub use robot::{LimitPolicy, Unchecked};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;

@@ -3,6 +3,8 @@
 mod batch;
 mod explain;
 mod latch;
+#[cfg_attr(not(feature = "motion"), path = "robot/no_limits.rs")]
+mod limits;
 mod motion;
 mod outcome;
 mod position;
@@ -24,7 +26,11 @@ use jaka_proto::messages::status::RobotStatus;
 use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
 use self::latch::Latch;
-pub use self::motion::Motion;
+use self::limits::Checks;
+pub(crate) use self::limits::SetPoints;
+#[cfg(feature = "motion")]
+pub use self::limits::{LimitPolicy, Unchecked};
+pub use self::motion::{Motion, Path};
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 pub use self::readiness::StatusProblem;
@@ -78,6 +84,8 @@ pub struct Robot<S: MotionStatus = RobotStatus> {
     /// What must be acknowledged before the arm moves again.
     latch: Latch,
     batch: Option<Batch>,
+    /// What motions are checked against, and where the last one will end.
+    checks: Checks,
     /// How often frames had been changed when the last motion was sent.
     frame_changes: u64,
     /// The query that has not been answered.
@@ -118,6 +126,7 @@ impl<S: MotionStatus> Robot<S> {
             silence: Duration::from_secs(2),
             moves_without_status: false,
             batch: None,
+            checks: Checks::default(),
             frame_changes: 0,
             query: None,
             rests: false,
@@ -154,6 +163,7 @@ impl<S: MotionStatus> Robot<S> {
     /// Motions that are sent through it are neither refused after a stop nor waited for.
     pub fn client(&mut self) -> &mut Client {
         self.rests = false;
+        self.checks.forget_plan();
         &mut self.client
     }
 
@@ -180,7 +190,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
     /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
-    /// packet shows a stop) and [`ErrorKind::NotSentInTime`].
+    /// packet shows a stop) and [`ErrorKind::NotSentInTime`]; and, with limits, after `ErrorKind::BeyondLimit` and
+    /// `ErrorKind::NotChecked`.
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO))
     }
@@ -190,13 +201,18 @@ impl<S: MotionStatus> Robot<S> {
         self.client.link().check_open(M::INFO.name)?;
         self.check_latch()?;
         let begin = self.begin(motion, timeout)?;
-        self.rests = false;
-        let gate = self.gate();
         let left = || timeout.saturating_sub(since.elapsed());
+        let end = self.check_limits(motion, &begin, left())?;
+        self.rests = false;
+        self.checks.forget_plan();
+        let gate = self.gate();
         let sent = self.client.call_through(Some(&gate), motion, left());
         self.frame_changes = begin.frames.changes;
         match sent {
-            Ok(()) => self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin),
+            Ok(()) => {
+                self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin);
+                self.checks.plan(end);
+            }
             Err(error) => {
                 // It can still be waited for.
                 if error.may_have_run() {

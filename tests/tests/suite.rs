@@ -13,6 +13,7 @@ mod firmware;
 mod first_program;
 mod hostile_text;
 mod kinematics;
+mod limits;
 mod monitor;
 mod motion;
 mod odd_replies;

@@ -17,8 +17,6 @@ pub struct JointPace {
 pub struct TcpPace {
     /// The speed of the tool centre point, in mm/s.
     pub speed_mm_s: f64,
-    /// The acceleration of the tool centre point, in mm/s². It is not compared with a limit.
-    pub acceleration_mm_s2: Option<f64>,
     /// How far the arm may be from its way, in mm: what regions allow is less by as much.
     pub tolerance_mm: f64,
 }
@@ -33,7 +31,6 @@ impl JointPace {
 impl TcpPace {
     pub(super) fn check(&self) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_mm_s)?;
-        self.acceleration_mm_s2.map_or(Ok(()), |given| above_zero("acceleration", given))?;
         let tolerance = self.tolerance_mm;
         if tolerance.is_finite() && tolerance >= 0.0 {
             Ok(())

@@ -104,6 +104,28 @@ pub enum ErrorKind {
         /// Which state, and what helps.
         explanation: Explanation,
     },
+    /// A motion or a set-point was not sent, because it is beyond a limit of the robot. Needs the feature `motion`.
+    #[cfg(feature = "motion")]
+    BeyondLimit {
+        /// `cmdName` of the command.
+        command: String,
+        /// Which limit, by how much, and where on the way.
+        beyond: jaka_motion::Beyond,
+    },
+    /// A motion or a set-point was not sent, because it cannot be checked against the robot's limits. Needs the feature `motion`.
+    #[cfg(feature = "motion")]
+    NotChecked {
+        /// `cmdName` of the command.
+        command: String,
+        /// Why not, and what helps.
+        reason: crate::Unchecked,
+    },
+    /// The limits are those of a model by which the controller does not compute its poses. Needs the feature `motion`.
+    #[cfg(feature = "motion")]
+    ModelMismatch {
+        /// How far they differ.
+        source: jaka_motion::FitError,
+    },
     /// Too many set-points of a servo session have no reply. The session has ended.
     SetPointsUnanswered {
         /// How many.
@@ -177,6 +199,8 @@ impl ErrorKind {
             | Self::SessionEnded { .. }
             | Self::NotAcknowledged { .. }
             | Self::UnexpectedStatus { .. } => Group::Other,
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
         }
     }
 
@@ -201,6 +225,8 @@ impl ErrorKind {
             | Self::StatusTimeout { .. }
             | Self::NotAcknowledged { .. }
             | Self::UnexpectedStatus { .. } => false,
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => false,
         }
     }
 
@@ -213,6 +239,10 @@ impl ErrorKind {
             Self::ServoModeNotLeft { leaving, .. } => leaving.source(),
             Self::StatusUnknown { problem } => problem.source(),
             Self::NotAcknowledged { outcome } => outcome.cause(),
+            #[cfg(feature = "motion")]
+            Self::ModelMismatch { source } => Some(source),
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } => None,
             Self::InvalidArgument(_)
             | Self::NotInFirmware(_)
             | Self::PortInAddress { .. }
@@ -284,6 +314,16 @@ impl fmt::Display for ErrorKind {
             }
             Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit { command, beyond } => write!(f, "`{command}` was not sent: {beyond}"),
+            #[cfg(feature = "motion")]
+            Self::NotChecked { command, reason } => {
+                write!(f, "`{command}` was not sent, because it cannot be checked against the limits: {reason}")
+            }
+            #[cfg(feature = "motion")]
+            Self::ModelMismatch { .. } => {
+                f.write_str("the limits are not those of this robot: its controller computes other poses than their model")
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::{Error, ErrorKind};
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Why the controller refused a command, as far as its status shows it. The controller's own message is in the [`Refusal`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Explanation {
     /// The emergency stop is pressed: release it, and enable the arm.
@@ -35,6 +35,11 @@ pub enum Explanation {
     ServoModeNotEntered,
     /// The controller acknowledged the end of servo mode but is still in it.
     ServoModeNotLeft,
+    /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
+    SoftLimit,
+    /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.
+    #[cfg(feature = "motion")]
+    BeyondLimit(jaka_motion::Beyond),
 }
 
 impl Explanation {
@@ -54,6 +59,7 @@ impl Explanation {
             (status.protective_stop == Some(true), Self::ProtectiveStop),
             (status.enabled == Some(false) && needs(Requirement::Enabled), Self::NotEnabled),
             (refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode), Self::NotInServoMode),
+            (status.on_soft_limit == Some(1), Self::SoftLimit),
         ];
         reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
     }
@@ -72,6 +78,9 @@ impl fmt::Display for Explanation {
                 "the controller acknowledged servo mode but did not enter it, which happens while the arm moves"
             }
             Self::ServoModeNotLeft => "the controller acknowledged the end of servo mode but is still in it",
+            Self::SoftLimit => "a soft limit of the controller was hit: move the arm away from it",
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit(beyond) => return beyond.fmt(f),
             Self::NoRemoteControl => {
                 "the controller does not accept commands from this client: grant remote control on its panel"
             }
@@ -82,7 +91,7 @@ impl fmt::Display for Explanation {
 impl<S: MotionStatus> Robot<S> {
     /// The same error, with the reason for a refusal if the robot's state shows it.
     pub(super) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
-        let found = self.explain_within(&error, timeout);
+        let found = self.explain_within(&error, timeout).or_else(|| self.limit_explanation());
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
             *explanation = found;
         }

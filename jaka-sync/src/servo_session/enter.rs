@@ -9,6 +9,7 @@ use jaka_proto::messages::types::{JointPosition, Switch};
 
 use super::pace::{CYCLE, Pace};
 use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
+use crate::robot::SetPoints;
 use crate::{Error, ErrorKind, Explanation, MotionStatus, Robot};
 
 impl<'r, S: MotionStatus> ServoSession<'r, S> {
@@ -23,6 +24,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             config: config.clone(),
             pace: Pace::new(config.period(), config.busy_wait),
             last: None,
+            sent: SetPoints::default(),
             report: ServoReport::default(),
             refusal: None,
             is_open: true,
@@ -31,6 +33,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         match session.switch_on() {
             Ok(start) => {
                 session.last = Some(start);
+                session.sent = SetPoints::at(start);
                 session.pace = Pace::new(config.period(), config.busy_wait);
                 Ok(session)
             }
@@ -50,7 +53,9 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             return Err(error);
         }
         self.wait_until_entered(timeout)?;
-        Ok(self.robot.client().get_joint_pos()?.joint_position)
+        let start = self.robot.client().get_joint_pos()?.joint_position;
+        self.robot.prepare_set_points(start, timeout)?;
+        Ok(start)
     }
 
     /// The acknowledgement of `servo_move` comes before the mode has changed, and also where it does not change.

@@ -14,6 +14,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use super::pace::Pace;
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
+use crate::robot::SetPoints;
 use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
@@ -56,6 +57,8 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) pace: Pace,
     /// The joints of the last set-point, where they are known.
     pub(super) last: Option<JointPosition>,
+    /// What the next set-point is checked against, where the robot has limits.
+    pub(super) sent: SetPoints,
     pub(super) report: ServoReport,
     pub(super) refusal: Option<Error>,
     /// True while servo mode is to be left.
@@ -75,6 +78,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// # Errors
     /// - [`ErrorKind::InvalidArgument`]: a joint would have to move faster than 180 deg/s, which the controller ignores (4.15).
     ///   Nothing was sent. After a pose this is not checked, because the joint positions are not known.
+    /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. Nothing was sent, and the session has ended: the
+    ///   controller keeps the last set-point, and servo mode was left.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
     /// - [`ErrorKind::NotAcknowledged`]: a protective or emergency stop. [`ErrorKind::Disconnected`]: the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds; the session has ended.
@@ -82,10 +87,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
         let target = target.into();
         self.check_speed(target)?;
-        let request = ServoJ::absolute(target).step_count(self.config.step_count.into());
-        self.send(&request)?;
-        self.last = Some(target);
-        Ok(())
+        self.send_checked_joints(ServoJ::absolute(target), Some(target))
     }
 
     /// Waits for the next cycle and sends a set-point by an offset of all joints from the one before.
@@ -96,10 +98,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let offset = offset.into();
         let (from, to) = (JointPosition([0.0; 6]), offset);
         self.check_step(from, to)?;
-        let request = ServoJ::relative(offset).step_count(self.config.step_count.into());
-        self.send(&request)?;
-        self.last = self.last.map(|last| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i])));
-        Ok(())
+        let target = self.last.map(|last| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i])));
+        self.send_checked_joints(ServoJ::relative(offset), target)
     }
 
     /// Waits for the next cycle and sends a set-point for the tool centre point.
@@ -109,19 +109,18 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// # Errors
     /// As [`send_joints`](Self::send_joints), except for the speed.
     pub fn send_pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
-        let request = ServoP::absolute(target).step_count(self.config.step_count.into());
-        self.last = None;
-        self.send(&request)
+        let target = target.into();
+        self.send_checked_pose(ServoP::absolute(target), Some(target))
     }
 
     /// Waits for the next cycle and sends a set-point by an offset of the tool centre point.
     ///
+    /// No source says along which axes it goes, so a robot with limits refuses it.
+    ///
     /// # Errors
     /// As [`send_pose`](Self::send_pose).
     pub fn send_pose_offset(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
-        let request = ServoP::relative(offset).step_count(self.config.step_count.into());
-        self.last = None;
-        self.send(&request)
+        self.send_checked_pose(ServoP::relative(offset), None)
     }
 
     /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns, until it
@@ -145,6 +144,36 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
+    fn check_open(&self) -> Result<(), Error> {
+        let ended = |because: &String| Err(ErrorKind::SessionEnded { because: because.clone() }.into());
+        self.ended.as_ref().map_or(Ok(()), ended)
+    }
+
+    fn send_checked_joints(&mut self, request: ServoJ, target: Option<JointPosition>) -> Result<(), Error> {
+        self.check_open()?;
+        let checked = self.robot.check_joints(&self.sent, target, self.config.period());
+        let target = checked.map_err(|error| self.end(error))?;
+        self.send_to(&request.step_count(self.config.step_count.into()), target)
+    }
+
+    fn send_checked_pose(&mut self, request: ServoP, target: Option<Pose>) -> Result<(), Error> {
+        self.check_open()?;
+        let checked = self.robot.check_pose(&self.sent, target, self.config.period());
+        let joints = checked.map_err(|error| self.end(error))?;
+        self.send_to(&request.step_count(self.config.step_count.into()), joints)
+    }
+
+    /// Sends a set-point at which the joints are here, where that is known.
+    fn send_to<C: Command<Reply = ()>>(&mut self, request: &C, joints: Option<JointPosition>) -> Result<(), Error> {
+        if let Err(error) = self.send(request) {
+            self.last = self.last.filter(|_| !error.may_have_run());
+            return Err(error);
+        }
+        self.last = joints;
+        self.sent.sent(joints);
+        Ok(())
+    }
+
     fn check_speed(&self, target: JointPosition) -> Result<(), Error> {
         self.last.map_or(Ok(()), |last| self.check_step(last, target))
     }
@@ -162,9 +191,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     fn send<C: Command<Reply = ()>>(&mut self, request: &C) -> Result<(), Error> {
-        if let Some(because) = self.ended.clone() {
-            return Err(ErrorKind::SessionEnded { because }.into());
-        }
         let late = self.pace.wait();
         // After the wait: a stop may have come meanwhile.
         if let Err(error) = self.take_answers(C::INFO.name) {
