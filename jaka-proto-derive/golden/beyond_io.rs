@@ -1,24 +1,24 @@
 pub mod beyond_io {
     //! Inputs, outputs and the tool's serial channels, beyond the document.
     //!
-    //! Commands that the document does not have. Newer firmware answers them, and public clients use them; firmware 1.5.14 refuses them as commands
-    //! that it does not know.
+    //! Commands that the document does not have. Newer firmware answers them, and public clients use them.
     //!
-    //! From which firmware on a controller has them is not known: `since` is the first version of which no refusal is known. The tool's serial
-    //! channels and their signals come from one client, on port 10001 of a newer MiniCobo.
+    //! From which firmware on a controller has them is not known. Of firmware 1.5.14 it is known that it refuses [`emergency_stop_status`](crate::messages::beyond_state::EmergencyStopStatus), and it is
+    //! taken to lack all of them: `since` is the version after it. The tool's serial channels and their signals come from one client, on port 10001
+    //! of a newer MiniCobo, but for [`send_tio_rs_command`](type@SendTioRsCommand), which two clients send.
     /// Reads one digital output.
     ///
     /// Sends `get_digital_output`. Changes nothing on the robot. The reply is [`GetDigitalOutputReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: two clients, on version 1.7.2 and newer.
+    /// Not in the document. Likely: two clients, one of them on version 1.7.2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalOutput {
         /// Where the output is. `type` on the wire.
         pub kind: super::io::DigitalOutputKind,
-        /// Number of the output, sent as given: counted from 1 on version 1.7.2 (one client), from 0 on other firmware. At least 0.
+        /// Number of the output, sent as given: counted from 1 on version 1.7.2 (one client). At least 0. [`set_digital_output`](crate::messages::io::SetDigitalOutput) counts from 0 on some firmware.
         pub index: i64,
     }
     impl GetDigitalOutput {
@@ -66,15 +66,15 @@ pub mod beyond_io {
     ///
     /// Sends `get_digital_input`. Changes nothing on the robot. The reply is [`GetDigitalInputReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: two clients.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalInput {
-        /// Where the input is: 0 for the cabinet. At least 0. No source lists the others; clients number them as digital outputs. `type` on the wire.
+        /// Where the input is. At least 0. No source lists the values; for digital outputs 0 is the cabinet. `type` on the wire.
         pub kind: i64,
-        /// Number of the input, sent as given: counted from 0 or from 1, depending on the firmware. At least 0.
+        /// Number of the input, sent as given. At least 0. No source says whether firmware counts inputs from 0 or from 1.
         pub index: i64,
     }
     impl GetDigitalInput {
@@ -95,7 +95,7 @@ pub mod beyond_io {
     ///
     /// Sends `get_analog_output`. Changes nothing on the robot. The reply is [`GetAnalogOutputReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,7 +103,7 @@ pub mod beyond_io {
     pub struct GetAnalogOutput {
         /// Where the output is. `type` on the wire.
         pub kind: super::io::AnalogOutputKind,
-        /// Number of the output, sent as given: counted from 0 or from 1, depending on the firmware. At least 0.
+        /// Number of the output, sent as given. At least 0. No source says whether firmware counts analog outputs from 0 or from 1.
         pub index: i64,
     }
     impl GetAnalogOutput {
@@ -123,7 +123,7 @@ pub mod beyond_io {
         ///
         /// - `index`: at least 0
         pub const fn extension(index: i64) -> Self {}
-        /// Reserved, by the same list; a relay where the output is digital.
+        /// Reserved (one client); a relay where the output is digital.
         ///
         /// - `index`: at least 0
         pub const fn reserved(index: i64) -> Self {}
@@ -153,7 +153,7 @@ pub mod beyond_io {
     ///
     /// Sends `send_tio_rs_command`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients.
     #[derive(Debug, Clone, PartialEq)]
@@ -177,7 +177,7 @@ pub mod beyond_io {
     ///
     /// Sends `get_tio_pin_mode`. Changes nothing on the robot.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client; no source shows the reply.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -196,7 +196,7 @@ pub mod beyond_io {
     ///
     /// Sends `set_tio_pin_mode`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -218,7 +218,7 @@ pub mod beyond_io {
     ///
     /// Sends `get_rs485_chn_mode`. Changes nothing on the robot. The reply is [`GetRs485ChnModeReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -244,7 +244,7 @@ pub mod beyond_io {
     ///
     /// Sends `set_rs485_chn_mode`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -264,17 +264,15 @@ pub mod beyond_io {
     }
     /// Reads the line settings of a serial channel of the tool.
     ///
+    /// The key of the channel is `chn_id` here and `chnId` in [`get_rs485_chn_mode`](type@GetRs485ChnMode).
+    ///
     /// The reply's keys are not known, so they are given as they come. [`set_rs485_chn_comm`](type@SetRs485ChnComm) has the settings.
     ///
     /// Sends `get_rs485_chn_comm`. Changes nothing on the robot.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client; no source shows the reply.
-    ///
-    /// # Errata
-    ///
-    /// - The key is `chn_id` here and `chnId` in [`get_rs485_chn_mode`](type@GetRs485ChnMode).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetRs485ChnComm {
@@ -289,15 +287,13 @@ pub mod beyond_io {
     }
     /// Sets the line of a serial channel of the tool.
     ///
+    /// The key of the channel is `chn_id` here and `chnId` in [`set_rs485_chn_mode`](type@SetRs485ChnMode).
+    ///
     /// Sends `set_rs485_chn_comm`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
-    ///
-    /// # Errata
-    ///
-    /// - The key is `chn_id` here and `chnId` in [`set_rs485_chn_mode`](type@SetRs485ChnMode).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetRs485ChnComm {
@@ -338,7 +334,7 @@ pub mod beyond_io {
     ///
     /// Sends `get_rs485_signal_list`. Changes nothing on the robot.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -352,7 +348,7 @@ pub mod beyond_io {
     ///
     /// Sends `get_tio_signals`. Changes nothing on the robot. The reply is [`GetTioSignalsReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -375,7 +371,7 @@ pub mod beyond_io {
     ///
     /// Sends `add_tio_rs_signal`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, PartialEq)]
@@ -411,7 +407,7 @@ pub mod beyond_io {
     ///
     /// Sends `del_tio_rs_signal`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, PartialEq)]

@@ -1,17 +1,17 @@
 pub mod beyond_settings {
     //! Motion, mounting and packets, beyond the document.
     //!
-    //! Commands that the document does not have. Newer firmware answers them, and public clients use them; firmware 1.5.14 refuses them as commands
-    //! that it does not know.
+    //! Commands that the document does not have. Newer firmware answers them, and public clients use them.
     //!
-    //! From which firmware on a controller has them is not known: `since` is the first version of which no refusal is known.
-    /// Sets the currents that the controller adds to those of the joints, such as those that hold the arm against gravity.
+    //! From which firmware on a controller has them is not known. Of firmware 1.5.14 it is known that it refuses [`emergency_stop_status`](crate::messages::beyond_state::EmergencyStopStatus), and it is
+    //! taken to lack all of them: `since` is the version after it.
+    /// Sets a feed-forward of the joints' torques, as currents, by the names.
     ///
     /// No source says which state of the robot it needs, or what happens to an arm with wrong currents: keep clear of it.
     ///
     /// Sends `torque_feedforward`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +32,7 @@ pub mod beyond_settings {
     ///
     /// Sends `set_motion_planner`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +49,7 @@ pub mod beyond_settings {
     ///
     /// Sends `set_motion_limit_warning_range`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,7 +68,7 @@ pub mod beyond_settings {
     ///
     /// Sends `get_motion_limit_warning_range`. Changes nothing on the robot. The reply is [`GetMotionLimitWarningRangeReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -87,19 +87,19 @@ pub mod beyond_settings {
     }
     /// Sets how the arm is mounted.
     ///
-    /// A wrong angle lets the arm sag or leap when it is enabled or led by hand, since gravity then pulls otherwise than the controller expects.
+    /// No source says what an arm does whose angle is wrong, when it is enabled or led by hand: keep clear of it.
     ///
     /// Sends `set_installation_angle`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client, which copies the vendor's English page.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetInstallationAngle {
-        /// Rotation about x. In deg, 0 to 180. `angleX` on the wire.
+        /// Rotation about x, by the name. In deg, 0 to 180. `angleX` on the wire.
         pub angle_x: f64,
-        /// Rotation about z. In deg, 0 to 360. `angleZ` on the wire.
+        /// Rotation about z, by the name. In deg, 0 to 360. `angleZ` on the wire.
         pub angle_z: f64,
     }
     impl SetInstallationAngle {
@@ -113,7 +113,7 @@ pub mod beyond_settings {
     ///
     /// Sends `set_port10000_delay_ms`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,7 +132,7 @@ pub mod beyond_settings {
     ///
     /// Sends `get_port10000_delay_ms`. Changes nothing on the robot. The reply is [`GetPort10000DelayMsReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -151,13 +151,13 @@ pub mod beyond_settings {
     }
     /// Sets an entry of the controller's configuration of port 10000.
     ///
-    /// Section `ATTROPTIONALDATA` has a key for each key of the status packet, such as `joint_actual_position`, with the value 1 where it is sent:
-    /// so packets may lack even those. In section `PORTCONFIG`, `port10000_delay_ms` is the time between two packets. Leave the entries of port
-    /// 10004 alone, which the vendor's own comment warns about.
+    /// Section `ATTROPTIONALDATA` has keys such as `joint_actual_position`, `powered_on` and `inpos`, with the value 1 where status packets have
+    /// that key: so packets may lack even those. In section `PORTCONFIG`, `port10000_delay_ms` is the time between two packets. Leave the
+    /// entries of port 10004 alone, which the vendor's own comment warns about.
     ///
     /// Sends `setOptionalInfoConfig`.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients, one for each of the two sections; the configuration file with both is published.
     #[derive(Debug, Clone, PartialEq)]
@@ -182,7 +182,7 @@ pub mod beyond_settings {
     ///
     /// Sends `getOptionalInfoConfig`. Changes nothing on the robot. The reply is [`GetOptionalInfoConfigReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients, one for each of the two sections; the configuration file with both is published.
     #[derive(Debug, Clone, PartialEq)]

@@ -1,16 +1,18 @@
 pub mod beyond_state {
     //! State and positions, beyond the document.
     //!
-    //! Queries that the document does not have. Newer firmware answers them, and public clients use them; firmware 1.5.14 refuses them as commands
-    //! that it does not know, but for [`get_data`](type@GetData).
+    //! Queries that the document does not have. Newer firmware answers them, and public clients use them.
     //!
-    //! From which firmware on a controller has them is not known: `since` is the first version of which no refusal is known.
+    //! [`get_data`](type@GetData) works from firmware 1.4 on. From which firmware on a controller has the others is not known. Of firmware 1.5.14 it is known that
+    //! it refuses [`emergency_stop_status`](type@EmergencyStopStatus), and it is taken to lack all of the others: `since` is the version after it.
     /// Reads one status packet on the command port.
     ///
     /// The reply has the keys of the packets of port 10000 next to its own, 1.5 to 9 KB of them, and arrives in pieces. Clients use it for what
     /// no query of the document tells, such as the tool's inputs and the selected frames. Some controllers add `executing_line`, which is skipped.
     ///
     /// Sends `get_data`. Changes nothing on the robot. The reply is [`RobotStatus`](crate::messages::status::RobotStatus).
+    ///
+    /// Taken to be known to firmware 1.4 and later.
     ///
     /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -24,7 +26,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_motion_state`. Changes nothing on the robot. The reply is [`GetMotionStateReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client; the vendor's SDK has the same state with further keys, which are optional here.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -56,11 +58,11 @@ pub mod beyond_state {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub motion_line_sdk: Option<wire::Typed<i64>>,
-        /// Says that the previous command was dropped, for instance since the arm was at its target already. `err_add_line` on the wire.
+        /// Says that the previous command was dropped, for instance since the arm was at its target already (meaning in the vendor's SDK). `err_add_line` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub error_add_line: Option<wire::Typed<i64>>,
-        /// Whether the queue is full, so that further motions are dropped.
+        /// Whether the queue is full, so that further motions are dropped (meaning in the vendor's SDK).
         pub queue_full: Option<bool>,
         /// Whether a limit was hit, by the name.
         pub on_limit: Option<bool>,
@@ -73,7 +75,7 @@ pub mod beyond_state {
     ///
     /// Sends `emergency_stop_status`. Changes nothing on the robot. The reply is [`EmergencyStopStatusReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: the TCP document V2.0.6 of January 2024 has it, and one client; firmware 1.5.14 refuses it.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -96,7 +98,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_drag_status`. Changes nothing on the robot.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client and the vendor's list of commands have the name; no source shows a reply.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -112,7 +114,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_rapid_rate`. Changes nothing on the robot.
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client and the vendor's list of commands have the name; no source shows a reply.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -126,7 +128,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_curr_tool_id`. Changes nothing on the robot. The reply is [`GetCurrToolIdReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -147,7 +149,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_curr_user_id`. Changes nothing on the robot. The reply is [`GetCurrUserIdReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -170,7 +172,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_actual_joint_pos`. Changes nothing on the robot. The reply is [`GetActualJointPosReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client, which asks every 20 ms on version 1.7.2.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -193,7 +195,7 @@ pub mod beyond_state {
     ///
     /// Sends `get_actual_tcp_pos`. Changes nothing on the robot. The reply is [`GetActualTcpPosReply`].
     ///
-    /// Known to firmware 1.5.15 and later.
+    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Likely: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -472,7 +472,7 @@ impl Client {
 ///
 /// With the messages of [`beyond_settings`](crate::beyond_settings).
 impl Client {
-    /// Sets the currents that the controller adds to those of the joints, such as those that hold the arm against gravity.
+    /// Sets a feed-forward of the joints' torques, as currents, by the names.
     pub fn torque_feedforward(
         &mut self,
         request: &self::beyond_settings::TorqueFeedforward,

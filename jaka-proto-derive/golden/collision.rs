@@ -70,7 +70,7 @@ pub mod collision {
     pub struct GetClsnSensitivityReply {
         /// Collision level, from 0 to 5. `sensitivityLevel` on the wire.
         ///
-        /// 0 says that detection is off, 1 is the most sensitive, 5 the least. See [`set_clsn_sensitivity`](type@SetClsnSensitivity) for the forces.
+        /// 0 says that detection is off, 1 is the most sensitive, 5 the least. See [`set_clsn_sensitivity`](type@SetClsnSensitivity) for the forces, and for newer firmware.
         pub level: i64,
     }
     /// Leaves the collision protection that the robot enters after a collision.

@@ -5,8 +5,8 @@ impl ::jaka_proto::ErrorCode {
     pub const REJECTED: Self = Self(-1i64);
     /// The command was accepted.
     ///
-    /// The document says executed, but it may not have ended yet: a motion is only accepted, and [`power_on`](crate::messages::power::PowerOn) and [`enable_robot`](crate::messages::power::EnableRobot)
-    /// need seconds.
+    /// The document says executed, but it may not have ended yet: a motion is only accepted, and on newer firmware [`power_on`](crate::messages::power::PowerOn) and
+    /// [`enable_robot`](crate::messages::power::EnableRobot) need seconds after it.
     ///
     /// The message is empty by chapter 5, while chapter 3 prints `unknown`. It may be absent too (field notes).
     pub const SUCCESS: Self = Self(0i64);

@@ -287,19 +287,19 @@ pub mod force {
     ///
     /// - The heading speaks of a torque condition, the text of force components and torque components.
     /// - The text names only `fx` and `tx` of the six values, and prints no order and no unit.
-    /// - The sample sends zeros, while the values are to be greater than 0 (vendor's manual).
+    /// - The sample sends zeros, while the values are to be greater than 0 (vendor's texts).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetComplianceCondition {
-        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. In N for the forces, Nm for the torques. `compliant_condition` on the wire.
+        /// Force along, and torque about, each of the axes x, y and z, at the force sensor. In N for the forces, Nm for the torques, at least 0. `compliant_condition` on the wire.
         ///
-        /// The order is fx, fy, fz, tx, ty, tz, and each is greater than 0 (vendor's manual).
+        /// The order is fx, fy, fz, tx, ty, tz, and each is greater than 0 (vendor's texts).
         pub condition: [f64; 6],
     }
     impl SetComplianceCondition {
         /// With the required fields alone.
         ///
-        /// - `condition`: in N for the forces, Nm for the torques
+        /// - `condition`: in N for the forces, Nm for the torques, at least 0
         pub const fn new(condition: [f64; 6]) -> Self {}
     }
     /// Switches admittance control on or off.
@@ -547,8 +547,8 @@ pub mod force {
     impl ::core::fmt::Display for TorqueSensorCommunication {}
     /// Parameters of compliance in velocity.
     ///
-    /// The level says how often the arm slows down, and each ratio by how much: level 1 uses two ratios, level 2 three, level 3 four, and the
-    /// rest are 0. Those in use become smaller: 1 > rate1 > rate2 > rate3 > rate4 > 0 (vendor's manual). The document gives neither ranges nor
+    /// The level says how often the arm slows down, and the ratios belong to these steps; what a ratio scales is not said. Level 1 uses two ratios, level 2 three, level 3 four, and the
+    /// rest are 0. Those in use become smaller: 1 > rate1 > rate2 > rate3 > rate4 > 0 (vendor's texts). The document gives neither ranges nor
     /// rules.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]

@@ -99,7 +99,7 @@ pub mod io {
         /// Where the output is. `type` on the wire.
         pub kind: AnalogOutputKind,
         /// Number of the output, sent as given. At least 0. The document numbers the cabinet's outputs from 0 to 7. Some firmware counts
-        /// digital outputs from 1 (field notes); whether it does so for analog outputs is not known.
+        /// digital outputs from 1 (field notes); no source says whether it does so for analog outputs.
         pub index: i64,
         /// Value to set. The document states neither unit nor range.
         pub value: f64,
@@ -121,7 +121,7 @@ pub mod io {
         ///
         /// - `index`: at least 0
         pub const fn extension(index: i64, value: f64) -> Self {}
-        /// Reserved, by the same list; a relay where the output is digital.
+        /// Reserved (one client); a relay where the output is digital.
         ///
         /// - `index`: at least 0
         pub const fn reserved(index: i64, value: f64) -> Self {}
@@ -146,7 +146,7 @@ pub mod io {
     ///
     /// - The document prints the reply of a controller without modules as a bare tuple, `(0, [], {'state': 0})`, without JSON around it. Both that and the same text inside the JSON string are read.
     /// - The sample configures eight digital inputs and reports the states of nine.
-    /// - Here `state` 0 means that the modules do not run and 1 that they do. Chapter 2 describes `mode` of `extio` on port 10000, also called the modules' state, as 0 for on and 1 for off.
+    /// - Here `state` 0 means that the modules do not run and 1 that they do. Chapter 2 describes `mode` of `extio` on port 10000, also called the modules' state, as 0 for on and 1 for off; that both are the same is not said.
     /// - Chapter 2 describes the same settings with the pins as an array in the order di, do, ai, ao. Here they are a dictionary.
     /// - No RTU module is shown here. Its settings follow chapter 2, which lists the data bits twice: as data bit length before the slave number, and as data bits after it.
     /// - Chapter 2 lists a slave number after a TCP module's port. The sample here has none.
@@ -307,7 +307,7 @@ pub mod io {
         Tool,
         /// On an extension I/O module. `2` on the wire.
         Extension,
-        /// Reserved, by the same list; a relay where the output is digital. Taken by newer firmware only. `3` on the wire.
+        /// Reserved (one client); a relay where the output is digital. Taken by newer firmware only. `3` on the wire.
         Reserved,
         /// An output of the Modbus slave. Taken by newer firmware only. `4` on the wire.
         ModbusSlave,
@@ -398,7 +398,7 @@ pub mod io {
         pub address: String,
         /// TCP port.
         pub port: i64,
-        /// Number of the Modbus slave. Chapter 2 lists it; the sample of 4.34 has none.
+        /// Number of the Modbus slave. Chapter 2 lists it, and a newer controller's packet has it (capture: 1); the sample of 4.34 has none.
         pub slave_id: Option<i64>,
     }
     /// The pins of an extension I/O module, by kind.

@@ -6,7 +6,7 @@ pub mod kinematics {
     //! None of these commands moves the arm.
     /// Computes the pose of the robot's end at a joint position (forward kinematics).
     ///
-    /// The pose refers to the current tool frame, mounting and user frame (vendor's manual).
+    /// The pose refers to the current tool frame, mounting and user frame (vendor's texts).
     ///
     /// Sends `kine_forward` (4.46). Changes nothing on the robot. The reply is [`KineForwardReply`].
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ pub mod kinematics {
     /// Computes a joint position at which the robot's end has a pose (inverse kinematics).
     ///
     /// Where there is no solution, the controller answers with error code 2. The pose refers to the current tool frame, mounting and user frame
-    /// (vendor's manual).
+    /// (vendor's texts).
     ///
     /// Sends `kine_inverse` (4.47). Changes nothing on the robot. The reply is [`KineInverseReply`].
     ///

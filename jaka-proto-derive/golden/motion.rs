@@ -103,7 +103,8 @@ pub mod motion {
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram).
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram). The vendor's texts have a
+    /// tolerance of joint motions; that it is sent as `tol`, as in [`move_l`](type@MoveL), rests on one client, so it is left out here.
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -187,7 +188,7 @@ pub mod motion {
     ///
     /// # Errata
     ///
-    /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit; millimetres follow from the field notes, which find them throughout.
+    /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit. It is in millimetres (vendor's texts).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveL {
@@ -202,7 +203,7 @@ pub mod motion {
         pub acceleration: Option<f64>,
         /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
-        /// With a positive value the arm may never be there (vendor's manual). The document explains the key in 4.10 alone, as the
+        /// With a positive value the arm may never be there (vendor's texts). The document explains the key in 4.10 alone, as the
         /// greatest error, and names no unit. Controllers take the command without it (field notes).
         pub tolerance: Option<f64>,
     }
@@ -223,7 +224,7 @@ pub mod motion {
         ///
         /// - `speed`: in mm/s, at least 0
         pub fn relative(pose: impl Into<super::types::Pose>, speed: f64) -> Self {}
-        /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual).
+        /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's texts).
         ///
         /// - `speed`: in mm/s, at least 0
         pub fn relative_to_tool(
@@ -237,8 +238,7 @@ pub mod motion {
     }
     /// Moves the tool centre point along an arc, through one pose to another (MoveC).
     ///
-    /// The three points, the present one among them, must differ: otherwise the controller refuses the motion with the event
-    /// `0x0F0029`.
+    /// The points must differ: where they coincide, the controller refuses the motion with the event `0x0F0029`.
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -248,7 +248,7 @@ pub mod motion {
     ///
     /// - The text gives speed and acceleration in deg/s and deg/s², of joints, and advises 720 deg/s² at most, in the words of 4.8. They are mm/s and mm/s² (four other texts of the vendor).
     /// - The text does not explain `relFlag`, nor what the two poses are relative to when it is 1.
-    /// - The text calls `tol` the greatest error allowed, and names no unit. It is in millimetres, and lets the motion blend into the next one (vendor's manual).
+    /// - The text calls `tol` the greatest error allowed, and names no unit. It is in millimetres, and lets the motion blend into the next one (vendor's texts).
     /// - The `cmdName` is `movc`, while the section is titled MoveC.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
@@ -265,7 +265,7 @@ pub mod motion {
         pub acceleration: f64,
         /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
-        /// With a positive value the arm may never be there (vendor's manual). The document calls it the greatest error allowed.
+        /// With a positive value the arm may never be there (vendor's texts). The document calls it the greatest error allowed.
         pub tolerance: f64,
     }
     impl MoveC {
@@ -330,7 +330,7 @@ pub mod motion {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum JogFrame {
-        /// The axes of the robot's base, or of the selected user frame (vendor's manual). The document calls it the world frame. `0` on the wire.
+        /// The axes of the robot's base, or of the selected user frame (vendor's texts). The document calls it the world frame. `0` on the wire.
         World,
         /// A joint. `1` on the wire.
         Joint,
@@ -351,10 +351,10 @@ pub mod motion {
         Absolute,
         /// The pose is an offset from the present one along the axes of the selected user frame.
         ///
-        /// Real arms go along these axes and not along those of the tool, and the vendor's manual says so. The document does not say from where
+        /// A real arm did not go along the tool's axes (capture), and the vendor's texts name the user frame. The document does not say from where
         /// an offset counts that waits behind another motion, nor how its rotation composes. `1` on the wire.
         Relative,
-        /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual). Taken by newer firmware only. `2` on the wire.
+        /// The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's texts). Taken by newer firmware only. `2` on the wire.
         RelativeToTool,
         /// A value that the spec does not list.
         Other(i64),

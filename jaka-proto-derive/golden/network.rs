@@ -30,13 +30,13 @@ pub mod network {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum NetworkExceptionAction {
-        /// The arm goes on with its motion (vendor's manual).
+        /// The arm goes on with its motion (vendor's texts).
         ///
         /// Choose another action where the arm must not move on its own. The document has one word, keep. `0` on the wire.
         Keep,
         /// The motion pauses, by the document's word. `1` on the wire.
         Pause,
-        /// The motion stops (vendor's manual). `2` on the wire.
+        /// The motion stops (vendor's texts). `2` on the wire.
         Terminate,
         /// A value that the spec does not list.
         Other(i64),

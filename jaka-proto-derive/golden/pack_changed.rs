@@ -15,7 +15,8 @@ pub mod changed {
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram).
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram). The vendor's texts have a
+    /// tolerance of joint motions; that it is sent as `tol`, as in [`move_l`](proto::messages::motion::MoveL), rests on one client, so it is left out here.
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -122,6 +123,8 @@ pub mod changed {
     ///
     /// Sends `get_data`. Changes nothing on the robot. The reply is [`type@RobotStatus`]. The method is [`ChangedCommands::get_data_changed`].
     ///
+    /// Taken to be known to firmware 1.4 and later.
+    ///
     /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
@@ -147,7 +150,8 @@ pub mod changed {
     impl ::core::fmt::Display for ToolVoltage {}
     /// State of the robot, as one packet of port 10000 gives it.
     ///
-    /// Any key may be absent. A refused command on port 10001 does not show here.
+    /// Any key may be absent. Those that newer firmware adds stand last here; a controller sends them among the others (capture). A refused
+    /// command on port 10001 does not show here.
     #[derive(Debug, Clone, PartialEq, Default)]
     #[non_exhaustive]
     pub struct RobotStatus {
@@ -166,7 +170,8 @@ pub mod changed {
         fn read_whole_state(&mut self) -> Result<RobotStatus, ::jaka_sync::Error>;
         /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
         ///
-        /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram).
+        /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram). The vendor's texts have a
+        /// tolerance of joint motions; that it is sent as `tol`, as in [`move_l`](proto::messages::motion::MoveL), rests on one client, so it is left out here.
         ///
         /// The reply says that the motion was accepted, not that it has ended.
         ///
@@ -231,6 +236,8 @@ pub mod changed {
         /// no query of the document tells, such as the tool's inputs and the selected frames. Some controllers add `executing_line`, which is skipped.
         ///
         /// Sends [`get_data`](type@GetData). Changes nothing on the robot.
+        ///
+        /// Taken to be known to firmware 1.4 and later.
         ///
         /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
         ///

@@ -46,7 +46,7 @@ pub mod power {
     }
     /// Enables the arm, so that it can move.
     ///
-    /// This takes 3 to 4 s as a rule; 20 s is seen. Firmware 1.5.14 replies when the arm is enabled (transcripts), newer firmware at once
+    /// This takes 3 to 4 s as a rule; 20 s is seen. Firmware 1.5.14 replies when the arm is enabled, as to [`power_on`](type@PowerOn) (transcripts), newer firmware at once
     /// (vendor's SDK). So an errorCode of 0 is not proof that the arm is enabled: poll the state.
     ///
     /// Sends `enable_robot` (4.3). The robot must be powered. The reply is [`EnableRobotReply`].
@@ -114,10 +114,10 @@ pub mod power {
         pub enabled: bool,
         /// Whether the arm has power. `power` on the wire.
         pub powered_on: bool,
-        /// Code of the controller's event, which is not always an error; newer firmware adds the key. `errcode` on the wire.
+        /// Code of the controller's event, which is not always an error; newer firmware adds the key, from which version on is not recorded. `errcode` on the wire.
         ///
-        /// Firmware 1.5.14 writes a number, 17760261 for `0x10f0005`, and the vendor's own SDK reads nothing else. Clients of newer firmware have met
-        /// a hexadecimal string such as `0x0`, as on port 10000. So it is passed on as it comes; the Rust method `event` reads both.
+        /// A controller was seen to write a number, 17760261 for `0x10f0005`, and the vendor's own SDK aborts on a string. One example in the field
+        /// notes has a hexadecimal string, `0x0`, as on port 10000; no capture does. So it is passed on as it comes; the Rust method `event` reads both.
         pub error_code: Option<wire::Value>,
         /// The message that goes with `error_code`, which newer firmware adds. `msg` on the wire.
         pub error_message: Option<String>,
@@ -136,7 +136,7 @@ pub mod power {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetVersionReply {
-        /// Version, such as `1.6.5_01_X86`.
+        /// Version, such as `1.6.5_01_X86`, or `1.5.14_13_X64` (transcript).
         pub version: String,
         /// Name of the robot. Sent by version 3.2.10 (one client).
         ///

@@ -35,7 +35,7 @@ pub mod program {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct LoadProgram {
-        /// File name of the program. Chinese characters are not supported. `programName` on the wire.
+        /// File name of the program, of printable ASCII characters: the document excludes Chinese ones and says no more. `programName` on the wire.
         ///
         /// Printable ASCII only.
         pub program_name: String,

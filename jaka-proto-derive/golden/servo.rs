@@ -4,7 +4,7 @@ pub mod servo {
     //! In servo mode the arm follows set-points that come one by one, without the controller's planner between them.
     //!
     //! A set-point is due every 8 ms, or every multiple of it that `step_count` gives, and each is answered. Plan the
-    //! trajectory beforehand: what the set-points ask goes straight to the drives. For other purposes the document advises
+    //! trajectory beforehand: what the set-points ask goes straight to the drives. Send each at once, with TCP_NODELAY (field notes). For other purposes the document advises
     //! [`joint_move`](crate::messages::motion::JointMove) and [`move_l`](crate::messages::motion::MoveL).
     /// Reads whether the robot is in servo mode.
     ///
@@ -106,6 +106,7 @@ pub mod servo {
     ///
     /// # Errata
     ///
+    /// - The text calls the orientation Euler angles in the order x, y, z. The turns are about fixed axes: R = Rz(rz) Ry(ry) Rx(rx) (capture).
     /// - The key is spelled `catPosition`, and controllers expect it so. Other commands have `cartPosition`.
     /// - The text writes the key `stepnum`, the sample `stepNum`.
     /// - The text asks for a set-point every 8 ms, and for one every 8 ms times `stepnum`. Field notes: the latter.
@@ -137,7 +138,7 @@ pub mod servo {
     /// Sets the filter that smooths the set-points of servo mode.
     ///
     /// It can be set only outside servo mode. Filters 1, 2, 3 and 5 act on [`servo_j`](type@ServoJ) and [`servo_p`](type@ServoP), filter 4 on [`servo_p`](type@ServoP) alone (vendor's
-    /// manual).
+    /// texts).
     ///
     /// Sends `set_servo_move_filter` (4.60). The robot must be outside servo mode.
     ///
@@ -145,10 +146,10 @@ pub mod servo {
     ///
     /// - The text calls `filter_type` the motion mode, as copied from 4.6.
     /// - The text writes the keys `max_vr`, `max_ar`, `max_jr`, `max_vp`, `max_ap` and `max_jp`. The samples have `nlf_` before each of them.
-    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. Those of filter 2 are degrees (vendor's manual), and the field notes find degrees throughout.
-    /// - The limits of filter 2 are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space. They are limits of the joints (vendor's manual).
+    /// - The limits on rotation are printed in %/s, %/s^2 and %/s^3, without anything they could be a percentage of. Those of filter 2 are degrees (vendor's texts), and the field notes find degrees throughout.
+    /// - The limits of filter 2 are explained as limits on how fast the orientation changes, as those of filter 4, which works in Cartesian space. They are limits of the joints (vendor's texts).
     /// - Filter 5 is listed as speed look-ahead and explained as filter 3, the multi-stage mean filter of the joints.
-    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5. It is that of the position for both (vendor's manual).
+    /// - `mmf_kp` is explained as coefficient of the position for filter 3, and of the acceleration for filter 5. It is that of the position for both (vendor's texts).
     /// - For filter 5 the text writes the key `max_buf`, the sample `mmf_max_buf`.
     /// - `mmf_ka` is explained as coefficient of acceleration and position. The key speaks of the acceleration alone.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -178,7 +179,7 @@ pub mod servo {
         JointMean {
             /// Width of the filter's window. At least 0. A wider one smooths more and is less accurate. `mmf_max_buf` on the wire.
             ///
-            /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's manual).
+            /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's texts).
             window_width: i64,
             /// How closely the position is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kp` on the wire.
             position_coefficient: f64,
@@ -209,7 +210,7 @@ pub mod servo {
         SpeedLookahead {
             /// Size of the mean filter's buffer. At least 0. `mmf_max_buf` on the wire.
             ///
-            /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's manual).
+            /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's texts).
             buffer_size: i64,
             /// How closely the position is followed. The document calls it a coefficient of the acceleration here. `mmf_kp` on the wire.
             position_coefficient: f64,

@@ -9,10 +9,15 @@ pub mod status {
     //! The document explains the keys up to `current_user_id`, and prints only a value or a length of those after it: a page is probably lost in
     //! the copy at hand. The vendor's English page, which a public client has copied, explains more of them.
     //!
-    //! Controllers write a blank after each comma and colon, and `len` counts the blanks: so do all 312 packets that were captured.
+    //! Several clients can read at once. One that falls behind is given old packets: read on to the newest one before one counts (field notes).
+    //!
+    //! Controllers write a blank after each comma and colon, and `len` counts the blanks: so do all 312 packets that were captured. Numbers that
+    //! may have a fraction always have one, `0.0` or `47.0`; joints have 5 decimals in
+    //! packets, and replies of port 10001 at most 6 (captures).
     /// State of the robot, as one packet of port 10000 gives it.
     ///
-    /// Any key may be absent. A refused command on port 10001 does not show here.
+    /// Any key may be absent. Those that newer firmware adds stand last here; a controller sends them among the others (capture). A refused
+    /// command on port 10001 does not show here.
     #[derive(Debug, Clone, PartialEq, Default)]
     #[non_exhaustive]
     pub struct RobotStatus {
@@ -52,7 +57,7 @@ pub mod status {
         pub digital_outputs: Option<Vec<bool>>,
         /// All analog inputs of the cabinet. 64, 66 or 128, depending on the firmware. Unit not stated. `ain` on the wire.
         pub analog_inputs: Option<Vec<f64>>,
-        /// All analog outputs of the cabinet. The document prints 66. Unit not stated. `aout` on the wire.
+        /// All analog outputs of the cabinet. The document prints 66; newer firmware sends 128 (capture). Unit not stated. `aout` on the wire.
         pub analog_outputs: Option<Vec<f64>>,
         /// All digital inputs of the tool. The document prints 8. `tio_din` on the wire.
         pub tool_digital_inputs: Option<Vec<bool>>,
@@ -88,7 +93,7 @@ pub mod status {
         pub on_soft_limit: Option<i64>,
         /// Whether the robot is in an emergency stop (vendor's English page).
         pub emergency_stop: Option<bool>,
-        /// For each joint, whether it is near its limit in drag mode (vendor's English page).
+        /// For each joint, whether it is near its limit in drag mode, by the name (vendor's English page).
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub drag_near_limit: Option<wire::Typed<Vec<i64>>>,
@@ -132,51 +137,51 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub relay_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital inputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_din` on the wire.
+        /// Digital inputs of the Modbus slave, by the name; 128 of them. Sent by newer firmware, not explained. `mb_slave_din` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub modbus_slave_digital_inputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital outputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_dout` on the wire.
+        /// Digital outputs of the Modbus slave, by the name; 128 of them. Sent by newer firmware, not explained. `mb_slave_dout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub modbus_slave_digital_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Analog inputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_ain` on the wire.
+        /// Analog inputs of the Modbus slave, by the name; 64 of them. Sent by newer firmware, not explained. `mb_slave_ain` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub modbus_slave_analog_inputs: Option<wire::Typed<Vec<f64>>>,
-        /// Analog outputs of the Modbus slave, by the name. Sent by newer firmware, not explained. `mb_slave_aout` on the wire.
+        /// Analog outputs of the Modbus slave, by the name; 64 of them. Sent by newer firmware, not explained. `mb_slave_aout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub modbus_slave_analog_outputs: Option<wire::Typed<Vec<f64>>>,
-        /// Digital inputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_din` on the wire.
+        /// Digital inputs of the Profinet device, by the name; 64 of them. Sent by newer firmware, not explained. `pn_dev_din` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub profinet_device_digital_inputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital outputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_dout` on the wire.
+        /// Digital outputs of the Profinet device, by the name; 64 of them. Sent by newer firmware, not explained. `pn_dev_dout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub profinet_device_digital_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Analog inputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_ain` on the wire.
+        /// Analog inputs of the Profinet device, by the name; 64 of them. Sent by newer firmware, not explained. `pn_dev_ain` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub profinet_device_analog_inputs: Option<wire::Typed<Vec<f64>>>,
-        /// Analog outputs of the Profinet device, by the name. Sent by newer firmware, not explained. `pn_dev_aout` on the wire.
+        /// Analog outputs of the Profinet device, by the name; 64 of them. Sent by newer firmware, not explained. `pn_dev_aout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub profinet_device_analog_outputs: Option<wire::Typed<Vec<f64>>>,
-        /// Digital inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_din` on the wire.
+        /// Digital inputs of the EtherNet/IP adapter, by the name; 64 of them. Sent by newer firmware, not explained. `eip_adpt_din` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub ethernet_ip_adapter_digital_inputs: Option<wire::Typed<Vec<bool>>>,
-        /// Digital outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_dout` on the wire.
+        /// Digital outputs of the EtherNet/IP adapter, by the name; 64 of them. Sent by newer firmware, not explained. `eip_adpt_dout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub ethernet_ip_adapter_digital_outputs: Option<wire::Typed<Vec<bool>>>,
-        /// Analog inputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_ain` on the wire.
+        /// Analog inputs of the EtherNet/IP adapter, by the name; 48 of them. Sent by newer firmware, not explained. `eip_adpt_ain` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub ethernet_ip_adapter_analog_inputs: Option<wire::Typed<Vec<f64>>>,
-        /// Analog outputs of the EtherNet/IP adapter, by the name. Sent by newer firmware, not explained. `eip_adpt_aout` on the wire.
+        /// Analog outputs of the EtherNet/IP adapter, by the name; 48 of them. Sent by newer firmware, not explained. `eip_adpt_aout` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub ethernet_ip_adapter_analog_outputs: Option<wire::Typed<Vec<f64>>>,
@@ -188,7 +193,8 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub motion_line: Option<wire::Typed<i64>>,
-        /// A line that belongs to an error, by the name. Sent by newer firmware, not explained. `err_add_line` on the wire.
+        /// A line that belongs to an error, by the name. Sent by newer firmware, not explained. The vendor's SDK has a key of this name that says
+        /// that the previous command was dropped. `err_add_line` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub error_add_line: Option<wire::Typed<i64>>,
@@ -268,12 +274,12 @@ pub mod status {
         pub count: i64,
         /// Where the pins of each module start, in the order of `setup`. `pinmap` on the wire.
         pub pin_maps: Vec<ExtioReportPinMap>,
-        /// Raw state of the modules. The document contradicts itself on which value says that they run.
+        /// Raw state of the modules. The document contradicts itself on which value says that they run, if this is the `state` of 4.34.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4, chapter 2: 0 = on, 1 = off
-        /// - document 2.0.4, section 4.34, of `state`, which is explained in the same words: 0 = does not run, 1 = runs
+        /// - document 2.0.4, section 4.34, of `state`, which may mean the same: 0 = does not run, 1 = runs
         pub mode: i64,
     }
     /// State of all pins of the extension I/O modules, by kind.

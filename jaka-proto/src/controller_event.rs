@@ -165,7 +165,7 @@ impl RobotStatus {
 impl GetRobotStateReply {
     /// The controller's event, from `error_code`; `None` where the reply says that there is none or does not have the field.
     ///
-    /// Firmware 1.5.14 writes the code as a number. A text is read as in status packets, but one of decimal digits alone, which
+    /// A controller was seen to write the code as a number. A text is read as in status packets, but one of decimal digits alone, which
     /// could be meant either way, is not read.
     ///
     /// # Errors

@@ -18,7 +18,7 @@ pub struct Reply<'a, R> {
     pub payload: Option<Result<R, DecodeError>>,
 }
 
-/// A reply whose keys no source tells: an object, without the keys that every reply has.
+/// A reply whose keys the spec does not fix: an object, without the keys that every reply has.
 impl Fields for Value {
     fn write_fields(&self, out: &mut Writer) {
         for (key, value) in self.as_object().into_iter().flatten() {

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 pub use crate::similar::{distance, nearest};
-use crate::{Effect, Range, Requirement, Severity, Versions};
+use crate::{Command, Effect, Range, Requirement, Severity, Versions};
 
 /// The first sentence with its full stop, and all that follows.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -29,6 +29,12 @@ pub fn versions(versions: &Versions) -> Option<String> {
         (None, Some(until)) => Some(format!("up to {until}")),
         (None, None) => None,
     }
+}
+
+/// `Known to firmware 1.5 to 1.6.` for a command. Of one that the document does not have, the spec's versions are an assumption.
+pub fn known_to(command: &Command) -> Option<String> {
+    let known = if command.evidence.is_some() { "Taken to be known" } else { "Known" };
+    versions(&command.versions).map(|versions| format!("{known} to firmware {versions}."))
 }
 
 /// The word of the TOML files.

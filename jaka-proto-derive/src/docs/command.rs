@@ -5,7 +5,7 @@ use jaka_spec::words;
 use jaka_spec::{Command, Effect, Example};
 use proc_macro2::TokenStream;
 
-use super::{Docs, list, own, versions};
+use super::{Docs, list, own};
 
 impl<'s> Docs<'s> {
     /// What the request does, what is sent, what that needs, and what comes back.
@@ -49,7 +49,8 @@ fn remarks(command: &Command) -> String {
     let reconstructed =
         reconstructed.map(|evidence| format!("\n\nReconstructed, since the document's page is lost: {evidence}"));
     let errata = (!command.errata.is_empty()).then(|| format!("\n\n# Errata\n\n{}", list(&command.errata)));
-    [versions(&command.versions), withdrawn, evidence, reconstructed, errata].into_iter().flatten().collect()
+    let known = words::known_to(command).map(|known| format!("\n\n{known}"));
+    [known, withdrawn, evidence, reconstructed, errata].into_iter().flatten().collect()
 }
 
 /// What is sent and what comes back, a message in a line. After an arrow, no message of a pack can end the block.

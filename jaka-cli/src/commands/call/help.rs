@@ -58,7 +58,7 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     let as_request = Command { request: Request::Fields(spec.reply_fields(command).to_vec()), ..command.clone() };
     let fields = arguments(spec, &as_request);
     if command.reply == Reply::Raw {
-        return "Reply:\n  keys that no source tells".to_owned();
+        return "Reply:\n  keys that the spec does not fix".to_owned();
     }
     if fields.is_empty() {
         return "Reply:\n  accepted, or refused with code and message".to_owned();

@@ -32,8 +32,12 @@ fn errata(out: &mut String, spec: &Spec) {
     *out += pages::CHINESE_ERRATA;
     let chinese = chinese_errata();
     for (_, command) in by_section(spec).into_iter().filter(|(_, command)| !command.errata.is_empty()) {
-        let title = command.title_zh.as_deref().unwrap_or_default();
-        let _ = writeln!(out, "\n**{} {title}** {}\n", section(command), command_link(command));
+        let heading = format!("{} {}", section(command), command.title_zh.as_deref().unwrap_or_default());
+        let heading = match heading.trim() {
+            "" => String::new(),
+            heading => format!("**{heading}** "),
+        };
+        let _ = writeln!(out, "\n{heading}{}\n", command_link(command));
         for erratum in &command.errata {
             let _ = writeln!(out, "- {}", escape(chinese.get(erratum).unwrap_or(erratum)));
         }

@@ -52,9 +52,7 @@ fn facts(command: &Command) -> Vec<String> {
     if command.ends_session {
         facts.push("The connection is of no use after the reply.".to_owned());
     }
-    if let Some(versions) = words::versions(&command.versions) {
-        facts.push(format!("Known to firmware {versions}."));
-    }
+    facts.extend(words::known_to(command));
     if let Some(instead) = &command.deprecated {
         facts.push(format!("Withdrawn by the vendor: {instead}."));
     }
@@ -96,7 +94,7 @@ fn reply(out: &mut String, spec: &Spec, command: &Command) {
             return;
         }
         Reply::Raw => {
-            *out += "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`: keys that no source tells.\n\n";
+            *out += "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`: keys that this spec does not fix.\n\n";
             return;
         }
     };

@@ -37,8 +37,7 @@ pub(super) fn field(spec: &Spec, field: &Field) -> String {
 /// What a request does and needs.
 pub(super) fn request(command: &Command) -> String {
     let needs = words::requirements(&command.requires).map(|states| format!("The robot must be {states}."));
-    let versions = words::versions(&command.versions).map(|versions| format!("Known to firmware {versions}."));
-    join(&[&command.doc, &needs.unwrap_or_default(), &versions.unwrap_or_default()])
+    join(&[&command.doc, &needs.unwrap_or_default(), &words::known_to(command).unwrap_or_default()])
 }
 
 /// The values that only newer firmware takes.
