@@ -448,7 +448,7 @@ fn events_of_the_controller() {
 #[test]
 fn a_type_that_moves_takes_its_path_along() {
     let old = "[[type]]\nname = \"JogFrame\"\nkind = \"enum\"\ndoc = \"What a jog moves along or about.\"\n";
-    let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the robot's base, or of the selected user frame (vendor's manual). The document calls it the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";
+    let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the robot's base, or of the selected user frame (vendor's texts). The document calls it the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";
     let whole = format!("{old}{values}");
     let moved = format!("{whole}\n[[type]]\nname = \"Switch\"");
     check(

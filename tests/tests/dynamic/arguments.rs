@@ -54,7 +54,7 @@ fn each_field_is_an_argument() {
               Whether `pose` is a target or an offset, and along which axes an offset goes.
                 absolute = 0: The pose is the target.
                 relative = 1: The pose is an offset from the present one along the axes of the selected user frame.
-                relative-to-tool = 2: The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's manual). Taken by newer firmware only.
+                relative-to-tool = 2: The pose is an offset along the axes of the tool frame, on controllers from 1.5.13.09 on (vendor's texts). Taken by newer firmware only.
             --pose [X,Y,Z,RX,RY,RZ] [cartPosition, pose] []
               Target pose, or offset, of the tool centre point.
             --speed NUMBER [speed, speed] []
@@ -81,7 +81,7 @@ fn a_tag_says_which_arguments_there_are() {
                 absolute = 3: Moves to a position of the axis.
             --frame world|joint|tool [coord_map, frame] ["stop", "continuous", "increment", "absolute"]
               Frame of the motion to stop. With `continuous`: Frame of the motion.
-                world = 0: The axes of the robot's base, or of the selected user frame (vendor's manual).
+                world = 0: The axes of the robot's base, or of the selected user frame (vendor's texts).
                 joint = 1: A joint.
                 tool = 2: The axes of the tool frame.
             --axis INTEGER [jnum, axis] ["stop", "continuous", "increment", "absolute"]
