@@ -1,6 +1,7 @@
 //! Where an arm is, computed a second time: from the vendor's URDF files, by plain matrices, without jaka-motion.
 
 mod urdf;
+pub mod way;
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -16,6 +17,8 @@ pub type Frame = [[f64; 4]; 3];
 #[derive(Debug, Clone)]
 pub struct Witness {
     joints: [Joint; 6],
+    /// Where each joint is on the link before it, at its zero.
+    origins: [Frame; 6],
     flange: Frame,
 }
 
@@ -36,7 +39,7 @@ impl Witness {
         // The mesh of the S7's last link is turned half way against those of its sisters; a flange is not.
         let half_turn = if name == "S7" { -1.0 } else { 1.0 };
         let flange = [[half_turn, 0.0, 0.0, 0.0], [0.0, half_turn, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-        Self { joints, flange }
+        Self { joints, origins: origins(&joints), flange }
     }
 
     /// The arm without that noise: lengths in hundredths of a millimetre, and quarter turns.
@@ -58,18 +61,35 @@ impl Witness {
         if name == "Zu 7" {
             arm.joints[3][0] = 0.3035;
         }
+        arm.origins = origins(&arm.joints);
         arm
     }
 
     /// The flange in the arm's base for joint positions in degrees.
     pub fn flange(&self, joints: [f64; 6]) -> Frame {
-        let mut frame = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-        for ([x, y, z, roll, pitch, yaw, axis], position) in self.joints.into_iter().zip(joints) {
-            frame = product(frame, pose([x * 1e3, y * 1e3, z * 1e3], [roll, pitch, yaw]));
-            frame = product(frame, pose([0.0; 3], [0.0, 0.0, axis * position.to_radians()]));
-        }
-        product(frame, self.flange)
+        self.flange_of(&self.frames(joints))
     }
+
+    fn flange_of(&self, frames: &[Frame; 6]) -> Frame {
+        product(frames[5], self.flange)
+    }
+
+    /// The frames of the joints in the arm's base, with their axes along z, for joint positions in degrees.
+    pub fn frames(&self, joints: [f64; 6]) -> [Frame; 6] {
+        let mut frame = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        std::array::from_fn(|index| {
+            let (sin, cos) = (self.joints[index][6] * joints[index].to_radians()).sin_cos();
+            frame = product(frame, self.origins[index]);
+            for row in &mut frame {
+                (row[0], row[1]) = (row[0] * cos + row[1] * sin, row[1] * cos - row[0] * sin);
+            }
+            frame
+        })
+    }
+}
+
+fn origins(joints: &[Joint; 6]) -> [Frame; 6] {
+    joints.map(|[x, y, z, roll, pitch, yaw, _]| pose([x * 1e3, y * 1e3, z * 1e3], [roll, pitch, yaw]))
 }
 
 /// How far two frames are apart, in mm and degrees.
@@ -98,6 +118,82 @@ pub fn pose(place: [f64; 3], [roll, pitch, yaw]: [f64; 3]) -> Frame {
         row[3] = length;
     }
     frame
+}
+
+/// The joint positions near others that bring the flange to a frame, by Newton's method; none where it does not get there.
+pub fn inverse(arm: &Witness, target: Frame, near: [f64; 6]) -> Option<[f64; 6]> {
+    let mut joints = near;
+    for _ in 0..8 {
+        let frames = arm.frames(joints);
+        let here = arm.flange_of(&frames);
+        let off = off(here, target);
+        if off.iter().all(|off| off.abs() < 1e-7) {
+            return Some(joints);
+        }
+        // Each joint turns the flange about its axis.
+        let mut rows = [[0.0; 7]; 6];
+        for (index, frame) in frames.into_iter().enumerate() {
+            let axis = frame.map(|row| row[2] * arm.joints[index][6]);
+            let lever: [f64; 3] = std::array::from_fn(|row| here[row][3] - frame[row][3]);
+            let moved = [
+                axis[1] * lever[2] - axis[2] * lever[1],
+                axis[2] * lever[0] - axis[0] * lever[2],
+                axis[0] * lever[1] - axis[1] * lever[0],
+            ];
+            for row in 0..3 {
+                rows[row][index] = moved[row];
+                rows[row + 3][index] = axis[row] * TURN;
+            }
+        }
+        for (row, off) in rows.iter_mut().zip(off) {
+            row[6] = off;
+        }
+        let step = solved(rows)?;
+        if step.iter().any(|step| step.abs() > 1.0) {
+            return None;
+        }
+        for (joint, step) in joints.iter_mut().zip(step) {
+            *joint += step.to_degrees();
+        }
+    }
+    None
+}
+
+/// What a radian counts against a millimetre.
+const TURN: f64 = 1e3;
+
+/// How far one frame is from the other: mm, and radians times [`TURN`] about x, y and z.
+fn off(here: Frame, target: Frame) -> [f64; 6] {
+    let mut off = [0.0; 6];
+    for row in 0..3 {
+        off[row] = target[row][3] - here[row][3];
+    }
+    for column in 0..3 {
+        let (from, to) = (here.map(|row| row[column]), target.map(|row| row[column]));
+        off[3] += (from[1] * to[2] - from[2] * to[1]) / 2.0 * TURN;
+        off[4] += (from[2] * to[0] - from[0] * to[2]) / 2.0 * TURN;
+        off[5] += (from[0] * to[1] - from[1] * to[0]) / 2.0 * TURN;
+    }
+    off
+}
+
+/// Six equations, solved by elimination; none where they are not independent.
+fn solved(mut rows: [[f64; 7]; 6]) -> Option<[f64; 6]> {
+    for pivot in 0..6 {
+        let best = (pivot..6).max_by(|one, other| rows[*one][pivot].abs().total_cmp(&rows[*other][pivot].abs()))?;
+        rows.swap(pivot, best);
+        if rows[pivot][pivot].abs() < 1e-9 {
+            return None;
+        }
+        let from = rows[pivot];
+        for row in (0..6).filter(|row| *row != pivot) {
+            let factor = rows[row][pivot] / from[pivot];
+            for column in pivot..7 {
+                rows[row][column] -= factor * from[column];
+            }
+        }
+    }
+    Some(std::array::from_fn(|row| rows[row][6] / rows[row][row]))
 }
 
 /// One frame, seen from the other.

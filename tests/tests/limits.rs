@@ -1,5 +1,8 @@
 //! What a robot with limits sends, and what it keeps back: the witness is what the simulated controller received.
 
+mod random;
+mod ways;
+
 use std::time::Duration;
 
 use jaka_motion::{Frames, Limits, Model, Region, RegionFrame};

@@ -39,7 +39,7 @@ pub enum Explanation {
     SoftLimit,
     /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.
     #[cfg(feature = "motion")]
-    BeyondLimit(jaka_motion::Beyond),
+    BeyondLimit(Box<jaka_motion::Beyond>),
 }
 
 impl Explanation {

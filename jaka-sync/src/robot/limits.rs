@@ -174,7 +174,7 @@ impl<S: MotionStatus> Robot<S> {
     /// Why the controller may have refused a motion that was sent although it is beyond a limit.
     pub(super) fn limit_explanation(&self) -> Option<Explanation> {
         match self.limit_warning()?.kind() {
-            ErrorKind::BeyondLimit { beyond, .. } => Some(Explanation::BeyondLimit(beyond.clone())),
+            ErrorKind::BeyondLimit { beyond, .. } => Some(Explanation::BeyondLimit(Box::new(beyond.clone()))),
             _ => None,
         }
     }
