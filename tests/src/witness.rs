@@ -196,6 +196,18 @@ fn solved(mut rows: [[f64; 7]; 6]) -> Option<[f64; 6]> {
     Some(std::array::from_fn(|row| rows[row][6] / rows[row][row]))
 }
 
+/// The turns about the fixed axes x, then y, then z, in degrees, that [`pose`] makes a frame's rotation of.
+pub fn angles(frame: Frame) -> [f64; 3] {
+    let level = frame[0][0].hypot(frame[1][0]);
+    let pitch = (-frame[2][0]).atan2(level);
+    let (roll, yaw) = if level > 1e-9 {
+        (frame[2][1].atan2(frame[2][2]), frame[1][0].atan2(frame[0][0]))
+    } else {
+        (0.0, (-frame[0][1]).atan2(frame[1][1]))
+    };
+    [roll, pitch, yaw].map(f64::to_degrees)
+}
+
 /// One frame, seen from the other.
 pub fn product(one: Frame, other: Frame) -> Frame {
     one.map(|row| {

@@ -1,7 +1,9 @@
 //! What a robot with limits sends, and what it keeps back: the witness is what the simulated controller received.
 
+mod plain_controller;
 mod random;
 mod ways;
+mod wire;
 
 use std::time::Duration;
 
