@@ -6,6 +6,7 @@
 //! `self.robot.target(&packs)?`, with the packs of a `SpecArgs` or with none.
 
 mod call;
+mod check;
 mod completions;
 mod monitor;
 mod probe;
@@ -25,6 +26,7 @@ pub(crate) enum Command {
     Status(status::Status),
     Monitor(monitor::Monitor),
     Call(call::Call),
+    Check(check::Check),
     Probe(probe::Probe),
     Sim(sim::Sim),
     Record(record::Record),
@@ -40,6 +42,7 @@ impl Command {
             Self::Status(command) => command.run(),
             Self::Monitor(command) => command.run(),
             Self::Call(command) => command.run(),
+            Self::Check(command) => command.run(),
             Self::Probe(command) => command.run(),
             Self::Sim(command) => command.run(),
             Self::Record(command) => command.run(),

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
-use jaka_sync::Error;
+use jaka_sync::{Error, Verdict};
 
 use crate::failure::{Failure, chain};
 use crate::output;
@@ -24,6 +24,11 @@ pub(crate) const LOCAL: u8 = 6;
 /// `jaka probe` found a deviation from the spec, or clients of `jaka replay` deviated from the recording.
 pub(crate) const DEPARTS: u8 = 7;
 
+/// `jaka check` found something to look at.
+pub(crate) const LOOK: u8 = 8;
+/// `jaka check` found something wrong.
+pub(crate) const WRONG: u8 = 9;
+
 /// Prints a failure with its causes on standard error, and gives the exit code.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
     let code = match failure {
@@ -33,6 +38,8 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
         Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
         Failure::Differs(impact) => return ExitCode::from(difference(*impact)),
+        Failure::Found(Verdict::Wrong) => return ExitCode::from(WRONG),
+        Failure::Found(_) => return ExitCode::from(LOOK),
         Failure::OutputClosed => return ExitCode::SUCCESS,
     };
     output::tell(&chain(failure));

@@ -5,7 +5,7 @@ use std::fmt;
 use std::io::{self, ErrorKind};
 
 use jaka_spec::tools::Impact;
-use jaka_sync::{Explanation, Refusal};
+use jaka_sync::{Explanation, Refusal, Verdict};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -27,6 +27,8 @@ pub(crate) enum Failure {
     Departs(String),
     /// Two specs differ, and the exit code was asked to say by how much: the highest impact.
     Differs(Impact),
+    /// A check found something, which has been printed: the worst verdict.
+    Found(Verdict),
     /// Something on this machine.
     Local {
         /// What cannot be done, such as "cannot start the simulated controller".
@@ -74,6 +76,7 @@ impl fmt::Display for Failure {
             Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe code is not in the spec."),
             Self::Local { what, .. } => f.write_str(what),
             Self::Differs(impact) => write!(f, "the specs differ: {impact}"),
+            Self::Found(verdict) => write!(f, "the worst finding: {verdict}"),
             Self::OutputClosed => f.write_str("the output is closed"),
         }
     }

@@ -13,6 +13,7 @@ mod output;
 mod packed_status;
 mod packs;
 mod proxy;
+mod question;
 mod record;
 mod seconds;
 mod target;
@@ -49,6 +50,7 @@ Exit codes:
   6  something on this machine: a file, a port, the terminal
   7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
      recording
+  8, 9  `jaka check` found something to look at, or something wrong; also where no connection could be made
   10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most";
 
 /// Commands, status, live dashboard and simulated controller for JAKA robots.

@@ -11,7 +11,7 @@ use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::proto::wire::Decode;
 use jaka_sync::recording::Port;
-use jaka_sync::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
+use jaka_sync::{Client, Config, Monitor, Preflight, Reconnect, Recorder, StatusSampling, StatusStream};
 
 use self::address::RobotAddress;
 use self::environment::Environment;
@@ -180,6 +180,11 @@ impl Target {
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
         Ok(self.config.connect_client(&self.commands)?)
+    }
+
+    /// Connects to both ports, and looks at all that should be looked at before the robot is used.
+    pub(crate) fn preflight(&self) -> Preflight {
+        self.config.preflight_at(&self.commands, &self.status)
     }
 
     /// Connects to the status port, which serves any number of readers.

@@ -71,6 +71,7 @@ fn the_help_explains_exit_codes() {
           status       Print the robot's state, once or repeatedly
           monitor      Show the robot's state live in the terminal
           call         Send one command of the protocol, and print the reply
+          check        Look at a robot before it is used: ports, power, stops, frames, payload, rates; nothing is changed
           probe        Send a controller every query of the protocol, and report where its answers depart from the spec
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
@@ -106,6 +107,7 @@ fn the_help_explains_exit_codes() {
           6  something on this machine: a file, a port, the terminal
           7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
              recording
+          8, 9  `jaka check` found something to look at, or something wrong; also where no connection could be made
           10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
     "#]]
     .assert_eq(&help);

@@ -1,6 +1,7 @@
 //! All tests of the program, which is run as its users run it.
 
 mod call;
+mod check;
 mod common;
 mod guide;
 mod held_packets;

@@ -49,7 +49,8 @@ pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription}
 pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{
-    Explanation, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Path, Robot, RobotStop, StatusProblem, Target,
+    CheckItem, Explanation, Finding, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Path, Preflight, Robot,
+    RobotStop, StatusProblem, Target, Verdict,
 };
 #[cfg(feature = "motion")]
 pub use robot::{LimitPolicy, Unchecked};

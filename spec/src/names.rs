@@ -57,6 +57,7 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "peer_addr",
     "pipeline",
     "power_up",
+    "preflight",
     "reply_timeout",
     "run",
     "set_firmware",

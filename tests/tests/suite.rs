@@ -21,6 +21,7 @@ mod odd_status;
 mod old_status;
 mod packs;
 mod pipeline;
+mod preflight;
 mod properties;
 mod readme;
 mod recording;

@@ -1,6 +1,6 @@
 //! Asking before something happens to the robot.
 
-use std::io::{self, BufRead, IsTerminal, Write, stderr, stdin};
+use std::io::{IsTerminal, stdin};
 
 use jaka_spec::Effect;
 use jaka_spec::words::first_sentence;
@@ -12,6 +12,7 @@ use super::help;
 use super::options::Options;
 use super::request::Request;
 use crate::failure::Failure;
+use crate::question;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
 ///
@@ -34,12 +35,10 @@ pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> R
             effect(request)
         )));
     }
-    let question = question(request, title);
-    match ask(&question, &mut stdin().lock(), &mut stderr()) {
-        Ok(true) => Ok(()),
-        Ok(false) => Err(Failure::Usage(format!("`{}` was not sent", request.name))),
-        Err(error) => Err(Failure::local("cannot ask", error)),
+    if question::is_confirmed(&question(request, title))? {
+        return Ok(());
     }
+    Err(Failure::Usage(format!("`{}` was not sent", request.name)))
 }
 
 /// True for commands that are sent without a question: those that only read, that concern the connection alone, or that stop the arm,
@@ -62,15 +61,6 @@ fn question(request: &Request<'_>, title: &str) -> String {
     let about = request.command.map_or("", |command| first_sentence(&command.doc).0);
     let (sent, name) = (visible_json_line(&request.text), visible(&request.name));
     format!("To {title}:\n  {sent}\n`{name}` {}. {}\nSend it? [y/N] ", effect(request), visible(about))
-}
-
-/// True if the answer is yes.
-fn ask(question: &str, input: &mut impl BufRead, output: &mut impl Write) -> io::Result<bool> {
-    output.write_all(question.as_bytes())?;
-    output.flush()?;
-    let mut answer = String::new();
-    input.read_line(&mut answer)?;
-    Ok(matches!(answer.trim().to_ascii_lowercase().as_str(), "y" | "yes"))
 }
 
 #[cfg(test)]
@@ -115,16 +105,5 @@ mod tests {
             `power_off` switches power, brakes or the controller itself. Switches the arm's power off.
             Send it? [y/N] "#]]
         .assert_eq(&asked);
-    }
-
-    #[test]
-    fn only_a_yes_is_one() {
-        for (answer, expected) in
-            [("y\n", true), (" Yes \n", true), ("", false), ("\n", false), ("n\n", false), ("yy\n", false)]
-        {
-            let mut shown = Vec::new();
-            let found = ask("Send it? ", &mut answer.as_bytes(), &mut shown).expect("both are in memory");
-            assert_eq!((found, shown.as_slice()), (expected, b"Send it? ".as_slice()), "{answer:?}");
-        }
     }
 }

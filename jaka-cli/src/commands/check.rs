@@ -1,0 +1,101 @@
+//! `jaka check`: what to look at before a robot is used.
+
+use std::io::{IsTerminal, stdin};
+
+use clap::Args;
+use jaka_sync::{Finding, Preflight, Verdict};
+use serde_json::{Value, json};
+
+use crate::failure::Failure;
+use crate::output;
+use crate::question;
+use crate::target::RobotArgs;
+
+const EXAMPLES: &str = "\
+Examples:
+  jaka check -r 10.5.5.100
+  jaka check -r cell1 --yes --json > check.json
+  jaka check --sim --sim-powered
+
+The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing
+found\" is not \"safe\".";
+
+/// Look at a robot before it is used: ports, power, stops, frames, payload, rates; nothing is changed
+///
+/// Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do. Only reads: it sends queries, and
+/// reads status packets for a second. The command port serves one client: another program that is connected there may be
+/// disconnected, so this asks first.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Check {
+    /// Print one JSON object: `robot`, `verdict`, `findings`, `at_the_pendant` and `note`
+    #[arg(long)]
+    json: bool,
+    /// Connect to the command port without asking
+    #[arg(long, short)]
+    yes: bool,
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+impl Check {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let target = self.robot.target(&[])?;
+        if !self.yes && !self.robot.is_simulated() {
+            obtain_seat(target.title())?;
+        }
+        let preflight = target.preflight();
+        if self.json {
+            output::json(&format!("{:#}\n", as_json(target.title(), &preflight)))?;
+        } else {
+            output::lines(&format!("{preflight}\n"))?;
+        }
+        match preflight.verdict() {
+            Verdict::NothingFound => Ok(()),
+            worst => Err(Failure::Found(worst)),
+        }
+    }
+}
+
+/// Makes sure that the user wants this program to be the one client of the command port.
+fn obtain_seat(title: &str) -> Result<(), Failure> {
+    let refused = |why: &str| Failure::Usage(format!("nothing was checked: {why}"));
+    if !stdin().is_terminal() {
+        return Err(refused(
+            "another program that is connected to the command port may be disconnected, and there is no terminal to ask on; \
+             use --yes to check anyway",
+        ));
+    }
+    let question = format!(
+        "The command port of {title} serves one client. Another program that is connected there may be disconnected, and the \
+         arm may stop or go on as the controller is set (4.75).\nConnect? [y/N] "
+    );
+    if question::is_confirmed(&question)? { Ok(()) } else { Err(refused("the answer was not yes")) }
+}
+
+/// The shape that the README describes.
+fn as_json(robot: &str, preflight: &Preflight) -> Value {
+    let pendant = Preflight::AT_THE_PENDANT.iter().map(|(item, what)| json!({"item": key(item), "what": what}));
+    json!({
+        "robot": robot,
+        "jaka": env!("CARGO_PKG_VERSION"),
+        "verdict": key(&preflight.verdict()),
+        "findings": preflight.findings().iter().map(finding).collect::<Vec<_>>(),
+        "at_the_pendant": pendant.collect::<Vec<_>>(),
+        "note": Preflight::NOTE,
+    })
+}
+
+fn finding(finding: &Finding) -> Value {
+    json!({
+        "item": key(&finding.item()),
+        "verdict": key(&finding.verdict()),
+        "seen": finding.seen(),
+        "advice": finding.advice(),
+    })
+}
+
+/// A name in words as one word: `tool_frame`.
+fn key(name: &impl ToString) -> String {
+    name.to_string().replace(' ', "_")
+}

@@ -1,0 +1,182 @@
+//! What status packets tell, and how they come.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use jaka_proto::messages::status::RobotStatus;
+
+use super::finding::{CheckItem, Finding};
+use super::ports;
+use crate::robot::{MotionStatus, trouble};
+use crate::{Error, Monitor, MonitorStatistics, Severity, Snapshot};
+
+/// How long packets are counted.
+const WINDOW: Duration = Duration::from_secs(1);
+/// Packets in a second: they come each 30 ms on firmware 1.5.14, and each 50 or 100 ms elsewhere (field notes). A few may be late.
+const FEWEST: f64 = 8.0;
+
+const SLOW: &str = "check the network, and how often the controller sends (`get_port10000_delay_ms` on newer firmware)";
+
+/// Packets being counted.
+#[derive(Debug)]
+pub(super) struct Count<'m, S: MotionStatus> {
+    monitor: &'m Monitor<S>,
+    since: Instant,
+    before: MonitorStatistics,
+}
+
+impl<'m, S: MotionStatus> Count<'m, S> {
+    /// Waits for the first packet.
+    pub(super) fn begin(monitor: Result<&'m Monitor<S>, &Error>) -> Result<Self, Finding> {
+        let monitor = monitor.map_err(|error| ports::of_status(error, 0))?;
+        if let Err(error) = monitor.fresh_packet().or_else(|_| monitor.next_packet()) {
+            return Err(ports::of_status(&error, monitor.statistics().dropped_bytes));
+        }
+        Ok(Self { monitor, since: Instant::now(), before: monitor.statistics() })
+    }
+
+    /// Counts to the end, and returns the newest packet.
+    pub(super) fn end(self, findings: &mut Vec<Finding>) -> Result<Option<Arc<Snapshot>>, Finding> {
+        let left = WINDOW.saturating_sub(self.since.elapsed());
+        let ended = self.monitor.watch(left, |_| None::<()>);
+        let (elapsed, after) = (self.since.elapsed(), self.monitor.statistics());
+        ended.map_err(|error| ports::of_status(&error, 0))?;
+        let newest = self.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
+        let newest = newest.ok_or_else(|| no_packet(CheckItem::StatusPort))?;
+        findings.push(Finding::nothing(CheckItem::StatusPort, "packets come"));
+        findings.push(rate(after.packets.saturating_sub(self.before.packets), elapsed));
+        findings.push(form(&newest, after.dropped_bytes.saturating_sub(self.before.dropped_bytes)));
+        Ok(Some(newest))
+    }
+}
+
+/// What the packet itself tells; what no query of the document does.
+pub(super) fn read(packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
+    findings.push(shown(CheckItem::EmergencyStop, packet, |packet| packet.emergency_stop, emergency_stop));
+    findings.push(shown(CheckItem::Event, packet, |packet| packet.error_code.as_deref().map(|_| packet), event));
+    findings.push(shown(CheckItem::RapidRate, packet, |packet| packet.rapid_rate, rapid_rate));
+    findings.push(shown(CheckItem::SoftLimit, packet, |packet| packet.on_soft_limit, soft_limit));
+}
+
+/// The finding about an item that the packet does not show, if there is one.
+pub(super) fn not_shown(item: CheckItem, packet: Option<&RobotStatus>) -> Finding {
+    match packet {
+        Some(_) => Finding::not_checked(item, "status packets do not show it"),
+        None => no_packet(item),
+    }
+}
+
+pub(super) fn no_packet(item: CheckItem) -> Finding {
+    Finding::not_checked(item, "there is no status packet")
+}
+
+fn shown<'p, T>(
+    item: CheckItem,
+    packet: Option<&'p RobotStatus>,
+    field: impl FnOnce(&'p RobotStatus) -> Option<T>,
+    judge: impl FnOnce(T) -> Finding,
+) -> Finding {
+    packet.and_then(field).map_or_else(|| not_shown(item, packet), judge)
+}
+
+fn emergency_stop(is_pressed: bool) -> Finding {
+    if is_pressed {
+        let advice = "release it when nobody is at the arm, and enable the arm";
+        return Finding::wrong(CheckItem::EmergencyStop, "the emergency stop is pressed", advice);
+    }
+    Finding::nothing(CheckItem::EmergencyStop, "not pressed")
+}
+
+/// An event is not always an error, and may be over.
+fn event(packet: &RobotStatus) -> Finding {
+    const ITEM: CheckItem = CheckItem::Event;
+    let message = packet.error_message.as_deref().filter(|message| !message.is_empty());
+    let with_message = |event: String| message.map_or(event.clone(), |message| format!("{event}, {message:?}"));
+    match packet.event() {
+        Ok(None) => Finding::nothing(ITEM, "none"),
+        Err(error) => Finding::look(ITEM, with_message(error.to_string()), "look at the pendant"),
+        Ok(Some(event)) => {
+            let seen = with_message(event.to_string());
+            match event.severity() {
+                Severity::Information => Finding::nothing(ITEM, seen),
+                Severity::Error => Finding::wrong(
+                    ITEM,
+                    seen,
+                    "remove its cause: the pendant and the vendor's table of events explain it",
+                ),
+                _ => Finding::look(ITEM, seen, "look it up in the vendor's table of events, or at the pendant"),
+            }
+        }
+    }
+}
+
+fn rapid_rate(rate: f64) -> Finding {
+    const ITEM: CheckItem = CheckItem::RapidRate;
+    let seen = format!("{rate} of 1");
+    if rate == 0.0 {
+        return Finding::wrong(ITEM, seen, "no motion moves the arm: set it with `set_rapid_rate`");
+    }
+    if (rate - 1.0).abs() < f64::EPSILON {
+        return Finding::nothing(ITEM, seen);
+    }
+    Finding::look(ITEM, seen, "motions have another speed than they ask for: set it with `set_rapid_rate`")
+}
+
+fn soft_limit(flag: i64) -> Finding {
+    if flag == 0 {
+        return Finding::nothing(CheckItem::SoftLimit, "not hit");
+    }
+    let advice = "look which joint it is, and jog it back";
+    Finding::look(CheckItem::SoftLimit, format!("hit (`on_soft_limit` is {flag})"), advice)
+}
+
+fn rate(packets: u64, elapsed: Duration) -> Finding {
+    #[expect(clippy::cast_precision_loss, reason = "there are not so many packets in a second")]
+    let rate = packets as f64 / elapsed.as_secs_f64();
+    let seen = format!("{rate:.0} packets in a second");
+    if rate >= FEWEST {
+        return Finding::nothing(CheckItem::StatusRate, seen);
+    }
+    Finding::look(CheckItem::StatusRate, format!("{seen}; 10 to 33 are usual"), SLOW)
+}
+
+/// What of the packet is missing or cannot be read, and what came between packets.
+fn form(newest: &Snapshot, dropped: u64) -> Finding {
+    const ITEM: CheckItem = CheckItem::StatusPackets;
+    const PROBE: &str = "`jaka probe` compares the packet with the spec";
+    let mut seen: Vec<_> = newest.unfit.iter().map(|unfit| format!("cannot be read: {unfit}")).collect();
+    let missing: Vec<_> = missing(newest);
+    if !missing.is_empty() {
+        seen.push(format!("missing: {}", missing.join(", ")));
+    }
+    if dropped > 0 {
+        seen.push(format!("{dropped} bytes came that are not a packet"));
+    }
+    let seen = seen.join("; ");
+    if trouble::unreadable(newest).is_some() {
+        let advice = format!("a `Robot` refuses motions while it cannot tell whether the arm is stopped: {PROBE}");
+        return Finding::wrong(ITEM, seen, &advice);
+    }
+    if seen.is_empty() { Finding::nothing(ITEM, "whole") } else { Finding::look(ITEM, seen, PROBE) }
+}
+
+/// The fields by which a robot tells how a motion goes, and those of this check, that the packet neither has nor has in another form.
+fn missing(newest: &Snapshot) -> Vec<&'static str> {
+    let status = &newest.status;
+    let fields = [
+        ("error_code", status.error_code.is_some()),
+        ("joint_actual_position", status.joint_actual_position.is_some()),
+        ("actual_position", status.actual_position.is_some()),
+        ("enabled", status.enabled.is_some()),
+        ("rapid_rate", status.rapid_rate.is_some()),
+        ("current_tool_id", status.current_tool_id.is_some()),
+        ("current_user_frame_id", status.current_user_frame_id.is_some()),
+        ("on_soft_limit", status.on_soft_limit.is_some()),
+        ("emergency_stop", status.emergency_stop.is_some()),
+        ("powered_on", status.powered_on.is_some()),
+        ("in_position", status.in_position.is_some()),
+        ("protective_stop", status.protective_stop.is_some()),
+    ];
+    let missing = fields.into_iter().filter(|(field, is_there)| !is_there && !newest.is_unfit(field));
+    missing.map(|(field, _)| field).collect()
+}

@@ -1,0 +1,84 @@
+//! A check before a robot is used: what it sends, and what it says if it cannot read. `jaka-cli/tests/check` has what it finds.
+
+use std::time::Duration;
+
+use jaka_sim::{Controller, Delays, Fault, Firmware};
+use jaka_spec::Effect;
+use jaka_sync::{CheckItem, Config, Preflight, Robot, Verdict};
+use jaka_tests::spec;
+use serde_json::Value;
+
+fn healthy(firmware: Firmware) -> Controller {
+    let controller =
+        Controller::builder().firmware(firmware).delays(Delays::NONE).start().expect("loopback has free ports");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    controller
+}
+
+fn connect(controller: &Controller) -> Robot {
+    let config = Config::new().reply_timeout(Duration::from_secs(1));
+    config.connect_robot_at(controller.command_addr(), controller.status_addr()).expect("the controller listens")
+}
+
+/// The items with this verdict. How fast replies come depends on this machine.
+fn with(preflight: &Preflight, verdict: Verdict) -> Vec<CheckItem> {
+    let findings = preflight.findings().iter().filter(|finding| finding.verdict() == verdict);
+    findings.map(jaka_sync::Finding::item).filter(|item| *item != CheckItem::RoundTrip).collect()
+}
+
+#[test]
+fn a_check_sends_queries_alone_and_changes_nothing() {
+    let spec = spec();
+    for firmware in Firmware::ALL {
+        let controller = healthy(*firmware);
+        controller.set_state(|state| (state.tool_frame_id, state.user_frame_id) = (2, 2));
+        let before = controller.state();
+        let preflight = connect(&controller).preflight();
+        assert_eq!(with(&preflight, Verdict::Wrong), [], "{firmware:?}: {preflight}");
+        assert_eq!(with(&preflight, Verdict::Look), [], "{firmware:?}: {preflight}");
+        assert_eq!(controller.state(), before);
+        for request in controller.requests() {
+            let json: Value = serde_json::from_str(&request).expect("requests are JSON");
+            let command = json["cmdName"].as_str().and_then(|name| spec.command(name)).expect("the spec has it");
+            assert_eq!(command.effect, Effect::Query, "{request}");
+        }
+    }
+}
+
+#[test]
+fn each_item_has_one_finding_and_what_is_found_has_advice() {
+    let controller = healthy(Firmware::default());
+    controller.cut_power();
+    let preflight = connect(&controller).preflight();
+    let items: Vec<_> = preflight.findings().iter().map(jaka_sync::Finding::item).collect();
+    assert!(items.is_sorted_by(|before, after| before < after), "{items:?}");
+    assert_eq!(items.first().zip(items.last()), Some((&CheckItem::CommandPort, &CheckItem::RoundTrip)));
+    for finding in preflight.findings() {
+        assert_eq!(finding.advice().is_some(), finding.verdict() >= Verdict::Look, "{finding}");
+    }
+    assert!(preflight.verdict() >= Verdict::Look);
+    assert!(preflight.to_string().contains("\"Nothing found\" is not \"safe\""));
+}
+
+#[test]
+fn after_two_queries_without_a_reply_the_rest_is_not_asked() {
+    let controller = healthy(Firmware::default());
+    controller.inject_for("is_in_servomove", Fault::Drop);
+    controller.inject_for("drag_status", Fault::Drop);
+    let preflight = connect(&controller).preflight();
+    assert_eq!(with(&preflight, Verdict::Look), [CheckItem::ServoMode, CheckItem::DragMode], "{preflight}");
+    let not_asked = [CheckItem::Program, CheckItem::Payload, CheckItem::CollisionLevel];
+    assert_eq!(with(&preflight, Verdict::NotChecked), not_asked, "{preflight}");
+    assert!(controller.requests().last().is_some_and(|last| last.contains("drag_status")));
+}
+
+#[test]
+fn a_robot_whose_connections_are_broken_is_checked_at_once() {
+    let controller = healthy(Firmware::default());
+    let mut robot = connect(&controller);
+    robot.monitor().wait_until(|_| true, Duration::from_secs(60)).expect("packets come");
+    controller.disconnect();
+    let preflight = robot.preflight();
+    assert_eq!(with(&preflight, Verdict::Wrong), [CheckItem::CommandPort, CheckItem::StatusPort], "{preflight}");
+    assert_eq!(with(&preflight, Verdict::NothingFound), [], "{preflight}");
+}
