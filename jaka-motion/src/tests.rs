@@ -6,6 +6,7 @@ mod conventions;
 mod differences;
 mod fit;
 mod hostile;
+mod place;
 mod polish;
 mod round_trip;
 mod singular;

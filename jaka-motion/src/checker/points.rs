@@ -22,7 +22,8 @@ pub(super) struct Course {
 impl Checker {
     /// Joint ranges and regions.
     pub(super) fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
-        self.within_ranges(joints, joints)?;
+        // No start is beyond the ranges: a place is not a motion that leads back.
+        self.within_ranges(joints, self.limits.joint_min())?;
         let reached = |point| self.beyond_regions(point, None, &self.point(point, joints), 0.0);
         POINTS.into_iter().try_for_each(|point| reached(point).map(|_| ()))
     }
