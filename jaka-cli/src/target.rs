@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, Model};
+use jaka_sync::jaka_motion::Limits;
 use jaka_sync::proto::wire::Decode;
 use jaka_sync::recording::Port;
 use jaka_sync::{Client, Config, Monitor, Preflight, Reconnect, Recorder, StatusSampling, StatusStream};
@@ -183,8 +184,11 @@ impl Target {
     }
 
     /// Connects to both ports, and looks at all that should be looked at before the robot is used.
-    pub(crate) fn preflight(&self) -> Preflight {
-        self.config.preflight_at(&self.commands, &self.status)
+    pub(crate) fn preflight(&self, limits: Option<&Limits>) -> Preflight {
+        match limits {
+            Some(limits) => self.config.preflight_with_limits(&self.commands, &self.status, limits),
+            None => self.config.preflight_at(&self.commands, &self.status),
+        }
     }
 
     /// Connects to the status port, which serves any number of readers.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
+mod arm;
 mod ports;
 mod states;
 
@@ -56,9 +57,12 @@ fn without_ports(text: &str) -> String {
 fn assert_found(fault: impl FnOnce(&Controller), expected: &Expect) {
     let controller = healthy();
     fault(&controller);
-    let report = check(&controller, &["--yes", "--json"]);
-    expected.assert_eq(&found(&report));
-    assert_code(&report);
+    assert_report(&check(&controller, &["--yes", "--json"]), expected);
+}
+
+fn assert_report(report: &Run, expected: &Expect) {
+    expected.assert_eq(&found(report));
+    assert_code(report);
 }
 
 /// The exit code is that of the worst verdict.
@@ -106,6 +110,9 @@ fn nothing_is_found_on_a_healthy_arm() {
         status packets   nothing found  whole
         status rate      nothing found  RATE
         round trip       nothing found  TIMES
+        model            nothing found  poses are those of Zu 5, Pro 5, S5, C5
+        DH parameters    nothing found  those of a Zu 5, or near them
+        limits           nothing found  the arm is within those of Zu 5, Pro 5, S5, C5
 
         Look at the pendant for what no query tells:
         remote control     whether the controller takes motions from this program
@@ -125,7 +132,7 @@ fn the_report_in_json_has_one_shape() {
     let mut report: Value = serde_json::from_str(&report.out).expect("it is JSON");
     let findings = report["findings"].take();
     let items: Vec<_> = findings.as_array().expect("it is one").iter().map(|finding| finding["item"].clone()).collect();
-    expect![[r#"["command_port","status_port","firmware","power","enabled","emergency_stop","protective_stop","event","servo_mode","drag_mode","program","tool_frame","user_frame","payload","rapid_rate","collision_level","soft_limit","status_packets","status_rate","round_trip"]"#]].assert_eq(&json!(items).to_string());
+    expect![[r#"["command_port","status_port","firmware","power","enabled","emergency_stop","protective_stop","event","servo_mode","drag_mode","program","tool_frame","user_frame","payload","rapid_rate","collision_level","soft_limit","status_packets","status_rate","round_trip","model","dh_parameters","limits"]"#]].assert_eq(&json!(items).to_string());
     expect![[r#"
         {
           "advice": null,
@@ -190,9 +197,10 @@ fn a_simulated_arm_needs_no_consent() {
 fn the_help_has_an_example() {
     let (help, _, code) = output(&mut crate::common::jaka(&["check", "--help"]));
     assert_eq!(code, Some(0));
+    assert!(help.contains("Examples:\n  jaka check -r 10.5.5.100\n"), "{help}");
     let help = help.split("Robot:").next().unwrap_or_default();
     expect![[r#"
-        Look at a robot before it is used: ports, power, stops, frames, payload, rates; nothing is changed
+        Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
 
         Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do. Only reads: it sends queries, and reads status packets for a second. The command port serves one client: another program that is connected there may be disconnected, so this asks first.
 
@@ -201,6 +209,9 @@ fn the_help_has_an_example() {
         Options:
               --json
                   Print one JSON object: `robot`, `verdict`, `findings`, `at_the_pendant` and `note`
+
+              --model <NAME>
+                  The arm's model, such as zu5 [default: whichever published one agrees with the controller]
 
           -y, --yes
                   Connect to the command port without asking

@@ -71,7 +71,7 @@ fn the_help_explains_exit_codes() {
           status       Print the robot's state, once or repeatedly
           monitor      Show the robot's state live in the terminal
           call         Send one command of the protocol, and print the reply
-          check        Look at a robot before it is used: ports, power, stops, frames, payload, rates; nothing is changed
+          check        Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
           probe        Send a controller every query of the protocol, and report where its answers depart from the spec
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted

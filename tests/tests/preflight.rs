@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, Delays, Fault, Firmware};
 use jaka_spec::Effect;
+use jaka_sync::jaka_motion::{Limits, Model, Region};
 use jaka_sync::{CheckItem, Config, Preflight, Robot, Verdict};
 use jaka_tests::spec;
 use serde_json::Value;
@@ -52,7 +53,7 @@ fn each_item_has_one_finding_and_what_is_found_has_advice() {
     let preflight = connect(&controller).preflight();
     let items: Vec<_> = preflight.findings().iter().map(jaka_sync::Finding::item).collect();
     assert!(items.is_sorted_by(|before, after| before < after), "{items:?}");
-    assert_eq!(items.first().zip(items.last()), Some((&CheckItem::CommandPort, &CheckItem::RoundTrip)));
+    assert_eq!(items.first().zip(items.last()), Some((&CheckItem::CommandPort, &CheckItem::Limits)));
     for finding in preflight.findings() {
         assert_eq!(finding.advice().is_some(), finding.verdict() >= Verdict::Look, "{finding}");
     }
@@ -70,6 +71,22 @@ fn after_two_queries_without_a_reply_the_rest_is_not_asked() {
     let not_asked = [CheckItem::Program, CheckItem::Payload, CheckItem::CollisionLevel];
     assert_eq!(with(&preflight, Verdict::NotChecked), not_asked, "{preflight}");
     assert!(controller.requests().last().is_some_and(|last| last.contains("drag_status")));
+}
+
+#[test]
+fn a_robot_with_limits_is_compared_with_these() {
+    let controller = healthy(Firmware::default());
+    let high = Region::half_space("gantry", [0.0, 0.0, 2500.0], [0.0, 0.0, 1.0]).expect("it has a direction");
+    let limits =
+        Limits::of(Model::named("Zu 5").expect("a published arm")).with_region(high).expect("it is the only one");
+    let preflight = connect(&controller).with_limits(limits).expect("the model agrees").preflight();
+    let limits = preflight.findings().iter().find(|finding| finding.item() == CheckItem::Limits).expect("it has one");
+    assert_eq!(limits.verdict(), Verdict::Look);
+    assert!(limits.seen().contains("beyond `gantry` (Zu 5)"), "{limits}");
+    assert_eq!(with(&preflight, Verdict::Look), [CheckItem::Limits], "{preflight}");
+    // Without the robot's limits, the published ones count.
+    let preflight = connect(&controller).preflight();
+    assert_eq!(with(&preflight, Verdict::Look), [], "{preflight}");
 }
 
 #[test]

@@ -3,24 +3,25 @@
 use std::io::{IsTerminal, stdin};
 
 use clap::Args;
+use jaka_sync::jaka_motion::{Limits, Model};
 use jaka_sync::{Finding, Preflight, Verdict};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::output;
 use crate::question;
-use crate::target::RobotArgs;
+use crate::target::{RobotArgs, model};
 
 const EXAMPLES: &str = "\
 Examples:
   jaka check -r 10.5.5.100
-  jaka check -r cell1 --yes --json > check.json
+  jaka check -r cell1 --model zu5 --yes --json > check.json
   jaka check --sim --sim-powered
 
 The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing
 found\" is not \"safe\".";
 
-/// Look at a robot before it is used: ports, power, stops, frames, payload, rates; nothing is changed
+/// Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
 ///
 /// Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do. Only reads: it sends queries, and
 /// reads status packets for a second. The command port serves one client: another program that is connected there may be
@@ -31,6 +32,9 @@ pub(crate) struct Check {
     /// Print one JSON object: `robot`, `verdict`, `findings`, `at_the_pendant` and `note`
     #[arg(long)]
     json: bool,
+    /// The arm's model, such as zu5 [default: whichever published one agrees with the controller]
+    #[arg(long, value_name = "NAME", value_parser = model)]
+    model: Option<&'static Model>,
     /// Connect to the command port without asking
     #[arg(long, short)]
     yes: bool,
@@ -44,7 +48,7 @@ impl Check {
         if !self.yes && !self.robot.is_simulated() {
             obtain_seat(target.title())?;
         }
-        let preflight = target.preflight();
+        let preflight = target.preflight(self.model.map(Limits::of).as_ref());
         if self.json {
             output::json(&format!("{:#}\n", as_json(target.title(), &preflight)))?;
         } else {
@@ -97,5 +101,5 @@ fn finding(finding: &Finding) -> Value {
 
 /// A name in words as one word: `tool_frame`.
 fn key(name: &impl ToString) -> String {
-    name.to_string().replace(' ', "_")
+    name.to_string().to_lowercase().replace(' ', "_")
 }

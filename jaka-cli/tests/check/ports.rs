@@ -8,7 +8,7 @@ use expect_test::{Expect, expect};
 use jaka_sim::{Controller, Delays, Fault, StatusFault, Takeover};
 use jaka_tests::ReservedPort;
 
-use super::{assert_code, assert_found, found, healthy, make_ready};
+use super::{assert_found, assert_report, healthy, make_ready};
 use crate::program::jaka;
 
 /// Checks what is at these ports.
@@ -16,8 +16,7 @@ fn assert_at(commands: SocketAddr, status: SocketAddr, expected: &Expect) {
     let [commands, status] = [commands, status].map(|address| address.port().to_string());
     let words = ["check", "--yes", "--json", "--timeout", "2", "--robot", "127.0.0.1"];
     let report = jaka(words.into_iter().chain(["--command-port", &commands, "--status-port", &status]));
-    expected.assert_eq(&found(&report));
-    assert_code(&report);
+    assert_report(&report, expected);
 }
 
 #[test]
@@ -137,7 +136,7 @@ fn packets_that_are_none() {
         controller.command_addr(),
         controller.status_addr(),
         &expect![[r#"
-            status_port: wrong: no status packet within 2s; 1196 bytes came that are not a packet
+            status_port: wrong: no status packet within 2s; 1014 bytes came that are not a packet
               check the address and the port: something else may listen there, or a controller that expects TLS
         "#]],
     );

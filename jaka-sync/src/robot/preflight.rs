@@ -1,5 +1,7 @@
 //! What keeps a robot from being used, and what somebody should look at first: read, and never changed.
 
+#[cfg_attr(not(feature = "motion"), path = "preflight/no_arm.rs")]
+mod arm;
 mod commands;
 mod finding;
 mod packets;
@@ -11,6 +13,7 @@ use std::fmt::{self, Display};
 
 use jaka_proto::messages::status::RobotStatus;
 
+use self::arm::Expected;
 use self::commands::Commands;
 pub use self::finding::{CheckItem, Finding, Verdict};
 use self::packets::Count;
@@ -49,11 +52,16 @@ impl Preflight {
         self.findings.iter().map(Finding::verdict).max().unwrap_or(Verdict::NotChecked)
     }
 
-    fn read<S: MotionStatus>(client: Result<&mut Client, &Error>, monitor: Result<&Monitor<S>, &Error>) -> Self {
+    fn read<S: MotionStatus>(
+        client: Result<&mut Client, &Error>,
+        monitor: Result<&Monitor<S>, &Error>,
+        expected: &Expected,
+    ) -> Self {
         let mut findings = Vec::new();
         let count = Count::begin(monitor);
         let mut commands = Commands::open(client, &mut findings);
         findings.push(round_trip::measure(&mut commands));
+        arm::read(expected, &mut commands, &mut findings);
         let packet = count.and_then(|count| count.end(&mut findings)).unwrap_or_else(|port| {
             findings.push(port);
             findings.extend([CheckItem::StatusPackets, CheckItem::StatusRate].map(packets::no_packet));
@@ -88,6 +96,9 @@ impl<S: MotionStatus> Robot<S> {
     /// Reads what could keep the robot from being used, or should be looked at before: ports, firmware, power, stops, events, frames,
     /// payload, rates, and how fast packets and replies come. Takes some two seconds; nothing is changed on the controller.
     ///
+    /// With the feature `motion` also the arm's model, which is that of its limits or else any published one, compared with what
+    /// the controller computes (`kine_forward`, which moves nothing), and where the arm is against the limits.
+    ///
     /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries one after the other,
     /// the rest of what it tells is [not checked](Verdict::NotChecked).
     ///
@@ -105,7 +116,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn preflight(&mut self) -> Preflight {
-        Preflight::read(Ok(&mut self.client), Ok(&self.monitor))
+        let expected = self.expected();
+        Preflight::read(Ok(&mut self.client), Ok(&self.monitor), &expected)
     }
 }
 
@@ -115,8 +127,23 @@ impl Config {
     ///
     /// The command port serves one client: another program that is connected there may be disconnected.
     pub fn preflight_at(&self, commands: impl Display, status: impl Display) -> Preflight {
+        self.preflight_expecting(&commands.to_string(), &status.to_string(), &Expected::default())
+    }
+
+    /// The same for an arm that should be the model of these limits, and within them.
+    #[cfg(feature = "motion")]
+    pub fn preflight_with_limits(
+        &self,
+        commands: impl Display,
+        status: impl Display,
+        limits: &jaka_motion::Limits,
+    ) -> Preflight {
+        self.preflight_expecting(&commands.to_string(), &status.to_string(), &Expected(Some(limits.clone())))
+    }
+
+    fn preflight_expecting(&self, commands: &str, status: &str, expected: &Expected) -> Preflight {
         let monitor = self.connect_monitor::<RobotStatus>(status);
         let mut client = self.connect_client(commands);
-        Preflight::read(client.as_mut().map_err(|error| &*error), monitor.as_ref())
+        Preflight::read(client.as_mut().map_err(|error| &*error), monitor.as_ref(), expected)
     }
 }

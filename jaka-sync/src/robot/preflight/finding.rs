@@ -48,6 +48,15 @@ pub enum CheckItem {
     StatusRate,
     /// How long queries take (`get_joint_pos`, 4.49).
     RoundTrip,
+    /// The arm's model, compared with what the controller computes (`kine_forward`, 4.46).
+    #[cfg(feature = "motion")]
+    Model,
+    /// The controller's own Denavit-Hartenberg parameters (`get_dh_param`, 4.82), compared with the model's.
+    #[cfg(feature = "motion")]
+    DhParameters,
+    /// Where the arm is against its limits.
+    #[cfg(feature = "motion")]
+    Limits,
 }
 
 /// In words, such as `tool frame`.
@@ -74,6 +83,12 @@ impl fmt::Display for CheckItem {
             Self::StatusPackets => "status packets",
             Self::StatusRate => "status rate",
             Self::RoundTrip => "round trip",
+            #[cfg(feature = "motion")]
+            Self::Model => "model",
+            #[cfg(feature = "motion")]
+            Self::DhParameters => "DH parameters",
+            #[cfg(feature = "motion")]
+            Self::Limits => "limits",
         })
     }
 }

@@ -1,0 +1,116 @@
+//! The arm's model, and where the arm is against limits.
+
+use expect_test::{Expect, expect};
+use jaka_sim::{Controller, Delays, Fault, Model};
+use jaka_sync::jaka_motion::proto::messages::kinematics::GetDhParamReply;
+
+use super::{assert_found, assert_report, check, healthy, make_ready};
+
+fn zu5() -> &'static Model {
+    Model::named("Zu 5").expect("a published arm")
+}
+
+/// The arm of a controller that answers this.
+fn controller(model: Model) -> Controller {
+    let controller = Controller::builder().model(model).delays(Delays::NONE).start().expect("loopback has free ports");
+    make_ready(&controller);
+    controller
+}
+
+/// What a Zu 5 answers to `get_dh_param`, with the forearm longer by so much.
+fn longer_by(mm: f64) -> GetDhParamReply {
+    let mut reply = healthy().state().dh_parameters;
+    reply.a[3] += mm;
+    reply
+}
+
+fn assert_model(controller: &Controller, name: &str, expected: &Expect) {
+    assert_report(&check(controller, &["--yes", "--json", "--model", name]), expected);
+}
+
+#[test]
+fn a_model_that_is_named() {
+    assert_model(&healthy(), "zu5", &expect![[r#""#]]);
+    assert_model(
+        &healthy(),
+        "zu7",
+        &expect![[r#"
+            model: wrong: this is not a Zu 7: poses differ by up to 159.6 mm and 0.000 deg, more than 0.5 mm or 0.01 deg
+              look at the arm's name plate: limits of another model do not fit this arm
+        "#]],
+    );
+}
+
+#[test]
+fn a_calibrated_arm() {
+    let calibrated = controller(zu5().with_dh(&longer_by(3.0)).expect("it is near"));
+    assert_report(
+        &check(&calibrated, &["--yes", "--json"]),
+        &expect![[r#"
+            model: look: a Zu 5, with parameters of its own: the published ones are too far off
+              make its model of `get_dh_param`, by `Model::with_dh`
+        "#]],
+    );
+    assert_model(
+        &calibrated,
+        "zu5",
+        &expect![[r#"
+            model: look: a Zu 5, with parameters of its own: the published ones are too far off
+              make its model of `get_dh_param`, by `Model::with_dh`
+        "#]],
+    );
+}
+
+#[test]
+fn every_published_arm_is_known_again() {
+    for name in ["Zu 12", "MiniCobo"] {
+        let arm = controller(Model::named(name).expect("a published arm").clone());
+        let report = check(&arm, &["--yes"]);
+        let model = report.out.lines().find(|line| line.starts_with("model")).unwrap_or_default();
+        assert!(model.contains("nothing found") && model.contains(name), "{}", report.text());
+    }
+}
+
+#[test]
+fn other_parameters_than_those_of_the_poses() {
+    assert_found(
+        |controller| controller.set_state(|state| state.dh_parameters = longer_by(40.0)),
+        &expect![[r#"
+            dh_parameters: look: DH parameter a of joint 4 is 408.5 mm; that of the Zu 5 is 368.5 mm
+              no source says how a controller means them: what counts is that the model agrees with its poses
+        "#]],
+    );
+}
+
+#[test]
+fn an_arm_beyond_its_limits() {
+    let beyond = [0.0, 90.0, 176.5, 90.0, -90.0, 0.0];
+    assert_found(
+        |controller| controller.set_state(|state| state.joint_position = beyond.into()),
+        &expect![[r#"
+            limits: look: joint 3 is at 176.5 deg; limit 175 (Zu 5)
+              lead it back, by a motion that goes no further out, or at the pendant
+        "#]],
+    );
+}
+
+#[test]
+fn poses_that_the_controller_does_not_compute() {
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call kine_forward failed", "cmdName": "kine_forward"}"#;
+    let refuse = |times: usize| {
+        move |controller: &Controller| {
+            for _ in 0..times {
+                controller.inject_for("kine_forward", Fault::Instead(refusal.to_vec()));
+            }
+        }
+    };
+    // Positions beyond the ranges of its arm may be refused: those of another model are asked for then.
+    assert_found(refuse(1), &expect![[r#""#]]);
+    assert_found(
+        refuse(2),
+        &expect![[r#"
+        model: look: the controller refused `kine_forward` with code 2: call kine_forward failed
+          look at it at the pendant: this controller does not answer the query
+    "#]],
+    );
+}
