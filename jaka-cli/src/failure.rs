@@ -21,7 +21,7 @@ pub(crate) enum Failure {
         /// What the code means, where the spec knows it.
         meaning: Option<String>,
         /// Why it did, as far as the robot's status shows.
-        explanation: Option<Explanation>,
+        explanation: Option<Box<Explanation>>,
     },
     /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
     Departs(String),

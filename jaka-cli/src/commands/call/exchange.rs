@@ -69,7 +69,7 @@ fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
     let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
     // Without a status, the refusal has no explanation.
     let status = target.status_stream().ok().and_then(|mut stream| stream.newest_packet().ok());
-    let explanation = Explanation::of(&refusal, status.as_ref());
+    let explanation = Explanation::of(&refusal, status.as_ref()).map(Box::new);
     Failure::Refused { refusal, meaning, explanation }
 }
 

@@ -41,7 +41,7 @@ pub(super) fn read(expected: &Expected, commands: &mut Commands<'_>, findings: &
 
 /// The model that the arm should be.
 fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Finding, Vec<Agreeing>) {
-    let pairs = match poses(limits.model().positions_to_compare(), commands) {
+    let pairs = match poses(&limits.model().positions_to_compare(), commands) {
         Ok(pairs) => pairs,
         Err(failed) => return (failed, Vec::new()),
     };
@@ -112,7 +112,7 @@ fn answered(commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
         if asked.contains(&positions) {
             continue;
         }
-        match poses(positions, commands) {
+        match poses(&positions, commands) {
             Ok(pairs) => return Ok(pairs),
             Err(finding) => failed = failed.or(Some(finding)),
         }
@@ -121,9 +121,9 @@ fn answered(commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
     Err(failed.unwrap_or_else(|| Finding::not_checked(CheckItem::Model, "there is no model")))
 }
 
-fn poses(positions: [JointPosition; 12], commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
+fn poses(positions: &[JointPosition; 12], commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
     let pose = |joints| Ok((joints, commands.ask(CheckItem::Model, &KineForward::new(joints))?.pose));
-    positions.into_iter().map(pose).collect()
+    positions.iter().copied().map(pose).collect()
 }
 
 /// The controller's own parameters: calibrated ones are near the published ones.

@@ -5,12 +5,12 @@ use super::finding::Finding;
 use crate::{MotionStatus, Robot};
 
 #[derive(Debug, Clone, Default)]
-pub(super) struct Expected;
+pub(super) struct Expected(());
 
 #[expect(clippy::unused_self, reason = "it has limits with the feature")]
 impl<S: MotionStatus> Robot<S> {
     pub(super) fn expected(&self) -> Expected {
-        Expected
+        Expected(())
     }
 }
 
