@@ -65,7 +65,7 @@ impl Argument {
 /// Fields of several variants with the same name and type are one argument.
 pub fn arguments(spec: &Spec, command: &Command) -> Vec<Argument> {
     match &command.request {
-        Request::Fields(fields) => fields.iter().map(|field| argument(spec, field)).collect(),
+        Request::Fields(fields) => fields.iter().map(|field| argument(spec, fields, field)).collect(),
         Request::Choice(choice) => choice_arguments(spec, choice),
     }
 }
@@ -75,7 +75,7 @@ fn choice_arguments(spec: &Spec, choice: &Choice) -> Vec<Argument> {
     for variant in &choice.variants {
         let variant_name = kebab(&variant.name);
         for field in &variant.fields {
-            let mut new = argument(spec, field);
+            let mut new = argument(spec, &variant.fields, field);
             new.variants.push(variant_name.clone());
             match arguments.iter_mut().find(|old| old.name == new.name) {
                 Some(old) if old.wire == new.wire && old.ty == new.ty => merge(old, new),
@@ -115,13 +115,13 @@ fn tag(choice: &Choice) -> Argument {
     }
 }
 
-fn argument(spec: &Spec, field: &Field) -> Argument {
+fn argument(spec: &Spec, fields: &[Field], field: &Field) -> Argument {
     Argument {
         name: kebab(&field.name),
         wire: field.wire.clone(),
         field: field.name.clone(),
         hint: hint(spec, &field.ty),
-        help: help(spec, field),
+        help: help(spec, fields, field),
         required: !field.optional,
         values: values(spec, &field.ty),
         variants: Vec::new(),
@@ -174,13 +174,16 @@ fn hint(spec: &Spec, ty: &Type) -> String {
     }
 }
 
-fn help(spec: &Spec, field: &Field) -> String {
+fn help(spec: &Spec, fields: &[Field], field: &Field) -> String {
     let mut help = first_sentence(&field.doc).0.to_owned();
     if let Some(unit) = field.unit.as_deref().or_else(|| spec.unit(&field.ty)) {
         help = format!("{help} In {unit}.");
     }
     if let Some(range) = words::range(field.range) {
         help = format!("{help} Allowed: {range}.");
+    }
+    if let Some(advised) = words::advised(spec, fields, field, |other| kebab(&other.name)) {
+        help = format!("{help} Advised: {advised}.");
     }
     if field.ascii {
         help += " Printable ASCII only.";

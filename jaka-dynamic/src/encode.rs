@@ -1,8 +1,9 @@
 //! Requests into JSON, strictly.
 
+mod advice;
 mod value;
 
-use jaka_proto::check::AdvisoryRanges;
+use jaka_proto::check::{Advised, AdvisoryRanges};
 use jaka_proto::wire::Writer;
 use serde_json::{Map, Value};
 
@@ -30,11 +31,28 @@ pub fn request(
     let mut encoder = Encoder { spec, ranges, out: Writer::new(), problems: Vec::new() };
     encoder.out.raw(&command.head());
     match &command.request {
-        Request::Fields(known) => encoder.object("", known, fields, ""),
+        Request::Fields(known) => encoder.object(Outer::REQUEST, known, fields, ""),
         Request::Choice(choice) => encoder.object_choice(choice, fields),
     }
     encoder.out.raw("}");
     if encoder.problems.is_empty() { Ok(encoder.out.into_string()) } else { Err(encoder.problems) }
+}
+
+/// What fields stand in.
+#[derive(Clone, Copy)]
+struct Outer<'a> {
+    /// Its path, such as `pose`; empty for the message as a whole.
+    place: &'a str,
+    /// What is advised of the numbers in it, where their fields do not say otherwise.
+    advised: Advised<'a>,
+}
+
+impl<'a> Outer<'a> {
+    const REQUEST: Self = Self { place: "", advised: Advised::NONE };
+
+    fn of(slot: &Slot<'a>) -> Self {
+        Self { place: slot.place, advised: slot.limits.advised }
+    }
 }
 
 struct Encoder<'s> {
@@ -47,13 +65,13 @@ struct Encoder<'s> {
 /// Fields of structs, of arrays and of choices.
 impl Encoder<'_> {
     /// Writes the fields of an object, without braces. `tag` is a key that is not a field.
-    fn object(&mut self, place: &str, fields: &[Field], given: &Map<String, Value>, tag: &str) {
+    fn object(&mut self, outer: Outer<'_>, fields: &[Field], given: &Map<String, Value>, tag: &str) {
         for (key, value) in given.iter().filter(|(key, _)| *key != tag && field_of(fields, key).is_none()) {
             let known = suggestion(key, fields.iter().map(|field| [field.name.as_str(), field.wire.as_str()]));
-            self.problem(&member(place, key), ProblemKind::Unknown, value, known);
+            self.problem(&member(outer.place, key), ProblemKind::Unknown, value, known);
         }
-        let values: Vec<_> = fields.iter().map(|field| self.given(place, fields, field, given)).collect();
-        self.members(place, fields, &values);
+        let values: Vec<_> = fields.iter().map(|field| self.given(outer.place, fields, field, given)).collect();
+        self.members(outer, fields, &values);
     }
 
     /// The value given for a field.
@@ -74,12 +92,14 @@ impl Encoder<'_> {
     }
 
     /// Writes one value for each field, with its key where it has one.
-    fn members(&mut self, place: &str, fields: &[Field], values: &[Option<&Value>]) {
+    fn members(&mut self, outer: Outer<'_>, fields: &[Field], values: &[Option<&Value>]) {
         for (index, (field, value)) in fields.iter().zip(values).enumerate() {
             // An element of an array cannot be left out before one that is given.
             let gap = field.wire.is_empty() && values[index..].iter().any(Option::is_some);
-            let place = member(place, &field.name);
-            let slot = Slot::of(self.spec, &place, field);
+            let place = member(outer.place, &field.name);
+            let rows = advice::rows(self.spec, fields, (field, self.ranges), values);
+            let advised = if rows.list.is_empty() { outer.advised } else { Advised::to(&rows.list).times(rows.times) };
+            let slot = Slot::of(self.spec, &place, field).advised(advised);
             if let Some(value) = value {
                 if field.wire.is_empty() {
                     self.out.comma();
@@ -97,7 +117,7 @@ impl Encoder<'_> {
     fn tuple(&mut self, slot: &Slot<'_>, fields: &[Field], value: &Value) {
         self.out.raw("[");
         match value {
-            Value::Object(given) => self.object(slot.place, fields, given, ""),
+            Value::Object(given) => self.object(Outer::of(slot), fields, given, ""),
             Value::Array(elements) => self.elements(slot, fields, elements, value),
             _ => self.forbidden(slot, value),
         }
@@ -110,7 +130,7 @@ impl Encoder<'_> {
             return self.forbidden(slot, whole);
         }
         let values: Vec<_> = elements.iter().map(|value| Some(value).filter(|value| !value.is_null())).collect();
-        self.members(slot.place, fields, &values);
+        self.members(Outer::of(slot), fields, &values);
     }
 
     fn object_choice(&mut self, choice: &Choice, given: &Map<String, Value>) {
@@ -121,7 +141,7 @@ impl Encoder<'_> {
         };
         self.out.key(&choice.key());
         self.out.int(variant.wire);
-        self.object("", &variant.fields, given, &choice.tag);
+        self.object(Outer::REQUEST, &variant.fields, given, &choice.tag);
     }
 
     fn array_choice(&mut self, slot: &Slot<'_>, choice: &Choice, value: &Value) {
@@ -152,7 +172,7 @@ impl Encoder<'_> {
         self.problem(slot.place, ProblemKind::Forbidden, value, slot.words());
     }
 
-    /// Says of the last problem whether newer firmware may take the value.
+    /// Says of the last problem whether the range is advisory.
     fn mark(&mut self, advisory: bool) {
         if let Some(last) = self.problems.last_mut() {
             last.advisory = advisory;

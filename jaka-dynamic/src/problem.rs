@@ -17,7 +17,7 @@ pub struct Problem {
     pub value: String,
     /// What is allowed; for an unknown field, the fields that there are.
     pub allowed: String,
-    /// True where newer firmware may take the value, and the check can be switched off.
+    /// True where the check can be switched off: newer firmware may take the value, or it is only advised against.
     pub advisory: bool,
 }
 
@@ -52,7 +52,7 @@ impl fmt::Display for Problem {
             ProblemKind::Repeated => write!(f, "field `{field}` is given twice, also as {value}")?,
             ProblemKind::Forbidden => write!(f, "field `{field}` is {value}; allowed is {allowed}")?,
         }
-        if *advisory { f.write_str("; newer firmware may take it") } else { Ok(()) }
+        if *advisory { f.write_str("; this is advisory") } else { Ok(()) }
     }
 }
 

@@ -44,7 +44,7 @@ pub(crate) fn fit(scalar: &Scalar, limits: &Limits<'_>, value: &Value) -> Fit {
 }
 
 fn within(limits: &Limits<'_>, number: f64, fit: Fit) -> Fit {
-    if limits.allow(number) { fit } else { Fit::Lenient(DepartureKind::Range) }
+    if limits.allow(number) && limits.advise(number) { fit } else { Fit::Lenient(DepartureKind::Range) }
 }
 
 /// Writes a value as the spec has it, if it may be sent; a truth value also if it is given as such.
@@ -58,7 +58,8 @@ pub(crate) fn write(
     value: &Value,
     out: &mut Writer,
 ) -> Result<(), bool> {
-    let is_advisory = limits.advisory && value.is_number();
+    // What is only advised against is in range.
+    let is_advisory = value.as_f64().is_some_and(|number| limits.advisory || limits.allow(number));
     match fit(scalar, limits, value) {
         Fit::Plain => {}
         Fit::Lenient(DepartureKind::Form) if value.is_boolean() => {}
@@ -118,7 +119,7 @@ pub(crate) fn words(scalar: &Scalar, limits: &Limits<'_>) -> String {
 
 fn number_words(noun: &str, limits: &Limits<'_>) -> String {
     match limits.unit {
-        _ if limits.min.is_some() || limits.max.is_some() => format!("{noun}, {limits}"),
+        _ if limits.are_bounded() => format!("{noun}, {limits}"),
         "" => noun.to_owned(),
         unit => format!("{noun} (in {unit})"),
     }

@@ -1,6 +1,6 @@
 //! Where a value stands in a message, and what may stand there.
 
-use jaka_proto::check::Limits;
+use jaka_proto::check::{Advised, Limits};
 use jaka_spec::{EnumValue, Field, Shape, Spec, Type, Variant, words};
 
 use super::scalar;
@@ -24,6 +24,12 @@ impl<'a> Slot<'a> {
     /// The place of a field.
     pub(crate) fn of(spec: &'a Spec, place: &'a str, field: &'a Field) -> Self {
         Self { spec, place, shape: spec.shape(&field.ty), limits: limits(field) }.with_unit(&field.ty)
+    }
+
+    /// The same place, where this is advised of numbers.
+    pub(crate) fn advised(mut self, advised: Advised<'a>) -> Self {
+        self.limits.advised = advised;
+        self
     }
 
     /// The place of a value of a type that stands inside this one; limits go down to each number.

@@ -183,6 +183,8 @@ pub mod force {
         /// Joint position at which the identification ends. In deg. `jointPosition` on the wire.
         ///
         /// The document recommends turning joints 4, 5 and 6 by 90 degrees each, for an accurate result.
+        ///
+        /// Advised: -360 to 360. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub joint_position: super::types::JointPosition,
     }
     impl StartTorqSensorPayloadIdentify {

@@ -4,6 +4,15 @@ pub mod motion {
     //! The controller's own planner drives these motions. The reply says that a motion was accepted, not that it has ended:
     //! newer firmware replies at once, firmware 1.4, or any firmware that is still moving, may reply seconds later.
     //!
+    //! What is advised of joint positions, speeds and accelerations is what no arm of the vendor exceeds, and can be left to the controller:
+    //!
+    //! - Joints turn within 360 degrees of zero at most, so an offset is 720 at most (the joint limits in the vendor's URDF files of 20 arms).
+    //! - No joint is faster than 265 deg/s: 220 in the vendor's URDF files (Zu 3, Zu 20 and Zu 30), 265 in one client (the A5's joints 4 to 6).
+    //! - 10000 mm/s is ours. With all joints at their greatest speeds the flange of the fastest arm, the Zu 20, reaches 7900 mm/s; a tool adds
+    //!   to it.
+    //! - The document advises 720 deg/s² and 8000 mm/s² at most.
+    //! - With a speed or an acceleration of 0 a motion never ends.
+    //!
     //! Motions queue (4.7 to 4.9): the next one starts when the one before has ended. [`stop_program`](crate::messages::program::StopProgram) ends the motion that is
     //! running.
     /// Moves one joint, or one Cartesian coordinate of the tool centre point, continuously, by an increment or to a position.
@@ -39,6 +48,8 @@ pub mod motion {
             /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5. `jnum` on the wire.
             axis: i64,
             /// Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. `jogvel` on the wire.
+            ///
+            /// Advised: -10000 to 10000, not 0, where `frame` is 0 (World); -265 to 265, not 0, where `frame` is 1 (Joint); -10000 to 10000, not 0, where `frame` is 2 (Tool). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
             velocity: f64,
         },
         /// Moves by a distance from the present position.
@@ -51,8 +62,12 @@ pub mod motion {
             /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation. `jogvel` on the wire.
             ///
             /// The direction can be given by the sign of `distance`. The document does not say what a negative velocity does here.
+            ///
+            /// Advised: -10000 to 10000, not 0, where `frame` is 0 (World); -265 to 265, not 0, where `frame` is 1 (Joint); -10000 to 10000, not 0, where `frame` is 2 (Tool). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
             velocity: f64,
             /// Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation. `poscmd` on the wire.
+            ///
+            /// Advised: -720 to 720, where `frame` is 1 (Joint). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
             distance: f64,
         },
         /// Moves to a position of the axis.
@@ -63,8 +78,12 @@ pub mod motion {
             /// Index of joint 1 to 6, or of x, y, z, rx, ry, rz. 0 to 5. `jnum` on the wire.
             axis: i64,
             /// Velocity. In deg/s for a joint or a rotation, mm/s for a translation. The document does not say what a negative one does here. `jogvel` on the wire.
+            ///
+            /// Advised: -10000 to 10000, not 0, where `frame` is 0 (World); -265 to 265, not 0, where `frame` is 1 (Joint); -10000 to 10000, not 0, where `frame` is 2 (Tool). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
             velocity: f64,
             /// Position to move to. In deg for a joint or a rotation, mm for a translation. `poscmd` on the wire.
+            ///
+            /// Advised: -360 to 360, where `frame` is 1 (Joint). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
             position: f64,
         },
     }
@@ -115,10 +134,16 @@ pub mod motion {
         /// Whether `joint_position` is a target or an offset. `relFlag` on the wire.
         pub mode: super::types::MoveMode,
         /// Target or offset of the six joints. In deg. `jointPosition` on the wire.
+        ///
+        /// Advised: -360 to 360, where `mode` is 0 (Absolute); -720 to 720, where `mode` is 1 (Relative). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub joint_position: super::types::JointPosition,
         /// Joint speed; the direction comes from `joint_position` alone. In deg/s, at least 0.
+        ///
+        /// Advised: more than 0, at most 265. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub speed: f64,
         /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes). `accel` on the wire.
+        ///
+        /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
     }
     impl JointMove {
@@ -166,8 +191,12 @@ pub mod motion {
         /// Target pose of the tool centre point. `endPosition` on the wire.
         pub pose: super::types::Pose,
         /// Joint speed. In deg/s, at least 0.
+        ///
+        /// Advised: more than 0, at most 265. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub speed: f64,
         /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes). `accel` on the wire.
+        ///
+        /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
     }
     impl EndMove {
@@ -197,9 +226,13 @@ pub mod motion {
         /// Target pose, or offset, of the tool centre point. `cartPosition` on the wire.
         pub pose: super::types::Pose,
         /// Speed of the tool centre point along the line. In mm/s, at least 0.
+        ///
+        /// Advised: more than 0, at most 10000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub speed: f64,
         /// Acceleration of the tool centre point along the line. In mm/s², at least 0. The document advises 8000 at most. Controllers take the command
         /// without it (field notes). `accel` on the wire.
+        ///
+        /// Advised: more than 0, at most 8000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
         /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
@@ -260,8 +293,12 @@ pub mod motion {
         /// Pose at the end of the arc. `pos_end` on the wire.
         pub end_pose: super::types::Pose,
         /// Speed of the tool centre point along the arc. In mm/s, at least 0. The document calls it a joint speed.
+        ///
+        /// Advised: more than 0, at most 10000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub speed: f64,
         /// Acceleration of the tool centre point along the arc. In mm/s², at least 0. The document calls it a joint acceleration and advises 720 at most. `accel` on the wire.
+        ///
+        /// Advised: more than 0, at most 8000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: f64,
         /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///

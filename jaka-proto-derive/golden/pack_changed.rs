@@ -27,10 +27,16 @@ pub mod changed {
         /// Whether `joint_position` is a target or an offset. `relFlag` on the wire.
         pub mode: ::jaka_sync::types::MoveMode,
         /// Target or offset of the six joints. In deg. `jointPosition` on the wire.
+        ///
+        /// Advised: -360 to 360, where `mode` is 0 (Absolute); -720 to 720, where `mode` is 1 (Relative). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub joint_position: ::jaka_sync::types::JointPosition,
         /// Joint speed; the direction comes from `joint_position` alone. In deg/s, at least 0.
+        ///
+        /// Advised: more than 0, at most 265. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub speed: f64,
         /// Joint acceleration. In deg/s², at least 0. The document advises 720 at most. Controllers take the command without it (field notes). `accel` on the wire.
+        ///
+        /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
         /// Distance from the target at which the next motion may begin. In mm, at least 0.
         ///

@@ -62,7 +62,15 @@ pub mod shapes {
         #[doc(alias = "relFlag")]
         pub mode: Mode,
         /// Where to. In deg.
+        ///
+        /// Advised: -360 to 360, where `mode` is 0 (Absolute); -2.5 to 2.5, not 0, times `count`, where `mode` is 1 (Relative). Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub position: Joints,
+        /// A point on the way.
+        ///
+        /// Advised: -2000 to 2000 mm. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
+        pub via: Option<Point>,
+        /// How many cycles it takes.
+        pub count: Option<i64>,
         /// Joint speed. In deg/s, 0 to 180.
         ///
         /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
@@ -79,6 +87,14 @@ pub mod shapes {
             wire::Encode::encode(&self.mode, out);
             out.raw(",\"position\":");
             wire::Encode::encode(&self.position, out);
+            if let Some(value) = &self.via {
+                out.raw(",\"via\":");
+                wire::Encode::encode(value, out);
+            }
+            if let Some(value) = &self.count {
+                out.raw(",\"count\":");
+                wire::Encode::encode(value, out);
+            }
             out.raw(",\"speed\":");
             wire::Encode::encode(&self.speed, out);
             if let Some(value) = &self.tolerance {
@@ -91,18 +107,29 @@ pub mod shapes {
         ) -> Result<Self, wire::DecodeError> {
             let mut mode = None;
             let mut position = None;
+            let mut via = None;
+            let mut count = None;
             let mut speed = None;
             let mut tolerance = None;
             let mut keys = reader
                 .begin_fields(
-                    &["\"relFlag\":", "\"position\":", "\"speed\":", "\"tol\":"],
+                    &[
+                        "\"relFlag\":",
+                        "\"position\":",
+                        "\"via\":",
+                        "\"count\":",
+                        "\"speed\":",
+                        "\"tol\":",
+                    ],
                 )?;
             while let Some(key) = reader.next_field(&mut keys)? {
                 match key {
                     0 => reader.field("mode", &mut mode)?,
                     1 => reader.field("position", &mut position)?,
-                    2 => reader.field("speed", &mut speed)?,
-                    3 => reader.field("tolerance", &mut tolerance)?,
+                    2 => reader.field("via", &mut via)?,
+                    3 => reader.field("count", &mut count)?,
+                    4 => reader.field("speed", &mut speed)?,
+                    5 => reader.field("tolerance", &mut tolerance)?,
                     _ => reader.skip()?,
                 }
             }
@@ -110,6 +137,8 @@ pub mod shapes {
                 mode: mode.ok_or_else(|| wire::DecodeError::missing("mode", "relFlag"))?,
                 position: position
                     .ok_or_else(|| wire::DecodeError::missing("position", "position"))?,
+                via,
+                count,
                 speed: speed
                     .ok_or_else(|| wire::DecodeError::missing("speed", "speed"))?,
                 tolerance,
@@ -127,6 +156,8 @@ pub mod shapes {
             Self {
                 mode,
                 position: position.into(),
+                via: None,
+                count: None,
                 speed,
                 tolerance: None,
             }
@@ -147,6 +178,18 @@ pub mod shapes {
         pub fn relative(position: impl Into<Joints>, speed: f64) -> Self {
             Self::new(Mode::Relative, position, speed)
         }
+        /// A point on the way.
+        #[must_use]
+        pub fn via(mut self, via: impl Into<Point>) -> Self {
+            self.via = Some(via.into());
+            self
+        }
+        /// How many cycles it takes.
+        #[must_use]
+        pub fn count(mut self, count: i64) -> Self {
+            self.count = Some(count);
+            self
+        }
         /// How near. `tol` on the wire.
         #[doc(alias = "tol")]
         #[must_use]
@@ -163,7 +206,58 @@ pub mod shapes {
             limits: &check::Limits,
         ) -> Result<(), check::NotSent> {
             place.check("mode", &self.mode, &check::Limits::NONE)?;
-            place.check("position", &self.position, &check::Limits::NONE)?;
+            place
+                .check(
+                    "position",
+                    &self.position,
+                    &check::Limits {
+                        advised: match &self.mode {
+                            Mode::Absolute => {
+                                check::Advised::to(
+                                    &[
+                                        check::Advice {
+                                            max: 360f64,
+                                            nonzero: false,
+                                            unit: "",
+                                        },
+                                    ],
+                                )
+                            }
+                            Mode::Relative => {
+                                check::Advised::to(
+                                        &[
+                                            check::Advice {
+                                                max: 2.5f64,
+                                                nonzero: true,
+                                                unit: "",
+                                            },
+                                        ],
+                                    )
+                                    .times(Clone::clone(&self.count))
+                            }
+                            _ => check::Advised::NONE,
+                        },
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place
+                .check(
+                    "via",
+                    &self.via,
+                    &check::Limits {
+                        advised: check::Advised::to(
+                            &[
+                                check::Advice {
+                                    max: 2000f64,
+                                    nonzero: false,
+                                    unit: "mm",
+                                },
+                            ],
+                        ),
+                        ..check::Limits::NONE
+                    },
+                )?;
+            place.check("count", &self.count, &check::Limits::NONE)?;
             place
                 .check(
                     "speed",

@@ -5,6 +5,8 @@ pub mod trajectory {
     //!
     //! [`set_traj_config`](type@SetTrajConfig) says how finely to record and how fast to run the path later, [`set_traj_sample_mode`](type@SetTrajSampleMode) starts and stops
     //! recording, [`generate_traj_exe_file`](type@GenerateTrajExeFile) writes the program.
+    //!
+    //! What is advised of speed and acceleration is as for [`move_l`](crate::messages::motion::MoveL).
     /// Sets how finely a trajectory is recorded, and how fast it is run later.
     ///
     /// Sends `set_traj_config` (4.52).
@@ -12,8 +14,12 @@ pub mod trajectory {
     #[non_exhaustive]
     pub struct SetTrajConfig {
         /// Acceleration at which the trajectory is run. In mm/s², at least 0. `acc` on the wire.
+        ///
+        /// Advised: more than 0, at most 8000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: f64,
         /// Speed at which the trajectory is run. In mm/s, at least 0. `vel` on the wire.
+        ///
+        /// Advised: more than 0, at most 10000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub speed: f64,
         /// Interval at which Cartesian displacement is recorded. At least 0. Unit not stated; the sample sends 0.1. `xyz_interval` on the wire.
         pub position_interval: f64,

@@ -24,7 +24,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
             (choice::object(scope, &name, &docs, choice), construct::choice(scope, &name, choice))
         }
     };
-    let checks = validate::request(command, &name);
+    let checks = validate::request(scope, command, &name);
     let reply = reply(scope, command);
     let reply_type = scope.reply_type(&TokenStream::new(), command);
     let info = info(command);

@@ -55,13 +55,18 @@ impl<'s> Docs<'s> {
     }
 
     /// What a field means, in which unit and range, how it is spelled on the wire, and what sources disagree on.
-    pub(crate) fn field(self, field: &Field) -> TokenStream {
+    pub(crate) fn field(self, fields: &[Field], field: &Field) -> TokenStream {
         let (_, rest) = first_sentence(&field.doc);
         let (paragraph, others) = rest.split_at(rest.find("\n\n").unwrap_or(rest.len()));
         let text = self.summary(field, paragraph) + &self.prose(others);
         let advisory = field.range.advisory.then(|| {
             let ranges = self.advisory_ranges();
             format!("\n\nNewer firmware takes more than this range, which can be switched off: see {ranges}.")
+        });
+        let advised = words::advised(self.spec, fields, field, |other| other.name.clone()).map(|advised| {
+            let ranges = self.advisory_ranges();
+            let advised = self.prose(&format!("Advised: {advised}."));
+            format!("\n\n{advised} Anything else is refused unless that is left to the controller: see {ranges}.")
         });
         let ascii = field.ascii.then(|| "\n\nPrintable ASCII only.".to_owned());
         let disputed = (!field.disputed.is_empty()).then(|| {
@@ -72,7 +77,7 @@ impl<'s> Docs<'s> {
         });
         let or_raw = field.or_raw.then(|| OR_RAW.to_owned());
         let more: String = [ascii, disputed, or_raw, versions(&field.versions)].into_iter().flatten().collect();
-        let docs = own(&(text + &advisory.unwrap_or_default() + &self.prose(&more)));
+        let docs = own(&(text + &advisory.unwrap_or_default() + &advised.unwrap_or_default() + &self.prose(&more)));
         let alias = alias(&field.wire, &field.name);
         quote!(#docs #alias)
     }

@@ -104,7 +104,7 @@ impl<'s> Scope<'s> {
     /// `name: type` for each field, with docs; `vis` stands before each.
     pub(crate) fn declare(self, fields: &[Field], vis: &TokenStream) -> TokenStream {
         let fields = fields.iter().map(|field| {
-            let docs = self.docs.field(field);
+            let docs = self.docs.field(fields, field);
             let name = ident(&field.name);
             let ty = self.field_type(field);
             quote!(#docs #vis #name: #ty)

@@ -26,7 +26,7 @@ pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef), sent: &BTr
         TypeKind::Choice(choice) => choice::array(scope, &name, &docs, choice),
         TypeKind::Wrapper(ty, unit) => wrapper(scope, &name, def, ty, unit.as_deref()),
     };
-    let checks = validate::type_def(def);
+    let checks = validate::type_def(scope, def);
     // What programs only receive, they need not make.
     let constructors = sent.contains(&id).then(|| constructors(scope, def, &name));
     quote!(#item #constructors #checks)

@@ -1,27 +1,27 @@
 //! The checks of requests, and of the types inside them.
 
 use jaka_spec::words;
-use jaka_spec::{Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
+use jaka_spec::{Advice, Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::choice::variant_path;
-use crate::scope::{ident, names};
+use crate::scope::{Scope, ident, names};
 
 /// The checks of a request.
-pub(crate) fn request(command: &Command, name: &Ident) -> TokenStream {
+pub(crate) fn request(scope: Scope<'_>, command: &Command, name: &Ident) -> TokenStream {
     let body = match &command.request {
-        Request::Fields(fields) => struct_body(fields),
-        Request::Choice(choice) => choice_body(choice, None),
+        Request::Fields(fields) => struct_body(scope, fields),
+        Request::Choice(choice) => choice_body(scope, choice, None),
     };
     implement(name, &body)
 }
 
 /// The checks of a type.
-pub(crate) fn type_def(def: &TypeDef) -> TokenStream {
+pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let body = match &def.kind {
-        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => struct_body(fields),
+        TypeKind::Object(fields) | TypeKind::Array { fields, .. } => struct_body(scope, fields),
         TypeKind::IntEnum(values) => {
             let allowed = list(values, |value| format!("{} ({})", value.wire, value.name));
             enum_body(values, &allowed, &quote!(i64::from(*self)))
@@ -37,7 +37,7 @@ pub(crate) fn type_def(def: &TypeDef) -> TokenStream {
                 check::Validate::validate(&self.0, place, &limits)
             }
         }
-        TypeKind::Choice(choice) => choice_body(choice, Some(&quote!(Self::Other(_) => {}))),
+        TypeKind::Choice(choice) => choice_body(scope, choice, Some(&quote!(Self::Other(_) => {}))),
     };
     implement(&name, &body)
 }
@@ -58,24 +58,25 @@ fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
 }
 
 /// The checks of each variant; `other` is the arm of what the spec does not list.
-fn choice_body(choice: &Choice, other: Option<&TokenStream>) -> TokenStream {
+fn choice_body(scope: Scope<'_>, choice: &Choice, other: Option<&TokenStream>) -> TokenStream {
     let arms = choice.variants.iter().map(|variant| {
         let (path, names) = (variant_path(variant), names(&variant.fields));
-        let checks = checks(&variant.fields, |name| quote!(#name));
+        let checks = checks(scope, &variant.fields, |name| quote!(#name));
         quote!(#path { #(#names),* } => { #checks })
     });
     quote!(match self { #(#arms)* #other } Ok(()))
 }
 
-fn struct_body(fields: &[Field]) -> TokenStream {
-    let checks = checks(fields, |name| quote!(&self.#name));
+fn struct_body(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
+    let checks = checks(scope, fields, |name| quote!(&self.#name));
     quote!(#checks Ok(()))
 }
 
-fn checks(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+fn checks(scope: Scope<'_>, fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     let gap = gap(fields, &value);
     let checks = fields.iter().map(|field| {
-        let (text, value, limits) = (&field.name, value(&ident(&field.name)), limits(field));
+        let advised = advised(scope, (fields, field), &value);
+        let (text, value, limits) = (&field.name, value(&ident(&field.name)), limits(field, advised));
         quote!(place.check(#text, #value, &#limits)?;)
     });
     quote!(#gap #(#checks)*)
@@ -91,7 +92,40 @@ fn gap(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> Option<TokenS
     (optional.len() > 1).then(|| quote!(place.no_gap(&[#(#elements),*])?;))
 }
 
-fn limits(field: &Field) -> TokenStream {
+/// What is advised of a field, as it stands among `fields` whose values are `value`.
+fn advised(
+    scope: Scope<'_>,
+    (fields, field): (&[Field], &Field),
+    value: impl Fn(&Ident) -> TokenStream,
+) -> Option<TokenStream> {
+    let first = field.advised.first()?;
+    let Some(selector) = &first.when else { return Some(rows(&field.advised.iter().collect::<Vec<_>>(), value)) };
+    let selector = fields.iter().find(|other| other.name == selector.field)?;
+    let id = selector.ty.named()?;
+    let (path, selected) = (scope.path(id), value(&ident(&selector.name)));
+    let TypeKind::IntEnum(values) = &scope.spec[id].kind else { return None };
+    let arms = values.iter().filter_map(|listed| {
+        let is_meant = |row: &&Advice| row.when.as_ref().is_some_and(|when| when.value == listed.wire);
+        let meant: Vec<_> = field.advised.iter().filter(is_meant).collect();
+        let (name, rows) = (ident(&listed.name), rows(&meant, &value));
+        (!meant.is_empty()).then(|| quote!(#path::#name => #rows,))
+    });
+    Some(quote!(match #selected { #(#arms)* _ => check::Advised::NONE, }))
+}
+
+fn rows(rows: &[&Advice], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
+    let times = rows.first().and_then(|row| row.per.as_ref()).map(|count| {
+        let count = value(&ident(count));
+        quote!(.times(Clone::clone(#count)))
+    });
+    let rows = rows.iter().map(|Advice { max, nonzero, unit, .. }| {
+        let unit = unit.as_deref().unwrap_or_default();
+        quote!(check::Advice { max: #max, nonzero: #nonzero, unit: #unit })
+    });
+    quote!(check::Advised::to(&[#(#rows),*]) #times)
+}
+
+fn limits(field: &Field, advised: Option<TokenStream>) -> TokenStream {
     let bound = |bound: Option<f64>| bound.map(|bound| quote!(Some(#bound)));
     let min = bound(field.range.min).map(|min| quote!(min: #min,));
     let max = bound(field.range.max).map(|max| quote!(max: #max,));
@@ -99,7 +133,8 @@ fn limits(field: &Field) -> TokenStream {
     let ascii = field.ascii.then(|| quote!(ascii: true,));
     let unit = field.unit.as_deref().map(|unit| quote!(unit: #unit,));
     let firmware = firmware(&field.versions);
-    let set = [min, max, advisory, ascii, unit];
+    let advised = advised.map(|advised| quote!(advised: #advised,));
+    let set = [min, max, advisory, advised, ascii, unit];
     if set.iter().all(Option::is_none) {
         return quote!(check::Limits::NONE #firmware);
     }

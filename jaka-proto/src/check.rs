@@ -5,6 +5,10 @@ use std::fmt;
 use crate::firmware::{FirmwareRange, FirmwareVersion, NotInFirmware};
 use crate::wire::Typed;
 
+mod advice;
+
+pub use advice::{Advice, Advised};
+
 /// What a field may hold, and which firmware has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits<'u> {
@@ -12,8 +16,10 @@ pub struct Limits<'u> {
     pub min: Option<f64>,
     /// Greatest value allowed.
     pub max: Option<f64>,
-    /// True where newer firmware takes more than this.
+    /// True where newer firmware takes more than the range.
     pub advisory: bool,
+    /// What is advised of numbers, in addition to the range.
+    pub advised: Advised<'u>,
     /// True for text that may hold printable ASCII only.
     pub ascii: bool,
     /// Unit of the limits.
@@ -24,8 +30,15 @@ pub struct Limits<'u> {
 
 impl Limits<'_> {
     /// Any finite number, any text, in any firmware.
-    pub const NONE: Self =
-        Self { min: None, max: None, advisory: false, ascii: false, unit: "", firmware: FirmwareRange::ALL };
+    pub const NONE: Self = Self {
+        min: None,
+        max: None,
+        advisory: false,
+        advised: Advised::NONE,
+        ascii: false,
+        unit: "",
+        firmware: FirmwareRange::ALL,
+    };
 
     /// The same for a field that firmware has since this version.
     #[must_use]
@@ -41,7 +54,7 @@ impl Limits<'_> {
         self
     }
 
-    /// True for a number within the range.
+    /// True for a number within the range, whatever is advised.
     pub fn allow(&self, value: f64) -> bool {
         self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
     }
@@ -52,30 +65,52 @@ impl Limits<'_> {
         self.allow(value) || self.advisory && ranges == AdvisoryRanges::Ignored
     }
 
+    /// True for a number within what is advised.
+    pub fn advise(&self, value: f64) -> bool {
+        self.advised.allow(value, self.unit)
+    }
+
+    /// True if numbers have a least or a greatest value.
+    pub fn are_bounded(&self) -> bool {
+        let (min, max, _) = self.ends();
+        min.is_some() || max.is_some()
+    }
+
+    /// The ends of the range, as far as what is advised leaves it, and whether zero is left out.
+    fn ends(&self) -> (Option<f64>, Option<f64>, bool) {
+        let Some(advice) = self.advised.of(self.unit) else { return (self.min, self.max, false) };
+        let min = self.min.map_or(-advice.max, |min| min.max(-advice.max));
+        let max = self.max.map_or(advice.max, |max| max.min(advice.max));
+        (Some(min), Some(max), advice.nonzero)
+    }
+
     /// True for text that may be sent.
     pub fn allow_text(&self, text: &str) -> bool {
         !self.ascii || text.bytes().all(|b| b == b' ' || b.is_ascii_graphic())
     }
 }
 
-/// In words, such as `0 to 1` or `at least 0 deg/s`.
+/// In words, such as `0 to 1`, `at least 0 deg/s` or `more than 0, at most 265 deg/s`.
 impl fmt::Display for Limits<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.min, self.max) {
+        let (min, max, nonzero) = self.ends();
+        match (min, max) {
+            (Some(0.0), Some(max)) if nonzero => write!(f, "more than 0, at most {max}")?,
             (Some(min), Some(max)) => write!(f, "{min} to {max}")?,
             (Some(min), None) => write!(f, "at least {min}")?,
             (None, Some(max)) => write!(f, "at most {max}")?,
             (None, None) => f.write_str("a finite number")?,
         }
         match self.unit {
-            "" => Ok(()),
-            unit if self.min.is_none() && self.max.is_none() => write!(f, " (in {unit})"),
-            unit => write!(f, " {unit}"),
+            "" => {}
+            unit if min.is_none() && max.is_none() => write!(f, " (in {unit})")?,
+            unit => write!(f, " {unit}")?,
         }
+        if nonzero && min != Some(0.0) { f.write_str(", not 0") } else { Ok(()) }
     }
 }
 
-/// Whether ranges are enforced that newer firmware has widened.
+/// Whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum AdvisoryRanges {
     /// They are enforced like all others.
@@ -88,7 +123,7 @@ pub enum AdvisoryRanges {
 /// What a request is checked against, in addition to the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rules {
-    /// Whether ranges are enforced that newer firmware has widened.
+    /// Whether advisory ranges are enforced.
     pub ranges: AdvisoryRanges,
     /// The controller's firmware, for requests to be refused that it does not have; none for any.
     pub firmware: Option<FirmwareVersion>,
@@ -132,7 +167,7 @@ pub struct InvalidArgument {
     pub value: String,
     /// What is allowed.
     pub allowed: String,
-    /// True where newer firmware may take the value, and the check can be switched off.
+    /// True where the check can be switched off by [`AdvisoryRanges`]: newer firmware may take the value, or it is only advised against.
     pub advisory: bool,
 }
 
@@ -154,7 +189,11 @@ impl fmt::Display for InvalidArgument {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { command, field, value, allowed, advisory } = self;
         write!(f, "`{command}` was not sent: field `{field}` is {value}, allowed is {allowed}")?;
-        if *advisory { f.write_str("; newer firmware may take it (see `AdvisoryRanges`)") } else { Ok(()) }
+        if *advisory {
+            f.write_str("; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller")
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -167,6 +206,8 @@ pub struct Place<'p> {
     name: PlaceName,
     outer: Option<&'p Place<'p>>,
     rules: Rules,
+    /// What is advised of the numbers here, unless a field in between says otherwise.
+    advised: Advised<'p>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -179,7 +220,7 @@ enum PlaceName {
 impl<'p> Place<'p> {
     /// The request as a whole.
     pub fn request(command: &'static str, rules: Rules) -> Self {
-        Self { command, name: PlaceName::Request, outer: None, rules }
+        Self { command, name: PlaceName::Request, outer: None, rules, advised: Advised::NONE }
     }
 
     /// Checks a field of what stands here.
@@ -188,7 +229,10 @@ impl<'p> Place<'p> {
     /// The field holds what the spec forbids, or holds something and the controller's firmware does not have it.
     // Not generic, or each type of a field would compile a copy.
     pub fn check(&'p self, name: &'static str, value: &dyn Validate, limits: &Limits<'_>) -> Result<(), NotSent> {
-        let place = self.inner(PlaceName::Field(name));
+        let mut place = self.inner(PlaceName::Field(name));
+        if !limits.advised.is_none() && self.rules.ranges == AdvisoryRanges::Enforced {
+            place.advised = limits.advised;
+        }
         if value.is_present() {
             place.exists(&limits.firmware)?;
         }
@@ -216,7 +260,7 @@ impl<'p> Place<'p> {
     }
 
     fn inner(&'p self, name: PlaceName) -> Place<'p> {
-        Self { command: self.command, name, outer: Some(self), rules: self.rules }
+        Self { command: self.command, name, outer: Some(self), rules: self.rules, advised: self.advised }
     }
 
     fn path(&self) -> String {
@@ -237,10 +281,12 @@ impl<'p> Place<'p> {
         if !value.is_finite() {
             return Err(self.invalid(value.to_string(), limits.to_string(), false));
         }
-        if limits.permit(value, self.rules.ranges) {
+        let is_permitted = limits.permit(value, self.rules.ranges);
+        if is_permitted && self.advised.allow(value, limits.unit) {
             return Ok(());
         }
-        Err(self.invalid(value.to_string(), limits.to_string(), limits.advisory))
+        let limits = Limits { advised: self.advised, ..*limits };
+        Err(self.invalid(value.to_string(), limits.to_string(), limits.advisory || is_permitted))
     }
 
     /// Checks that no element of an array is left out before one that is given: that one would stand in its place.

@@ -26,13 +26,13 @@ fn numbers_that_are_not_finite() {
     request.joint_position.0[2] = f64::NAN;
     assert_eq!(
         refused(&request).to_string(),
-        "`joint_move` was not sent: field `joint_position[2]` is NaN, allowed is a finite number (in deg)"
+        "`joint_move` was not sent: field `joint_position[2]` is NaN, allowed is -360 to 360 deg"
     );
     let mut request = joint_move();
     request.speed = f64::INFINITY;
     assert_eq!(
         refused(&request).to_string(),
-        "`joint_move` was not sent: field `speed` is inf, allowed is at least 0 deg/s"
+        "`joint_move` was not sent: field `speed` is inf, allowed is more than 0, at most 265 deg/s"
     );
     let request = joint_move().acceleration(f64::NEG_INFINITY);
     assert_eq!(refused(&request).field, "acceleration");
@@ -49,12 +49,12 @@ fn numbers_out_of_range() {
     );
     assert_eq!(
         refused(&SetClsnSensitivity::new(9)).to_string(),
-        "`set_clsn_sensitivity` was not sent: field `level` is 9, allowed is 0 to 5; newer firmware may take it (see `AdvisoryRanges`)"
+        "`set_clsn_sensitivity` was not sent: field `level` is 9, allowed is 0 to 5; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller"
     );
     let frame = SetToolOffsets::new([0.0; 6], 0, "gripper");
     assert_eq!(
         refused(&frame).to_string(),
-        "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10; newer firmware may take it (see `AdvisoryRanges`)"
+        "`set_tool_offsets` was not sent: field `id` is 0, allowed is 1 to 10; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller"
     );
     assert_eq!(SetToolId::new(0).check(AdvisoryRanges::Enforced), Ok(()));
     let jog = Jog::continuous(JogFrame::Joint, 6, 1.0);
@@ -87,7 +87,7 @@ fn what_only_newer_firmware_takes_is_let_through_on_request() {
     assert_eq!(
         invalid.to_string(),
         "`set_digital_output` was not sent: field `kind` is 5, allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension); \
-         newer firmware may take it (see `AdvisoryRanges`)"
+         this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller"
     );
     assert_eq!(output(DigitalOutputKind::Profinet).check(AdvisoryRanges::Ignored), Ok(()));
     assert_eq!(output(DigitalOutputKind::Tool).check(AdvisoryRanges::Enforced), Ok(()));

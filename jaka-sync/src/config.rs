@@ -115,7 +115,8 @@ impl Config {
         self.max_frame
     }
 
-    /// Sets whether ranges are enforced that newer firmware has widened. Enforced by default.
+    /// Sets whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised. Enforced
+    /// by default.
     pub fn advisory_ranges(mut self, ranges: AdvisoryRanges) -> Self {
         self.advisory_ranges = ranges;
         self

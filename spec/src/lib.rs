@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod advice;
 mod builtin;
 mod envelope;
 mod item;
@@ -8,6 +9,7 @@ mod names;
 mod pack;
 pub mod prose;
 mod quote;
+mod range;
 mod read;
 mod report;
 mod resolve;
@@ -24,11 +26,12 @@ pub mod words;
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Range, Refusal, Reply, Request, Requirement,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Refusal, Reply, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use pack::{Module, Pack, load_pack};
+pub use range::{Advice, Condition, Range};
 pub use report::{Error, Errors};
 pub use scalar::Scalar;
 pub use shape::{Shape, is_floats};

@@ -6,6 +6,7 @@ use std::time::Duration;
 use crate::envelope::COMMAND_NAME;
 use crate::names::to_camel;
 use crate::quote::{key, push_string};
+use crate::range::{Advice, Range};
 use crate::scalar::Scalar;
 use crate::similar::nearest;
 use crate::version::Versions;
@@ -343,6 +344,8 @@ pub struct Field {
     pub unit: Option<String>,
     /// Least and greatest value allowed.
     pub range: Range,
+    /// What is advised of its numbers, in addition to the range.
+    pub advised: Vec<Advice>,
     /// True for text that may hold printable ASCII only.
     pub ascii: bool,
     /// True where the key may be left out.
@@ -364,17 +367,6 @@ impl Field {
     pub fn key(&self) -> String {
         key(&self.wire)
     }
-}
-
-/// An inclusive range, open at an end that is `None`.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Range {
-    /// Least value allowed.
-    pub min: Option<f64>,
-    /// Greatest value allowed.
-    pub max: Option<f64>,
-    /// True where newer firmware takes more than this.
-    pub advisory: bool,
 }
 
 /// The type of a field.

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
+use crate::advice;
 use crate::envelope::ENVELOPE;
 use crate::item::{Item, Placed};
-use crate::model::{Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::model::{Field, Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming, trait_name};
 use crate::report::{At, Report};
 use crate::type_text::notation;
@@ -32,6 +33,8 @@ pub(crate) struct Index<'s> {
     uses: Vec<TypeUse<'s>>,
     /// Where an enum is wanted, and the type that is there.
     enum_uses: Vec<(String, Placed<'s, TypeId>)>,
+    /// Fields next to each other, where something is advised of one, and where they stand.
+    advised: Vec<(String, Placed<'s, Vec<Field>>)>,
     /// Where the keys of an object are those of a reply, and the type that is there.
     reply_uses: Vec<(String, Placed<'s, TypeId>)>,
     /// The trait with a pack's methods.
@@ -137,6 +140,13 @@ impl<'s> Index<'s> {
         self.enum_uses.push((item.what.clone(), ty));
     }
 
+    /// What is advised of these fields, which stand next to each other, is to make sense.
+    pub(crate) fn advised(&mut self, item: &Item<'_, 's>, fields: &[Field]) {
+        if fields.iter().any(|field| !field.advised.is_empty()) {
+            self.advised.push((item.what.clone(), Placed { at: item.at, value: fields.to_vec() }));
+        }
+    }
+
     /// The type `ty` is to be an object that can stand next to the keys of every reply.
     pub(crate) fn reply_use(&mut self, item: &Item<'_, 's>, ty: Placed<'s, TypeId>) {
         self.type_use(item, ty.at, &Type::Named(ty.value));
@@ -183,6 +193,11 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
     for (what, ty) in &index.enum_uses {
         if !matches!(index.types[ty.value.0].kind, TypeKind::IntEnum(_) | TypeKind::TextEnum(_)) {
             report.error(ty.at, format!("{what}: {NO_ENUM}"));
+        }
+    }
+    for (what, fields) in &index.advised {
+        if let Some(problem) = advice::problem(&fields.value, &index.types) {
+            report.error(fields.at, format!("{what}: {problem}"));
         }
     }
     for (what, ty) in &index.reply_uses {

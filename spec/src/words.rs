@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 pub use crate::similar::{distance, nearest};
-use crate::{Command, Effect, Range, Requirement, Severity, Versions};
+use crate::{Advice, Command, Effect, Field, Range, Requirement, Severity, Spec, TypeKind, Versions};
 
 /// The first sentence with its full stop, and all that follows.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -19,6 +19,39 @@ pub fn range(range: Range) -> Option<String> {
         (None, Some(max)) => Some(format!("at most {max}")),
         (None, None) => None,
     }
+}
+
+/// `more than 0, at most 265`, or ``-360 to 360, where `mode` is 0 (Absolute)``: what is advised of a field, which stands among `fields`;
+/// nothing where that is nothing. `name` says how other fields are called.
+pub fn advised(spec: &Spec, fields: &[Field], field: &Field, name: impl Fn(&Field) -> String) -> Option<String> {
+    let sibling = |rust: &String| fields.iter().find(|other| other.name == *rust);
+    let called = |rust: &String| sibling(rust).map_or_else(|| rust.clone(), &name);
+    let row = |advice: &Advice| {
+        let per = advice.per.as_ref().map(|count| format!(", times `{}`", called(count)));
+        let when = advice.when.as_ref().map(|when| {
+            let value = sibling(&when.field).and_then(|selector| value_name(spec, selector, when.value));
+            let value = value.map(|value| format!(" ({value})")).unwrap_or_default();
+            format!(", where `{}` is {}{value}", called(&when.field), when.value)
+        });
+        [Some(bounds(advice, field.range)), per, when].into_iter().flatten().collect::<String>()
+    };
+    let rows: Vec<_> = field.advised.iter().map(row).collect();
+    (!rows.is_empty()).then(|| rows.join("; "))
+}
+
+fn bounds(advice: &Advice, whole: Range) -> String {
+    let within = advice.within(whole);
+    let unit = advice.unit.as_ref().map(|unit| format!(" {unit}")).unwrap_or_default();
+    match (within.min, within.max) {
+        (Some(0.0), Some(max)) if advice.nonzero => format!("more than 0, at most {max}{unit}"),
+        _ => range(within).unwrap_or_default() + &unit + if advice.nonzero { ", not 0" } else { "" },
+    }
+}
+
+/// The name of a value of a field that is an enum.
+fn value_name<'s>(spec: &'s Spec, selector: &Field, wire: i64) -> Option<&'s str> {
+    let TypeKind::IntEnum(values) = &spec[selector.ty.named()?].kind else { return None };
+    values.iter().find(|value| value.wire == wire).map(|value| &*value.name)
 }
 
 /// `1.5 and later`; nothing where every firmware has it.

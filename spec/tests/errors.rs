@@ -76,7 +76,7 @@ doc = "Speed."
             spec/test.toml:8:24: command `move`: `requires` is one of powered, enabled, servo_mode, not_servo_mode, not `awake`
             spec/test.toml:9:7: command `move`: `doc` is empty
             spec/test.toml:14:7: command `move`, field `speed`: `min` must be a finite number
-            spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advisory, ascii, constructors, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
+            spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advised, advisory, ascii, constructors, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
         "]],
     );
 }
@@ -288,6 +288,102 @@ doc = "Second."
             spec/test.toml:35:1: command `go`, field `key`: `advisory` is for a range: give `min` or `max`
             spec/test.toml:36:8: command `go`, field `key`: `key` is a name of the generated code; give another as `name`
             spec/test.toml:52:1: type `Row`, field `second`: an element after an optional one must be optional too
+        "]],
+    );
+}
+
+#[test]
+fn what_is_advised_makes_no_sense() {
+    check(
+        r#"
+title = "Test"
+
+[[type]]
+name = "Way"
+kind = "enum"
+doc = "A way."
+value = [{ wire = 0, name = "Here", doc = "Here." }, { wire = 1, name = "There", doc = "There." }]
+
+[[type]]
+name = "Place"
+kind = "array"
+doc = "A place."
+field = [
+    { name = "x", type = "float", unit = "mm", advised = [{ max = 1 }], doc = "X." },
+    { name = "y", type = "float", unit = "mm", doc = "Y." },
+]
+
+[[command]]
+wire = "zero"
+effect = "motion"
+doc = "The row itself."
+request = [{ wire = "a", type = "int", advised = [{ max = 0, is = 1 }, { nonzero = true, min = 0 }], doc = "A." }]
+
+[[command]]
+wire = "text"
+effect = "motion"
+doc = "Not a number."
+request = [{ wire = "a", type = "text", advised = [{ max = 1 }], doc = "A." }]
+
+[[command]]
+wire = "unit"
+effect = "motion"
+doc = "No number of the unit."
+request = [{ wire = "a", type = "Place", advised = [{ max = 1, unit = "deg" }], doc = "A." }]
+
+[[command]]
+wire = "twice"
+effect = "motion"
+doc = "Two rows at the same time."
+request = [{ wire = "a", type = "int", advised = [{ max = 1 }, { max = 2 }], doc = "A." }]
+
+[[command]]
+wire = "when"
+effect = "motion"
+doc = "Rows with and without a condition."
+request = [
+    { wire = "way", type = "Way", doc = "The way." },
+    { wire = "a", type = "int", advised = [{ max = 1 }, { when = "way", is = 0, max = 2 }], doc = "A." },
+]
+
+[[command]]
+wire = "value"
+effect = "motion"
+doc = "A value that is not listed."
+request = [
+    { wire = "way", type = "Way", doc = "The way." },
+    { wire = "a", type = "int", advised = [{ when = "way", is = 2, max = 2 }], doc = "A." },
+]
+
+[[command]]
+wire = "absent"
+effect = "motion"
+doc = "A field that may be left out."
+request = [
+    { wire = "way", type = "Way", optional = true, doc = "The way." },
+    { wire = "a", type = "int", advised = [{ when = "way", is = 1, max = 2 }], doc = "A." },
+]
+
+[[command]]
+wire = "count"
+effect = "motion"
+doc = "A count that is not one."
+request = [{ wire = "a", type = "int", advised = [{ per = "b", max = 2 }], doc = "A." }, { wire = "b", type = "float", doc = "B." }]
+"#,
+        &expect![[r"
+            spec/test.toml:10:1: type `Place`: `advised` of `x`: it is for fields that have a key
+            spec/test.toml:19:1: command `zero`: `advised` of `a`: rows that hold at the same time have each a `unit` of their own
+            spec/test.toml:23:51: command `zero`, field `a`, `advised`: `max` is the greatest magnitude, a number over 0
+            spec/test.toml:23:51: command `zero`, field `a`, `advised`: `when` names a field and `is` its value: give both or neither
+            spec/test.toml:23:72: command `zero`, field `a`, `advised`: `max` is the greatest magnitude, a number over 0
+            spec/test.toml:23:90: command `zero`, field `a`, `advised`: unknown key `min`; the keys are is, max, nonzero, per, unit, when
+            spec/test.toml:25:1: command `text`: `advised` of `a`: the field has no number
+            spec/test.toml:31:1: command `unit`: `advised` of `a`: the field has no number in deg
+            spec/test.toml:37:1: command `twice`: `advised` of `a`: rows that hold at the same time have each a `unit` of their own
+            spec/test.toml:43:1: command `when`: `advised` of `a`: all rows have a `when`, or none
+            spec/test.toml:52:1: command `value`: `advised` of `a`: there is no field `way` that is always there and an enum with the value 2
+            spec/test.toml:61:1: command `absent`: `advised` of `a`: there is no field `way` that is always there and an enum with the value 1
+            spec/test.toml:70:1: command `count`: `advised` of `a`: there is no field `b` that is a whole number
         "]],
     );
 }

@@ -530,3 +530,41 @@ fn a_pack_named_like_a_topic_is_not_that_topic() {
     let pack = load_pack(&spec(), Source { path: "motion.toml", text: &text }).expect("it is correct");
     assert_eq!((pack.module_errors, pack.spec.topics.last().map(|topic| topic.is_pack)), (Vec::new(), Some(true)));
 }
+
+#[test]
+fn what_is_advised_follows_names_and_can_be_changed() {
+    let pack = pack(
+        r#"
+[[override]]
+target = "servo_j"
+request = "stepNum"
+name = "cycles"
+
+[[override]]
+target = "servo_j"
+request = "relFlag"
+name = "how"
+
+[[override]]
+target = "joint_move"
+request = "speed"
+advised = [{ max = 300 }]
+
+[[override]]
+target = "joint_move"
+request = "accel"
+advised = []
+"#,
+    );
+    let advised = |command: &str, key: &str| {
+        let command = pack.spec.command(command).expect("the spec has it");
+        let Request::Fields(fields) = &command.request else { panic!("it has fields") };
+        let field = fields.iter().find(|field| field.wire == key).expect("it has the field");
+        jaka_spec::words::advised(&pack.spec, fields, field, |other| other.name.clone()).unwrap_or_default()
+    };
+    assert_eq!(
+        advised("servo_j", "jointPosition"),
+        "-360 to 360, where `how` is 0 (Absolute); -2.12 to 2.12, times `cycles`, where `how` is 1 (Relative)"
+    );
+    assert_eq!((&*advised("joint_move", "speed"), &*advised("joint_move", "accel")), ("0 to 300", ""));
+}

@@ -173,10 +173,12 @@ fn fields_of_requests() {
             ("motion/joint_move/speed", r#"unit = "deg/s""#, r#"unit = "rad/s""#),
             ("motion/joint_move/speed", "min = 0", "min = 1\nmax = 180"),
             ("motion/joint_move/accel", r#"name = "acceleration""#, r#"name = "joint_acceleration""#),
-            ("motion/joint_move/accel", "min = 0\noptional = true", "min = 0\nsince = \"1.6\""),
+            ("motion/joint_move/accel", "= true }]\noptional = true", "= true }]\nsince = \"1.6\""),
             ("motion/joint_move/accel", "The document advises 720 at most. ", ""),
             ("motion/joint_move/accel", "[[command.example]]", &with_extra),
             ("motion/end_move/endPosition", r#"wire = "endPosition""#, r#"wire = "cartPosition""#),
+            ("motion/end_move/speed", "max = 265", "max = 300"),
+            ("motion/end_move/accel", "advised = [{ max = 720, nonzero = true }]", ""),
             ("motion/moveL/speed", r#"unit = "mm/s""#, ""),
             ("motion/moveL/speed", "min = 0", ""),
             ("motion/movc/tol", "min = 0", "min = 0\nmax = 10\nadvisory = true"),
@@ -197,6 +199,8 @@ fn fields_of_requests() {
             major: command `joint_move`, request field `speed`: range changed from `at least 0` to `1 to 180`
             major: command `movc`, request field `tol`: range changed from `at least 0` to `0 to 10, advisory`
             minor: command `clear_error`, request field `blend`: added
+            minor: command `end_move`, request field `accel`: advised range removed, was `-720 to 720, not 0`
+            minor: command `end_move`, request field `speed`: advised range changed from `-265 to 265, not 0` to `-300 to 300, not 0`
             minor: command `joint_move`, request field `blend`: added
             minor: command `load_program`, request field `programName`: takes any text
             minor: command `moveL`, request field `speed`: range removed, was `at least 0`
@@ -209,8 +213,10 @@ fn fields_of_requests() {
         "]],
         &expect![[r"
             major: command `clear_error`, request field `blend`: removed
+            major: command `end_move`, request field `accel`: advised range added: `-720 to 720, not 0`
             major: command `end_move`, request field `cartPosition`: removed
             major: command `end_move`, request field `endPosition`: added
+            major: command `end_move`, request field `speed`: advised range changed from `-300 to 300, not 0` to `-265 to 265, not 0`
             major: command `joint_move`, request field `accel`: name changed from `joint_acceleration` to `acceleration`
             major: command `joint_move`, request field `accel`: becomes optional
             major: command `joint_move`, request field `blend`: removed

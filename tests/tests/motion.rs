@@ -225,7 +225,7 @@ fn unreachable_targets_are_refused_as_the_document_shows() {
     assert!(client.end_move(&EndMove::new(far, 10.0)).is_err_and(|e| e.is_refused()));
     let line = MoveL::absolute(far, 10.0);
     assert!(client.move_l(&line).is_err_and(|error| error.is_refused()));
-    let beyond = by_joint(MoveMode::Absolute, [0.0, 0.0, 500.0, 0.0, 0.0, 0.0], 10.0, 10.0);
+    let beyond = by_joint(MoveMode::Absolute, [0.0, 0.0, 300.0, 0.0, 0.0, 0.0], 10.0, 10.0);
     assert!(client.joint_move(&beyond).is_err_and(|error| error.is_refused()));
 }
 

@@ -1,5 +1,6 @@
 //! All end-to-end tests that need no process of their own.
 
+mod advisory;
 mod architecture;
 mod corpora;
 mod diff;

@@ -42,8 +42,8 @@ fn every_problem_is_reported() {
         "joint_move --mode absolute --joint-position -1,2 --speed -10",
         &expect![[r"
             jaka: `joint_move` was not sent:
-              field `joint_position` is [-1.0,2.0]; allowed is an array of 6, each a number (in deg)
-              field `speed` is -10.0; allowed is a number, at least 0 deg/s
+              field `joint_position` is [-1.0,2.0]; allowed is an array of 6, each a number, -360 to 360 deg
+              field `speed` is -10.0; allowed is a number, more than 0, at most 265 deg/s
             exit code 2
         "]],
     );
@@ -120,15 +120,73 @@ fn negative_numbers_are_values() {
 }
 
 #[test]
+fn what_no_arm_does_is_refused() {
+    check(
+        "joint_move --mode absolute --joint-position 1000,0,0,0,0,0 --speed 20 --dry-run",
+        &expect![[r"
+        jaka: `joint_move` was not sent:
+          field `joint_position[0]` is 1000.0; allowed is a number, -360 to 360 deg; this is advisory
+        `--advisory-ranges ignore` leaves it to the controller
+        exit code 2
+    "]],
+    );
+    check(
+        "joint_move --mode absolute --joint-position 0,0,0,0,0,0 --speed 9000 --dry-run",
+        &expect![[r"
+        jaka: `joint_move` was not sent:
+          field `speed` is 9000.0; allowed is a number, more than 0, at most 265 deg/s; this is advisory
+        `--advisory-ranges ignore` leaves it to the controller
+        exit code 2
+    "]],
+    );
+    check(
+        "moveL --mode relative --pose 0,0,50,0,0,0 --speed 0 --acceleration 9000 --dry-run",
+        &expect![[r"
+        jaka: `moveL` was not sent:
+          field `speed` is 0.0; allowed is a number, more than 0, at most 10000 mm/s; this is advisory
+          field `acceleration` is 9000.0; allowed is a number, more than 0, at most 8000 mm/s²; this is advisory
+        `--advisory-ranges ignore` leaves it to the controller
+        exit code 2
+    "]],
+    );
+    check(
+        "servo_p --mode relative --pose 300,0,0,0,0,10 --step-count 1 --dry-run",
+        &expect![[r"
+        jaka: `servo_p` was not sent:
+          field `pose.x` is 300.0; allowed is a number, -80 to 80 mm; this is advisory
+          field `pose.rz` is 10.0; allowed is a number, -9 to 9 deg; this is advisory
+        `--advisory-ranges ignore` leaves it to the controller
+        exit code 2
+    "]],
+    );
+    check(
+        "servo_j --mode relative --joint-position 3,0,0,0,0,0 --step-count 13 --dry-run",
+        &expect![[r"
+        jaka: `servo_j` was not sent:
+          field `step_count` is 13; allowed is a whole number, 1 to 12; this is advisory
+        `--advisory-ranges ignore` leaves it to the controller
+        exit code 2
+    "]],
+    );
+    check(
+        "servo_p --mode relative --pose 300,0,0,0,0,10 --advisory-ranges ignore --dry-run",
+        &expect![[r#"
+        {"cmdName":"servo_p","catPosition":[300,0,0,0,0,10],"relFlag":1}
+        exit code 0
+    "#]],
+    );
+}
+
+#[test]
 fn advisory_ranges_may_be_left_to_the_controller() {
     check(
         "set_digital_output --kind relay --index 0 --value on --dry-run",
         &expect![[r"
-        jaka: `set_digital_output` was not sent:
-          field `kind` is 3; allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension); newer firmware may take it
-        `--advisory-ranges ignore` leaves it to the controller
-        exit code 2
-    "]],
+            jaka: `set_digital_output` was not sent:
+              field `kind` is 3; allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension); this is advisory
+            `--advisory-ranges ignore` leaves it to the controller
+            exit code 2
+        "]],
     );
     check(
         "set_digital_output --kind relay --index 0 --value on --dry-run --advisory-ranges ignore",

@@ -4,7 +4,7 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_spec::{EnumValue, Shape, Type};
 use serde_json::Value;
 
-use super::{Encoder, is_value};
+use super::{Encoder, Outer, is_value};
 use crate::names::same;
 use crate::problem::element;
 use crate::scalar;
@@ -28,7 +28,7 @@ impl Encoder<'_> {
             Shape::Object(fields) => match value.as_object() {
                 Some(given) => {
                     self.out.raw("{");
-                    self.object(slot.place, fields, given, "");
+                    self.object(Outer::of(slot), fields, given, "");
                     self.out.raw("}");
                 }
                 None => self.forbidden(slot, value),

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use super::{COVERED, Changed, Draft, covers};
+use crate::advice;
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
@@ -108,6 +109,7 @@ impl<'s> Draft<'s, '_> {
             None => {}
         }
         list.fields.push(new);
+        index.advised(item, list.fields);
         true
     }
 
@@ -201,6 +203,7 @@ impl<'s> Draft<'s, '_> {
         }
         let is_undisputed = old.disputed.is_empty();
         list.replace(at, new);
+        index.advised(item, list.fields);
         if item.has("settled") && is_undisputed {
             self.note(item, UNDISPUTED);
         }
@@ -332,7 +335,9 @@ impl<'f> List<'f> {
         if let Some(name) = self.bare_reply.as_mut().filter(|name| ***name == self.fields[at].name) {
             new.name.clone_into(name);
         }
-        self.fields[at] = new;
+        let old = std::mem::replace(&mut self.fields[at], new);
+        let new = self.fields[at].name.clone();
+        advice::rename(self.fields, &old.name, &new);
     }
 }
 

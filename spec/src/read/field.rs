@@ -1,9 +1,11 @@
 //! The fields of requests, replies and types.
 
 use super::common::{element_name, required_doc, snake_name, versions};
+use crate::advice;
 use crate::item::{Item, Placed};
-use crate::model::{Field, Range, Type};
+use crate::model::{Field, Type};
 use crate::names::RESERVED_FIELDS;
+use crate::range::Range;
 use crate::resolve::{Index, NO_ENUM};
 use crate::scalar::Scalar;
 use crate::type_text;
@@ -25,7 +27,9 @@ pub(crate) fn fields<'s>(
         names.add(item, "name", &name);
         read(item, wire.value, name, index)
     };
-    item.items(key, what).iter().map(read).collect()
+    let fields: Vec<_> = item.items(key, what).iter().map(read).collect();
+    index.advised(item, &fields);
+    fields
 }
 
 /// One field of a struct written as an object; `taken` are keys that it may not have.
@@ -62,7 +66,9 @@ pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Fi
         optional_seen |= field.optional;
         field
     };
-    item.items("field", "field").iter().map(read).collect()
+    let fields: Vec<_> = item.items("field", "field").iter().map(read).collect();
+    index.advised(item, &fields);
+    fields
 }
 
 pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be optional too";
@@ -82,6 +88,7 @@ fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: 
         ty,
         unit: item.text("unit").map(|text| text.value),
         range: range(item),
+        advised: advice::read(item),
         ascii: item.flag("ascii").is_some_and(|flag| flag.value),
         optional: item.flag("optional").is_some_and(|flag| flag.value),
         or_raw: item.flag("or_raw").is_some_and(|flag| flag.value),
@@ -125,6 +132,11 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
         written(item, &mut ty);
     }
     let limits = if is_number(&ty) { base.range } else { Range::default() };
+    let advised = match item.has("advised") {
+        true => advice::read(item),
+        false if is_number(&ty) || ty == base.ty => base.advised.clone(),
+        false => Vec::new(),
+    };
     let bound = |key, before| item.bound(key).map_or(before, |bound| Some(bound.value).filter(|b| b.is_finite()));
     let mut field = Field {
         wire,
@@ -138,6 +150,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
             max: bound("max", limits.max),
             advisory: flag("advisory", limits.advisory),
         },
+        advised,
         ascii: flag("ascii", base.ascii),
         optional: flag("optional", base.optional),
         constructors: base.constructors && !item.has("type") && !flag("optional", base.optional),

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use self::defs::{Defs, Form, reference};
 use crate::Spec;
 
+mod advice;
 mod defs;
 mod describe;
 mod lenient;
@@ -25,7 +26,8 @@ mod scalar;
 /// | `Pose` and so on | a type as requests have it |
 /// | `lenient.Pose` and so on | a type as it is read; all types have one |
 ///
-/// What newer firmware takes beyond a range, or as a further value of an enum, does not pass in a request. The text inside
+/// What newer firmware takes beyond a range, or as a further value of an enum, does not pass in a request, nor does what is beyond
+/// what the spec advises. The text inside
 /// a Python literal is described, not checked.
 ///
 /// ```

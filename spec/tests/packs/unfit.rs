@@ -204,6 +204,16 @@ max = 8
 }
 
 #[test]
+fn what_is_advised_of_a_field_needs_the_one_on_which_it_depends() {
+    wrong(
+        "\n[[override]]\ntarget = \"servo_j\"\nrequest = \"stepNum\"\ntype = \"float\"\nadvised = []\n",
+        &expect![[r"
+            newer.toml:2:1: override of `servo_j`: `advised` of `joint_position`: there is no field `step_count` that is a whole number
+        "]],
+    );
+}
+
+#[test]
 fn a_disputed_field_needs_evidence() {
     wrong(
         r#"
@@ -234,7 +244,7 @@ maximum = 3
 "#,
         &expect![[r"
             newer.toml:4:1: override of `joint_move`: unknown key `effect`; the keys are deadline_ms, doc, reply, request, requires, since, target, until, value, variant
-            newer.toml:9:1: override of `joint_move`: unknown key `maximum`; the keys are advisory, ascii, doc, max, min, name, optional, or_raw, reply, request, settled, since, target, type, unit, until, value, variant, wire, written
+            newer.toml:9:1: override of `joint_move`: unknown key `maximum`; the keys are advised, advisory, ascii, doc, max, min, name, optional, or_raw, reply, request, settled, since, target, type, unit, until, value, variant, wire, written
         "]],
     );
 }

@@ -26,17 +26,17 @@ fn each_field_is_an_argument() {
     check_arguments(
         "joint_move",
         &expect![[r"
-        --mode absolute|relative [relFlag, mode] []
-          Whether `joint_position` is a target or an offset.
-            absolute = 0: The coordinates are the target.
-            relative = 1: The coordinates are an offset.
-        --joint-position [NUMBER; 6] [jointPosition, joint_position] []
-          Target or offset of the six joints. In deg.
-        --speed NUMBER [speed, speed] []
-          Joint speed; the direction comes from `joint_position` alone. In deg/s. Allowed: at least 0.
-        --acceleration NUMBER (optional) [accel, acceleration] []
-          Joint acceleration. In deg/s². Allowed: at least 0.
-    "]],
+            --mode absolute|relative [relFlag, mode] []
+              Whether `joint_position` is a target or an offset.
+                absolute = 0: The coordinates are the target.
+                relative = 1: The coordinates are an offset.
+            --joint-position [NUMBER; 6] [jointPosition, joint_position] []
+              Target or offset of the six joints. In deg. Advised: -360 to 360, where `mode` is 0 (Absolute); -720 to 720, where `mode` is 1 (Relative).
+            --speed NUMBER [speed, speed] []
+              Joint speed; the direction comes from `joint_position` alone. In deg/s. Allowed: at least 0. Advised: more than 0, at most 265.
+            --acceleration NUMBER (optional) [accel, acceleration] []
+              Joint acceleration. In deg/s². Allowed: at least 0. Advised: more than 0, at most 720.
+        "]],
     );
     check_arguments(
         "set_tio_vout_param",
@@ -58,9 +58,9 @@ fn each_field_is_an_argument() {
             --pose [X,Y,Z,RX,RY,RZ] [cartPosition, pose] []
               Target pose, or offset, of the tool centre point.
             --speed NUMBER [speed, speed] []
-              Speed of the tool centre point along the line. In mm/s. Allowed: at least 0.
+              Speed of the tool centre point along the line. In mm/s. Allowed: at least 0. Advised: more than 0, at most 10000.
             --acceleration NUMBER (optional) [accel, acceleration] []
-              Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0.
+              Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0. Advised: more than 0, at most 8000.
             --tolerance NUMBER (optional) [tol, tolerance] []
               How far from its end the motion may blend into the next one: 0 reaches the end. In mm. Allowed: at least 0.
         "]],
@@ -87,11 +87,11 @@ fn a_tag_says_which_arguments_there_are() {
             --axis INTEGER [jnum, axis] ["stop", "continuous", "increment", "absolute"]
               Index of joint 1 to 6, or of x, y, z, rx, ry, rz. Allowed: 0 to 5.
             --velocity NUMBER [jogvel, velocity] ["continuous", "increment", "absolute"]
-              Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. With `increment`: Velocity. In deg/s for a joint or a rotation, mm/s for a translation.
+              Velocity; its sign is the direction. In deg/s for a joint or a rotation, mm/s for a translation. Advised: -10000 to 10000, not 0, where `frame` is 0 (World); -265 to 265, not 0, where `frame` is 1 (Joint); -10000 to 10000, not 0, where `frame` is 2 (Tool). With `increment`: Velocity. In deg/s for a joint or a rotation, mm/s for a translation. Advised: -10000 to 10000, not 0, where `frame` is 0 (World); -265 to 265, not 0, where `frame` is 1 (Joint); -10000 to 10000, not 0, where `frame` is 2 (Tool).
             --distance NUMBER [poscmd, distance] ["increment"]
-              Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation.
+              Distance to move; its sign is the direction. In deg for a joint or a rotation, mm for a translation. Advised: -720 to 720, where `frame` is 1 (Joint).
             --position NUMBER [poscmd, position] ["absolute"]
-              Position to move to. In deg for a joint or a rotation, mm for a translation.
+              Position to move to. In deg for a joint or a rotation, mm for a translation. Advised: -360 to 360, where `frame` is 1 (Joint).
         "#]],
     );
     check_arguments(

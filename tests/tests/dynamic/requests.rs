@@ -74,7 +74,9 @@ fn tamed(message: &Value) -> Value {
 }
 
 fn tame(field: &Field, ty: &Type, value: &mut Value) {
-    let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
+    let advised = field.advised.iter().map(|advice| advice.max).fold(f64::MAX, f64::min);
+    let min = field.range.min.unwrap_or(f64::MIN).max(-advised);
+    let max = field.range.max.unwrap_or(f64::MAX).min(advised);
     match SPEC.shape(ty) {
         #[expect(clippy::cast_possible_truncation, reason = "any whole number in range will do")]
         Shape::Scalar(Scalar::Int) => *value = (value.as_f64().expect("a number").clamp(min, max) as i64).into(),
@@ -151,7 +153,7 @@ fn commands_that_were_not_compiled_in_are_written() {
         jaka_dynamic::request(&pack, everything, &wrong, AdvisoryRanges::Enforced).expect_err("it is forbidden");
     expect![[r#"
         field `flag` is "inside"; allowed is "out" or "in"
-        field `limited` is 4; allowed is a whole number, 1 to 3; newer firmware may take it
+        field `limited` is 4; allowed is a whole number, 1 to 3; this is advisory
         field `tool` is "hammer"; allowed is `grip`
         there is no field `size.b`; the fields are `a`
         field `size.a` is [1,2]; allowed is an array of 3, each a whole number (in mm)

@@ -27,7 +27,7 @@ pub(super) struct Options {
     /// elsewhere unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once.
     #[arg(long, short)]
     pub(super) yes: bool,
-    /// Whether ranges are enforced that newer firmware has widened
+    /// Whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised
     #[arg(long, value_enum, value_name = "WHAT", default_value_t)]
     pub(super) advisory_ranges: Ranges,
     /// Ask for the controller's version first, and send only what that firmware has
@@ -45,7 +45,7 @@ pub(super) struct Options {
     pub(super) robot: RobotArgs,
 }
 
-/// Whether ranges are enforced that newer firmware has widened.
+/// Whether advisory ranges are enforced.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub(super) enum Ranges {
     /// They are enforced like all others

@@ -4,7 +4,7 @@ use super::Impact;
 use super::collect::{Differ, pairs};
 use super::command::versions;
 use crate::words;
-use crate::{Field, Range, Scalar, Type, is_floats};
+use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats};
 
 /// What holds the fields, as far as that decides what their changes mean.
 pub(super) struct Holder {
@@ -179,8 +179,25 @@ fn limits(d: &mut Differ<'_>, place: &str, checks: Checks, old: &Field, new: &Fi
     };
     let impact = if is_narrower(old.range, new.range) { Impact::Major } else { Impact::Minor };
     d.option(place, "range", (words(old.range).as_ref(), words(new.range).as_ref()), checks.impact(impact));
+    let less = if is_advised_less(old, new) { Impact::Major } else { Impact::Minor };
+    let (was, is) = (advised(d.old, old), advised(d.new, new));
+    d.option(place, "advised range", (was.as_ref(), is.as_ref()), checks.impact(less));
     let ascii = ("takes printable ASCII only", checks.impact(Impact::Major));
     d.flag(place, (old.ascii, new.ascii), ascii, ("takes any text", checks.impact(Impact::Minor)));
+}
+
+/// What is advised, whatever the range.
+fn advised(spec: &Spec, field: &Field) -> Option<String> {
+    let field = Field { range: Range::default(), ..field.clone() };
+    words::advised(spec, &[], &field, |other| other.name.clone())
+}
+
+/// True if something that `old` advises is not advised by `new`.
+fn is_advised_less(old: &Field, new: &Field) -> bool {
+    let key = |row: &Advice| (row.when.clone(), row.unit.clone(), row.per.clone());
+    let covers =
+        |row: &Advice, was: &Advice| key(row) == key(was) && row.max >= was.max && (was.nonzero || !row.nonzero);
+    new.advised.iter().any(|row| !old.advised.iter().any(|was| covers(row, was)))
 }
 
 /// True if something that `old` lets pass is refused by `new`.

@@ -19,7 +19,7 @@ pub(super) fn render(out: &mut String, spec: &Spec, fields: &[Field], first: usi
             if field.wire == field.name { String::new() } else { code(&field.name) },
             field_type(spec, field),
             field.unit.clone().unwrap_or_default(),
-            range(field),
+            range(spec, fields, field),
             if field.optional { "optional".to_owned() } else { String::new() },
             meaning(field),
         ]);
@@ -66,9 +66,12 @@ fn field_type(spec: &Spec, field: &Field) -> String {
     format!("{ty}{ascii}{or_raw}")
 }
 
-fn range(field: &Field) -> String {
-    let range = words::range(field.range).unwrap_or_default();
-    if field.range.advisory { range + "; newer firmware takes more" } else { range }
+fn range(spec: &Spec, fields: &[Field], field: &Field) -> String {
+    let range = words::range(field.range);
+    let newer = field.range.advisory.then(|| "newer firmware takes more".to_owned());
+    let advised =
+        words::advised(spec, fields, field, |other| other.wire.clone()).map(|advised| format!("advised: {advised}"));
+    [range, newer, advised].into_iter().flatten().collect::<Vec<_>>().join("; ")
 }
 
 fn meaning(field: &Field) -> String {

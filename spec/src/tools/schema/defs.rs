@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use serde_json::{Map, Value, json};
 
-use super::{alternatives, describe, lenient, scalar};
+use super::{advice, alternatives, describe, lenient, scalar};
 use crate::{Choice, EnumValue, Field, Spec, Type, TypeDef, TypeId, TypeKind};
 
 /// How a value is written.
@@ -65,9 +65,12 @@ impl<'s> Defs<'s> {
 
     /// An object with these keys; in a request, with no others.
     pub(super) fn object(&mut self, fields: &[Field], form: Form) -> Value {
-        let properties: Map<_, _> = fields.iter().map(|field| (field.wire.clone(), self.field(field, form))).collect();
+        let properties: Map<_, _> =
+            fields.iter().map(|field| (field.wire.clone(), self.field(fields, field, form))).collect();
         let required: Vec<_> = fields.iter().filter(|field| !field.optional).map(|field| &field.wire).collect();
         let object = json!({ "type": "object", "properties": properties, "required": required });
+        let rules = if form == Form::Sent { advice::rules(self.spec, fields) } else { Vec::new() };
+        let object = if rules.is_empty() { object } else { with(object, "allOf", rules) };
         match form {
             Form::Sent => with(object, "additionalProperties", false),
             Form::Received => object,
@@ -78,7 +81,7 @@ impl<'s> Defs<'s> {
     fn array(&mut self, tag: Option<Value>, fields: &[Field], exact: bool, form: Form) -> Value {
         let least = tag.iter().count() + fields.iter().filter(|field| !field.optional).count();
         let mut items: Vec<_> = tag.into_iter().collect();
-        items.extend(fields.iter().map(|field| self.field(field, form)));
+        items.extend(fields.iter().map(|field| self.field(fields, field, form)));
         let array = json!({ "type": "array", "minItems": least });
         // A schema may not have an empty list of them.
         let array = if items.is_empty() { array } else { with(array, "prefixItems", items) };
@@ -103,7 +106,7 @@ impl<'s> Defs<'s> {
     }
 
     /// A field's value, with what the field adds to its type.
-    pub(super) fn field(&mut self, field: &Field, form: Form) -> Value {
+    pub(super) fn field(&mut self, fields: &[Field], field: &Field, form: Form) -> Value {
         let mut schema = self.value(&field.ty, form);
         if form == Form::Sent {
             limit(&mut schema, field);
@@ -117,7 +120,7 @@ impl<'s> Defs<'s> {
         if field.name != field.wire {
             schema = with(schema, "title", field.name.clone());
         }
-        with(schema, "description", describe::field(self.spec, field))
+        with(schema, "description", describe::field(self.spec, fields, field))
     }
 
     fn value(&mut self, ty: &Type, form: Form) -> Value {
@@ -169,7 +172,7 @@ fn limit(schema: &mut Value, field: &Field) {
 }
 
 /// The number, without a fraction where it has none.
-fn number(value: f64) -> Value {
+pub(super) fn number(value: f64) -> Value {
     let text = value.to_string();
     text.parse::<i64>().map_or_else(|_| json!(value), |whole| json!(whole))
 }

@@ -17,12 +17,15 @@ pub(super) fn unit(unit: Option<&str>) -> String {
 }
 
 /// What a field means, in which unit, and what sources disagree on.
-pub(super) fn field(spec: &Spec, field: &Field) -> String {
+pub(super) fn field(spec: &Spec, fields: &[Field], field: &Field) -> String {
     let python = match &field.ty {
         Type::Python(inner) => format!("The value of the Python literal is {}.", spec.notation(inner)),
         _ => String::new(),
     };
     let newer = if field.range.advisory { "Newer firmware takes more than this range." } else { "" };
+    let advised =
+        words::advised(spec, fields, field, |other| other.wire.clone()).map(|advised| format!("Advised: {advised}."));
+    let advised = advised.unwrap_or_default();
     let shape = if field.or_raw { "The sources leave doubt about the shape: another may come." } else { "" };
     let disputed = if field.disputed.is_empty() {
         String::new()
@@ -31,7 +34,7 @@ pub(super) fn field(spec: &Spec, field: &Field) -> String {
     };
     let versions = words::versions(&field.versions).map(|versions| format!("Known to firmware {versions}."));
     let versions = versions.unwrap_or_default();
-    join(&[&field.doc, &unit(field.unit.as_deref()), &python, newer, shape, &disputed, &versions])
+    join(&[&field.doc, &unit(field.unit.as_deref()), &python, newer, &advised, shape, &disputed, &versions])
 }
 
 /// What a request does and needs.
