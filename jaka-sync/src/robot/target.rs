@@ -12,6 +12,10 @@ const CLOSE_MM: f64 = 0.5;
 const STILL_DEG: f64 = 0.002;
 const STILL_MM: f64 = 0.02;
 
+/// What rounding may add to a position: replies have six decimals.
+const ROUNDING_DEG: f64 = 1e-5;
+const ROUNDING_MM: f64 = 2e-6;
+
 /// Where a [`Motion`](super::Motion) ends, as far as its request determines it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -52,6 +56,11 @@ impl Place {
     /// rest.
     pub(super) fn is_still(&self, other: &Self) -> bool {
         self.is_within(other, STILL_DEG, STILL_MM)
+    }
+
+    /// True if both are the same. An arm that brakes is elsewhere until it rests, if only by micrometres.
+    pub(super) fn is_exactly(&self, other: &Self) -> bool {
+        self.is_within(other, ROUNDING_DEG, ROUNDING_MM)
     }
 
     fn is_within(&self, other: &Self, degrees: f64, millimetres: f64) -> bool {
@@ -155,6 +164,13 @@ mod tests {
         assert_eq!(goal.nearness(&joints(9.8)), Nearness::Elsewhere);
         assert_eq!(goal.nearness(&joints(f64::NAN)), Nearness::Elsewhere);
         assert_eq!(Goal::Unknown.nearness(&joints(0.0)), Nearness::Unknown);
+    }
+
+    #[test]
+    fn an_arm_that_brakes_is_not_exactly_at_its_goal() {
+        let goal = Place::Pose(pose(0.0, 180.0));
+        assert!(goal.is_exactly(&Place::Pose(pose(0.000_000_5, 180.0))));
+        assert!(!goal.is_exactly(&Place::Pose(pose(0.01, 180.0))) && goal.is_still(&Place::Pose(pose(0.01, 180.0))));
     }
 
     #[test]

@@ -209,7 +209,7 @@ impl Wait {
 
     /// True for a place that is exactly the goal, where a motion comes to rest and does not pass.
     fn is_exact(&self, place: &Place) -> bool {
-        matches!(&self.batch.goal, Goal::At(goal, _) if goal.is_still(place))
+        matches!(&self.batch.goal, Goal::At(goal, _) if goal.is_exactly(place))
     }
 
     /// True if an answer some time before was the same.
