@@ -26,11 +26,11 @@ pub use call::Call;
 pub use client::Client;
 pub use config::Config;
 pub use error::{Disconnect, Error, ErrorKind};
-/// The layer below: messages, framing and codec, without I/O.
-pub use jaka_proto as proto;
 /// Kinematics and limits. Needs the feature `motion`.
 #[cfg(feature = "motion")]
 pub use jaka_motion;
+/// The layer below: messages, framing and codec, without I/O.
+pub use jaka_proto as proto;
 #[doc(no_inline)]
 pub use jaka_proto::geometry;
 #[doc(inline)]

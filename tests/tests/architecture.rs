@@ -11,7 +11,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
     ("jaka-motion", &["jaka-proto"]),
-    ("jaka-sync", &["jaka-proto", "jaka-proto-derive"]),
+    ("jaka-sync", &["jaka-motion", "jaka-proto", "jaka-proto-derive"]),
     ("jaka-sim", &["jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-spec"]),
     ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];

@@ -62,9 +62,11 @@ fn start_pose() -> Pose {
 
 /// The requests that move the arm.
 fn motions(controller: &Controller) -> Vec<String> {
-    let moves = |request: &String| ["joint_move", "end_move", "moveL", "movc", "servo_j", "servo_p"]
-        .iter()
-        .any(|name| request.contains(&format!("\"{name}\"")));
+    let moves = |request: &String| {
+        ["joint_move", "end_move", "moveL", "movc", "servo_j", "servo_p"]
+            .iter()
+            .any(|name| request.contains(&format!("\"{name}\"")))
+    };
     controller.requests().into_iter().filter(moves).collect()
 }
 
@@ -187,7 +189,8 @@ fn a_warning_is_kept_and_explains_the_controllers_refusal() {
     let warning = robot.limit_warning().map(ToString::to_string).unwrap_or_default();
     assert!(warning.contains("deg/s²"), "{warning}");
     let pose = start_pose();
-    let error = robot.run(&MoveL::absolute(Pose { x: 2000.0, ..pose }, 100.0), LONG).expect_err("the controller refuses");
+    let error =
+        robot.run(&MoveL::absolute(Pose { x: 2000.0, ..pose }, 100.0), LONG).expect_err("the controller refuses");
     let ErrorKind::Refused { explanation: Some(Explanation::BeyondLimit(beyond)), .. } = error.kind() else {
         panic!("{error:?}")
     };
@@ -222,7 +225,10 @@ fn a_set_point_beyond_a_limit_ends_the_session() {
     };
     assert!(error.to_string().contains("joint 6 would be at 1.00"), "{error}");
     assert_eq!(sent, 250);
-    assert!(matches!(session.send_joint_offset([0.0; 6]).map_err(jaka_sync::Error::into_kind), Err(ErrorKind::SessionEnded { .. })));
+    assert!(matches!(
+        session.send_joint_offset([0.0; 6]).map_err(jaka_sync::Error::into_kind),
+        Err(ErrorKind::SessionEnded { .. })
+    ));
     drop(session);
     assert!(!controller.state().servo_mode);
     assert_eq!(motions(&controller).len(), 250);
@@ -250,7 +256,9 @@ fn poses_of_a_session_are_checked_and_offsets_of_a_pose_are_not_sent() {
     let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
     let error = session.send_pose_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0]).expect_err("its axes are not known");
     assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Target, .. }), "{error:?}");
-    assert!(!motions(&controller).iter().any(|request| request.contains("\"relFlag\":1") && request.contains("servo_p")));
+    assert!(
+        !motions(&controller).iter().any(|request| request.contains("\"relFlag\":1") && request.contains("servo_p"))
+    );
 }
 
 #[test]
@@ -258,7 +266,8 @@ fn without_limits_nothing_is_checked() {
     let controller = controller();
     let mut robot = robot(&controller, limits()).without_limits();
     let before = controller.requests().len();
-    let end = robot.run(&JointMove::absolute([10.0, 100.0, 80.0, 90.0, -90.0, 5.0], 30.0), LONG).expect("it is accepted");
+    let end =
+        robot.run(&JointMove::absolute([10.0, 100.0, 80.0, 90.0, -90.0, 5.0], 30.0), LONG).expect("it is accepted");
     assert!(matches!(end.outcome, Outcome::Reached));
     let queries = controller.requests().len() - before - 1;
     assert!(queries <= 5, "{queries} queries");

@@ -321,9 +321,9 @@ impl fmt::Display for ErrorKind {
                 write!(f, "`{command}` was not sent, because it cannot be checked against the limits: {reason}")
             }
             #[cfg(feature = "motion")]
-            Self::ModelMismatch { .. } => {
-                f.write_str("the limits are not those of this robot: its controller computes other poses than their model")
-            }
+            Self::ModelMismatch { .. } => f.write_str(
+                "the limits are not those of this robot: its controller computes other poses than their model",
+            ),
         }
     }
 }

@@ -88,8 +88,7 @@ impl<S: MotionStatus> Robot<S> {
     pub fn with_limits(mut self, limits: Limits) -> Result<Self, Error> {
         let (frames, frame_changes) = self.fitted_frames(limits.model())?;
         let checker = Checker::new(limits, frames);
-        let limited =
-            Limited { checker, policy: LimitPolicy::default(), warning: None, planned: None, frame_changes };
+        let limited = Limited { checker, policy: LimitPolicy::default(), warning: None, planned: None, frame_changes };
         self.checks = Checks(Some(Box::new(limited)));
         Ok(self)
     }
@@ -127,7 +126,8 @@ impl<S: MotionStatus> Robot<S> {
             pairs.push((joints, self.client.call(&KineForward::new(joints))?.pose));
         }
         let fit = model.fit(&pairs, Tolerance::default());
-        let frames = fit.map_err(|source| self.client.link().attach(ErrorKind::ModelMismatch { source }.into()))?.frames;
+        let frames =
+            fit.map_err(|source| self.client.link().attach(ErrorKind::ModelMismatch { source }.into()))?.frames;
         Ok((frames, frame_changes))
     }
 

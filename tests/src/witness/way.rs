@@ -348,7 +348,8 @@ fn circle(from: Frame, mid: Frame, to: Frame) -> Option<Circle> {
     if area < 1e-9 {
         return None;
     }
-    let (one, other) = (cross(normal, ab).map(|part| part * dot(ac, ac)), cross(ac, normal).map(|part| part * dot(ab, ab)));
+    let (one, other) =
+        (cross(normal, ab).map(|part| part * dot(ac, ac)), cross(ac, normal).map(|part| part * dot(ab, ab)));
     let to_centre: [f64; 3] = std::array::from_fn(|axis| (one[axis] + other[axis]) / (2.0 * area));
     let centre = std::array::from_fn(|axis| a[axis] + to_centre[axis]);
     let radius = norm(to_centre);

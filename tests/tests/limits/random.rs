@@ -63,7 +63,8 @@ impl Rig {
         let name = Witness::names().nth(random.below(20) as usize).expect("there are twenty");
         let model = Model::named(name).expect("published");
         let (tool, base) = (random.frame(150.0, 180.0), random.frame(500.0, 180.0));
-        let mut limits = Limits::of(model).with_joint_accelerations([random.between(50.0, 400.0); 6]).expect("positive");
+        let mut limits =
+            Limits::of(model).with_joint_accelerations([random.between(50.0, 400.0); 6]).expect("positive");
         let tcp_speed = random.between(200.0, 1500.0);
         let least = random.between(0.0, 0.1);
         limits = limits.with_tcp_speed(tcp_speed).expect("positive").with_singularity_distance(least).expect("small");
@@ -125,7 +126,8 @@ pub(super) fn frame(of: Pose) -> Frame {
 fn zone(random: &mut Random, number: u32, reach: f64) -> (Region, Zone) {
     let name = format!("zone {number}");
     let middle = random.offsets::<3>(reach * 0.6);
-    let (point, of) = [(Point::Elbow, 0), (Point::Wrist, 1), (Point::Tcp, 2), (Point::Tcp, 2)][random.below(4) as usize];
+    let (point, of) =
+        [(Point::Elbow, 0), (Point::Wrist, 1), (Point::Tcp, 2), (Point::Tcp, 2)][random.below(4) as usize];
     let in_user = random.one_in(2);
     let (region, shape) = match random.below(3) {
         0 => {
@@ -135,8 +137,10 @@ fn zone(random: &mut Random, number: u32, reach: f64) -> (Region, Zone) {
         }
         1 => {
             let halves: [f64; 3] = std::array::from_fn(|_| random.between(1.0, 150.0));
-            let (min, max): ([f64; 3], [f64; 3]) =
-                (std::array::from_fn(|axis| middle[axis] - halves[axis]), std::array::from_fn(|axis| middle[axis] + halves[axis]));
+            let (min, max): ([f64; 3], [f64; 3]) = (
+                std::array::from_fn(|axis| middle[axis] - halves[axis]),
+                std::array::from_fn(|axis| middle[axis] + halves[axis]),
+            );
             (Region::outside_box(name, min, max), Shape::Outside(min, max))
         }
         _ => {

@@ -113,9 +113,8 @@ fn set_points() {
         let speed = random.mostly_small(250.0);
         let last = by(&mut random, from, speed * period);
         let change = random.between(0.0, 1.3) * rig.bounds.accelerations[0] * period * period;
-        let target: [f64; 6] = std::array::from_fn(|joint| {
-            last[joint] + (last[joint] - from[joint]) + random.between(-change, change)
-        });
+        let target: [f64; 6] =
+            std::array::from_fn(|joint| last[joint] + (last[joint] - from[joint]) + random.between(-change, change));
         if rig.bounds.place(last).is_beyond([-0.01, -1.0, -0.01, -0.01]) {
             continue;
         }

@@ -78,7 +78,10 @@ impl Cell {
             }
         }
         let outcome = self.robot.wait(LONG).outcome;
-        assert!(outcome.is_at_rest() || matches!(outcome, jaka_sync::Outcome::NoMotion | jaka_sync::Outcome::Stopped), "{outcome}");
+        assert!(
+            outcome.is_at_rest() || matches!(outcome, jaka_sync::Outcome::NoMotion | jaka_sync::Outcome::Stopped),
+            "{outcome}"
+        );
         self.controller.motions();
         self.robot.acknowledge();
     }
@@ -90,7 +93,8 @@ impl Cell {
         let speed = self.random.mostly_small(200.0);
         let acceleration = self.rig.bounds.accelerations[0] * self.random.between(0.2, 1.1);
         let excess = self.rig.bounds.joint_way(self.at, to, speed, acceleration, STEPS);
-        let motion = if self.random.one_in(2) { JointMove::relative(by, speed) } else { JointMove::absolute(to, speed) };
+        let motion =
+            if self.random.one_in(2) { JointMove::relative(by, speed) } else { JointMove::absolute(to, speed) };
         if self.random.one_in(20) {
             let error = self.robot.start(&motion).expect_err("without an acceleration");
             assert!(error.to_string().contains("acceleration") || excess.is_beyond(WITHIN), "{error}");
@@ -124,7 +128,10 @@ impl Cell {
         let here = self.rig.pose(self.at);
         let (motion, to) = if self.random.one_in(2) {
             let [x, y, z] = self.random.offsets::<3>(most * 5.0);
-            (MoveL::relative([x, y, z, 0.0, 0.0, 0.0], speed), Pose { x: here.x + x, y: here.y + y, z: here.z + z, ..here })
+            (
+                MoveL::relative([x, y, z, 0.0, 0.0, 0.0], speed),
+                Pose { x: here.x + x, y: here.y + y, z: here.z + z, ..here },
+            )
         } else {
             let to = self.rig.pose(near);
             (MoveL::absolute(to, speed), to)
@@ -204,7 +211,11 @@ impl Cell {
             };
             match result {
                 Ok(()) => {
-                    assert!(!excess.is_beyond(AMOUNTS), "sent although beyond\nseed {}: {before:?}, {target:?}, {excess:?}", self.seed);
+                    assert!(
+                        !excess.is_beyond(AMOUNTS),
+                        "sent although beyond\nseed {}: {before:?}, {target:?}, {excess:?}",
+                        self.seed
+                    );
                     self.tally.set_points += 1;
                     before = [last, target];
                 }
@@ -217,7 +228,11 @@ impl Cell {
         match refusal {
             None => drop(session.finish().expect("all were accepted")),
             Some((error, excess)) => {
-                assert!(excess.is_beyond(WITHIN), "refused although within: {error}\nseed {}: {before:?}, {excess:?}", self.seed);
+                assert!(
+                    excess.is_beyond(WITHIN),
+                    "refused although within: {error}\nseed {}: {before:?}, {excess:?}",
+                    self.seed
+                );
                 drop(session);
                 self.tally.set_points_refused += 1;
             }
@@ -262,6 +277,8 @@ fn nothing_beyond_a_limit_is_sent_and_nothing_within_is_refused() {
     let sum = |of: fn(&Tally) -> u32| tallies.iter().map(of).sum::<u32>();
     let (sent, refused, either) = (sum(|tally| tally.sent), sum(|tally| tally.refused), sum(|tally| tally.either));
     let (points, points_refused) = (sum(|tally| tally.set_points), sum(|tally| tally.set_points_refused));
-    println!("{sent} motions sent, {refused} refused, {either} either; {points} set-points sent, {points_refused} refused");
+    println!(
+        "{sent} motions sent, {refused} refused, {either} either; {points} set-points sent, {points_refused} refused"
+    );
     assert!(sent > 0 && refused > 0 && points > 0 && points_refused > 0);
 }

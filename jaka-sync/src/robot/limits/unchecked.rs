@@ -26,7 +26,9 @@ impl fmt::Display for Unchecked {
             Self::Start => "where it begins is not known; wait for the end of all motions first",
             Self::Target => "the request does not say where it ends; give an absolute target",
             Self::Path => "the request does not say on which way the arm goes",
-            Self::Frames => "the arm's pose does not fit its joint positions: a frame is changing, or the arm moves; try again",
+            Self::Frames => {
+                "the arm's pose does not fit its joint positions: a frame is changing, or the arm moves; try again"
+            }
             Self::FramesInQueue => "a frame was changed after a motion that has not ended; wait for its end first",
         })
     }
