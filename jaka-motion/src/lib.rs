@@ -25,6 +25,8 @@ pub use fit::{Fit, FitError, Tolerance};
 pub use frames::Frames;
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
+#[cfg(feature = "toml")]
+pub use limits::LimitsFileError;
 pub use limits::{InvalidLimit, Limits, Point, Region, RegionFrame};
 pub use model::{DhMismatch, Model, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;

@@ -1,8 +1,12 @@
 //! What an arm may do.
 
+#[cfg(feature = "toml")]
+mod file;
 mod invalid;
-pub(crate) mod region;
+mod region;
 
+#[cfg(feature = "toml")]
+pub use self::file::LimitsFileError;
 pub use self::invalid::InvalidLimit;
 pub use self::region::{Point, Region, RegionFrame};
 use crate::model::Model;
@@ -81,8 +85,9 @@ impl Limits {
             return Err(InvalidLimit::EmptyRange { joint, min_deg, max_deg });
         }
         let (least, most) = (self.model.joint_min()[index], self.model.joint_max()[index]);
-        for (given, published) in [(min_deg, least), (max_deg, most)] {
-            if given < least || given > most {
+        for given in [min_deg, max_deg] {
+            let published = given.clamp(least, most);
+            if given != published {
                 return Err(InvalidLimit::Wider { joint, given, published, unit: "deg", model: self.model.name() });
             }
         }

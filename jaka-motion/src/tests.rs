@@ -2,10 +2,12 @@
 
 mod calibrated;
 mod captured;
+mod checker;
 mod conventions;
 mod differences;
 mod fit;
 mod hostile;
+mod limits;
 mod place;
 mod polish;
 mod round_trip;

@@ -21,6 +21,8 @@ pub(crate) const RADIAN: f64 = 1e3;
 pub(crate) const DAMPING: f64 = 1.0;
 /// The most Newton steps. Away from singularities each squares the error.
 const STEPS: usize = 12;
+/// Further away than this, in mm, the closed form's numbers could overflow.
+const FAR: f64 = 1e9;
 /// A joint that is beyond its limit by this many degrees or less, which is rounding, is set to the limit.
 const ON_LIMIT: f64 = 1e-6;
 
@@ -73,9 +75,9 @@ impl Model {
         if !target.to_homogeneous().iter().chain(reference).all(|number| number.is_finite()) {
             return Err(NoSolution::NotFinite);
         }
-        let by_mm = target.translation.vector.norm() - self.reach_mm();
-        if by_mm > 0.0 {
-            return Err(NoSolution::OutOfReach { by_mm });
+        let distance = target.translation.vector.norm();
+        if distance > FAR {
+            return Err(NoSolution::OutOfReach { by_mm: distance });
         }
         let form = &self.closed_form;
         let found = form.solve(target, &form.links.angles(reference));
