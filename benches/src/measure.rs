@@ -46,6 +46,8 @@ pub enum Target {
     AtMost(&'static str, f64, &'static str),
     /// At least this many times as long.
     AtLeast(&'static str, f64, &'static str),
+    /// At most this many microseconds, whatever the others take.
+    Within(&'static str, f64),
 }
 
 /// With tabs between the parts, for scripts.
@@ -54,6 +56,7 @@ impl std::fmt::Display for Target {
         match self {
             Self::AtMost(name, factor, than) => write!(f, "{name}\tat most\t{factor}\t{than}"),
             Self::AtLeast(name, factor, than) => write!(f, "{name}\tat least\t{factor}\t{than}"),
+            Self::Within(name, most) => write!(f, "{name}\twithin\t{most}\tus"),
         }
     }
 }
@@ -104,14 +107,22 @@ impl Work<'_> {
             let _ = writeln!(out, "  {:24} {middle:6.2}x ({low:.2} to {high:.2}) {time:10.0} ns", contender.name);
         }
         for target in &self.targets {
-            let (Target::AtMost(name, factor, than) | Target::AtLeast(name, factor, than)) = *target;
-            let ratio = quartiles(ratios(self.of(name, turns), self.of(than, turns)))[1];
-            let (words, met) = match target {
-                Target::AtMost(..) => ("at most", ratio <= factor),
-                Target::AtLeast(..) => ("at least", ratio >= factor),
+            let ratio = |name, than| quartiles(ratios(self.of(name, turns), self.of(than, turns)))[1];
+            let (words, met) = match *target {
+                Target::AtMost(name, factor, than) => {
+                    let ratio = ratio(name, than);
+                    (format!("{name} at most {factor}x {than}: {ratio:.2}x"), ratio <= factor)
+                }
+                Target::AtLeast(name, factor, than) => {
+                    let ratio = ratio(name, than);
+                    (format!("{name} at least {factor}x {than}: {ratio:.2}x"), ratio >= factor)
+                }
+                Target::Within(name, most) => {
+                    let time = quartiles(self.of(name, turns).to_vec())[1] / 1e3;
+                    (format!("{name} at most {most} us: {time:.1} us"), time <= most)
+                }
             };
-            let met = if met { "met" } else { "MISSED" };
-            let _ = writeln!(out, "  target: {name} {words} {factor}x {than}: {ratio:.2}x, {met}");
+            let _ = writeln!(out, "  target: {words}, {}", if met { "met" } else { "MISSED" });
         }
         out
     }

@@ -10,7 +10,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto-derive", &["jaka-spec"]),
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
-    ("jaka-motion", &["jaka-proto"]),
+    ("jaka-motion", &["jaka-proto", "jaka-spec"]),
     ("jaka-sync", &["jaka-motion", "jaka-proto", "jaka-proto-derive"]),
     ("jaka-sim", &["jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-spec"]),
     ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),

@@ -2,9 +2,8 @@
 
 use jaka_proto::messages::types::Pose;
 
-use super::{ELBOW_UP, PACE, SLOW, bare, moved, some_frames, zu5};
+use super::{ELBOW_UP, PACE, SLOW, amidst, bare, moved, some_frames, zu5};
 use crate::tests::Random;
-use crate::tests::checker::away_from_singularities;
 use crate::{Beyond, Checker, Exceeded, Frames, JointPace, Limits, Model, Point, Region, TcpPace};
 
 const ODD: [f64; 9] =
@@ -70,13 +69,8 @@ fn odd_paces_are_refused() {
             let found = checker.check_joint_way(ELBOW_UP.into(), ELBOW_UP.into(), pace).unwrap_err();
             assert!(matches!(found.exceeded, Exceeded::Pace { .. }), "{found}");
         }
-        let slow = TcpPace { speed_mm_s: odd, ..SLOW };
-        let accelerated = TcpPace { acceleration_mm_s2: Some(odd), ..SLOW };
-        let blended = TcpPace { tolerance_mm: odd, ..SLOW };
-        for pace in [slow, accelerated, blended] {
-            if pace.tolerance_mm == 0.0 && pace == SLOW {
-                continue;
-            }
+        let blended = TcpPace { tolerance_mm: if odd == 0.0 { -1.0 } else { odd }, ..SLOW };
+        for pace in [TcpPace { speed_mm_s: odd, ..SLOW }, blended] {
             let found = checker.check_line(ELBOW_UP.into(), to, pace).unwrap_err();
             assert!(matches!(found.exceeded, Exceeded::Pace { .. }), "{found}");
         }
@@ -123,7 +117,7 @@ fn a_calibrated_arm_is_followed_too() {
         arm.closed_form.links = model.closed_form.nearest_to(&arm.links);
         arm.closed_form.precision = crate::closed_form::Precision::FirstGuess;
         let frames = some_frames(&mut random);
-        let from = away_from_singularities(&mut random, model);
+        let from = amidst(&mut random, &Limits::of(model));
         let start = arm.forward(from) * frames.tool();
         let end = start.displaced(&Pose::from_millimetres_degrees([20.0, 30.0, -25.0], [5.0, 0.0, 8.0]).into());
         let checker = Checker::new(Limits::of(&arm), frames);
