@@ -86,9 +86,9 @@ impl Limits {
         }
         let (least, most) = (self.model.joint_min()[index], self.model.joint_max()[index]);
         for given in [min_deg, max_deg] {
-            let published = given.clamp(least, most);
-            if given != published {
-                return Err(InvalidLimit::Wider { joint, given, published, unit: "deg", model: self.model.name() });
+            if !(least..=most).contains(&given) {
+                let (published, model) = (given.clamp(least, most), self.model.name());
+                return Err(InvalidLimit::Wider { joint, given, published, unit: "deg", model });
             }
         }
         (self.joint_min[index], self.joint_max[index]) = (min_deg, max_deg);

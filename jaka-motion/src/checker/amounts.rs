@@ -17,8 +17,9 @@ impl Checker {
     pub const AMOUNT_SINGULARITY: f64 = 0.002;
 }
 
-/// What rounding may add to an angle in degrees or a length in mm.
-pub(super) const ROUNDING: f64 = 1e-6;
+/// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated amounts, and far above
+/// how exactly joint positions are found for a pose.
+pub(super) const ROUNDING: f64 = 1e-5;
 
 /// How far, in mm, a point may be from the straight way between two neighbouring samples. With the quarter of a box's side by which
 /// [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a way through the box has a sample in it.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3, Vector6};
 
-use super::amounts::{BEND_MM, LEAST_STEP};
+use super::amounts::{BEND_MM, LEAST_STEP, ROUNDING};
 use super::pace::TcpPace;
 use super::path::{Path, Piece};
 use super::{Checker, rounded_up};
@@ -162,7 +162,7 @@ impl<'a> Following<'a> {
         self.checker.within_ranges(&here.joints, &self.start).map_err(there)?;
         for (index, which) in Singularity::ALL.into_iter().enumerate() {
             let (distance, least) = (here.distances[index], self.least[index]);
-            if distance < least - f64::EPSILON {
+            if distance < least - ROUNDING {
                 return Err(there(Exceeded::Singularity { which, distance, least }));
             }
         }

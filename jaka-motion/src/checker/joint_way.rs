@@ -16,7 +16,7 @@ impl Checker {
         // Each joint turns one way only, so what holds at both ends holds between them.
         self.within_ranges(to, from).map_err(at_end)?;
         let moved: [f64; 6] = std::array::from_fn(|index| to[index] - from[index]);
-        if moved != [0.0; 6] {
+        if longest(&moved) > 0.0 {
             self.joint_pace(&moved, pace).map_err(at_end)?;
             self.tcp_speed_on_joint_way(from, &moved, pace)?;
         }

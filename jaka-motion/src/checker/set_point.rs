@@ -2,6 +2,7 @@
 
 use nalgebra::Isometry3;
 
+use super::amounts::ROUNDING;
 use super::pace::above_zero;
 use super::{Checker, rounded_up};
 use crate::beyond::{Exceeded, Found};
@@ -67,13 +68,13 @@ impl Checker {
     }
 
     /// Whether no singularity is nearer than the least distance, or than where the motion started.
-    fn distances_kept(&self, last: &[f64; 6], target: &[f64; 6]) -> Result<(), Exceeded> {
+    fn distances_kept(&self, from: &[f64; 6], to: &[f64; 6]) -> Result<(), Exceeded> {
         let model = self.limits.model();
-        let [last, target] = [last, target].map(|joints| model.distances(&model.links.frames(joints)));
+        let [before, after] = [from, to].map(|joints| model.distances(&model.links.frames(joints)));
         for (index, which) in Singularity::ALL.into_iter().enumerate() {
-            let least = self.limits.singularity_distance().min(last[index]);
-            if target[index] < least - f64::EPSILON {
-                return Err(Exceeded::Singularity { which, distance: target[index], least });
+            let (distance, least) = (after[index], self.limits.singularity_distance().min(before[index]));
+            if distance < least - ROUNDING {
+                return Err(Exceeded::Singularity { which, distance, least });
             }
         }
         Ok(())

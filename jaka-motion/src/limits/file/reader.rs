@@ -17,12 +17,12 @@ pub(super) struct Placed<T> {
 pub(super) struct Table<'a, 's> {
     pub(super) at: usize,
     what: String,
-    table: &'a DeTable<'s>,
+    entries: &'a DeTable<'s>,
 }
 
 impl<'a, 's> Table<'a, 's> {
-    pub(super) fn new(what: String, at: usize, table: &'a DeTable<'s>) -> Self {
-        Self { at, what, table }
+    pub(super) fn new(what: String, at: usize, entries: &'a DeTable<'s>) -> Self {
+        Self { at, what, entries }
     }
 
     fn about(&self, message: &str) -> String {
@@ -54,7 +54,7 @@ impl<'t> Reader<'t> {
 
     /// Reports each key that is not one of these.
     pub(super) fn keys(&mut self, table: &Table<'_, '_>, known: &[&str]) {
-        for key in table.table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
+        for key in table.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
             let hint = match nearest(key.get_ref(), known.iter().copied()) {
                 Some(near) => format!("is it `{near}`?"),
                 None => format!("the keys are {}", known.join(", ")),
@@ -69,7 +69,7 @@ impl<'t> Reader<'t> {
         key: &str,
         read: impl FnOnce(&mut Self, &Table<'_, '_>, &str) -> Option<T>,
     ) -> Option<T> {
-        if !table.table.contains_key(key) {
+        if !table.entries.contains_key(key) {
             self.error(table.at, table.about(&format!("`{key}` is missing")));
         }
         read(self, table, key)
@@ -132,7 +132,7 @@ impl<'t> Reader<'t> {
         expected: &str,
         convert: impl FnOnce(&'a DeValue<'s>) -> Option<T>,
     ) -> Option<Placed<T>> {
-        let found = table.table.get(key)?;
+        let found = table.entries.get(key)?;
         let (at, value) = (found.span().start, convert(found.get_ref()));
         if value.is_none() {
             self.error(at, table.about(&format!("`{key}` must be {expected}")));

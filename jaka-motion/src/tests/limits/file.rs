@@ -29,8 +29,8 @@ fn what_is_stated_counts() {
         max_mm = [500, 500, 900.5]
     "#;
     let limits = Limits::from_toml(text, "cell.toml").unwrap_or_else(|errors| panic!("{errors}"));
-    assert_eq!(limits.joint_min(), &[-90.0, -100.0, -110.5, -90.0, -120.0, 16.0]);
-    assert_eq!(limits.joint_max(), Model::named("MiniCobo").expect("published").joint_max());
+    assert_eq!(limits.joint_min().to_vec(), [-90.0, -100.0, -110.5, -90.0, -120.0, 16.0]);
+    assert_eq!(limits.joint_max().to_vec(), Model::named("MiniCobo").expect("published").joint_max());
     assert_eq!((limits.joint_speeds()[3], limits.tcp_speed()), (40.0, Some(100.0)));
     let region = &limits.regions()[0];
     assert_eq!((region.point(), region.frame(), &**region.name()), (Point::Wrist, RegionFrame::ArmBase, "cell"));
