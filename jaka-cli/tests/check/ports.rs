@@ -136,7 +136,7 @@ fn packets_that_are_none() {
         controller.command_addr(),
         controller.status_addr(),
         &expect![[r#"
-            status_port: wrong: no status packet within 2s; 1014 bytes came that are not a packet
+            status_port: wrong: no status packet within 2s; what came is something else
               check the address and the port: something else may listen there, or a controller that expects TLS
         "#]],
     );

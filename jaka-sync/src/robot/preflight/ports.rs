@@ -37,7 +37,7 @@ pub(super) fn of_status(error: &Error, dropped: u64) -> Finding {
     let (seen, advice) = match error.kind() {
         ErrorKind::Connect { address, source } => not_connected(address, source),
         ErrorKind::StatusTimeout { .. } if dropped > 0 => {
-            (format!("{error}; {dropped} bytes came that are not a packet"), NOT_A_CONTROLLER)
+            (format!("{error}; what came is something else"), NOT_A_CONTROLLER)
         }
         ErrorKind::StatusTimeout { .. } => (
             error.to_string(),
