@@ -137,8 +137,8 @@ impl Bounds {
         if longest == 0.0 {
             return excess;
         }
-        for joint in 0..6 {
-            let share = by[joint].abs() / longest;
+        for (joint, by) in by.iter().enumerate() {
+            let share = by.abs() / longest;
             excess.speed = excess.speed.max(speed * share / self.speeds[joint] - 1.0);
             excess.acceleration = excess.acceleration.max(acceleration * share / self.accelerations[joint] - 1.0);
         }
@@ -256,8 +256,8 @@ impl Bounds {
     /// Ranges and zones.
     fn at(&self, joints: [f64; 6], tolerance: f64) -> Excess {
         let mut excess = Excess::NONE;
-        for joint in 0..6 {
-            let over = (self.joint_min[joint] - joints[joint]).max(joints[joint] - self.joint_max[joint]);
+        for ((min, joint), max) in self.joint_min.iter().zip(joints).zip(&self.joint_max) {
+            let over = (min - joint).max(joint - max);
             excess.degrees = excess.degrees.max(over);
         }
         excess.millimetres = self.zones_at(&self.points(joints), tolerance);

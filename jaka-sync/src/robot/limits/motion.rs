@@ -60,7 +60,7 @@ impl<S: MotionStatus> Robot<S> {
             (Target::Unknown, _) => return Err(self.not_checked(info.name, Unchecked::Target)),
         };
         let tcp_pace = |speed_mm_s| TcpPace { speed_mm_s, tolerance_mm };
-        let checked = match (end, path) {
+        let within = match (end, path) {
             (End::Joints(to), Path::Joints { speed, acceleration }) => {
                 let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
                 checker.check_joint_way(from, to, pace).map(|()| Some(to))
@@ -75,7 +75,7 @@ impl<S: MotionStatus> Robot<S> {
             }
             _ => return Err(self.not_checked(info.name, Unchecked::Path)),
         };
-        checked.map_err(|beyond| self.beyond_limit(info.name, beyond))
+        within.map_err(|beyond| self.beyond_limit(info.name, beyond))
     }
 
     /// A pose that is reached by a motion of the joints: on the branch that the controller says, or, where it says none, on each.
@@ -89,7 +89,7 @@ impl<S: MotionStatus> Robot<S> {
     ) -> Result<Option<JointPosition>, Error> {
         let chosen = self.client.call_within(&KineInverse::new(from, to), timeout);
         let Some(checker) = self.limits() else { return Ok(None) };
-        let checked = match chosen {
+        let within = match chosen {
             Ok(chosen) => {
                 let end = chosen.joint_position;
                 checker.check_joint_way(from, end, pace).map(|()| Some(end))
@@ -97,7 +97,7 @@ impl<S: MotionStatus> Robot<S> {
             Err(error) if error.is_refused() => checker.check_end_move(from, to, pace).map(|()| None),
             Err(error) => return Err(error),
         };
-        checked.map_err(|beyond| self.beyond_limit(info.name, beyond))
+        within.map_err(|beyond| self.beyond_limit(info.name, beyond))
     }
 
     /// Where the arm is when the motion begins.
