@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
+use jaka_motion::Limits;
 use jaka_sim::{Builder, Controller, Delays, Model};
-use jaka_sync::jaka_motion::Limits;
 use jaka_sync::proto::wire::Decode;
 use jaka_sync::recording::Port;
 use jaka_sync::{Client, Config, Monitor, Preflight, Reconnect, Recorder, StatusSampling, StatusStream};

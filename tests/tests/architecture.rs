@@ -13,7 +13,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-motion", &["jaka-proto", "jaka-spec"]),
     ("jaka-sync", &["jaka-motion", "jaka-proto", "jaka-proto-derive"]),
     ("jaka-sim", &["jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-spec"]),
-    ("jaka-cli", &["jaka-dynamic", "jaka-sim", "jaka-spec", "jaka-sync"]),
+    ("jaka-cli", &["jaka-dynamic", "jaka-motion", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 
 /// What stands in a circle nevertheless.

@@ -1,9 +1,11 @@
 //! `jaka check`: what to look at before a robot is used.
 
+use std::fs;
 use std::io::{IsTerminal, stdin};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use jaka_sync::jaka_motion::{Limits, Model};
+use jaka_motion::{Limits, Model};
 use jaka_sync::{Finding, Preflight, Verdict};
 use serde_json::{Value, json};
 
@@ -16,6 +18,7 @@ const EXAMPLES: &str = "\
 Examples:
   jaka check -r 10.5.5.100
   jaka check -r cell1 --model zu5 --yes --json > check.json
+  jaka check -r cell1 --limits limits.toml
   jaka check --sim --sim-powered
 
 The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing
@@ -35,6 +38,9 @@ pub(crate) struct Check {
     /// The arm's model, such as zu5 [default: whichever published one agrees with the controller]
     #[arg(long, value_name = "NAME", value_parser = model)]
     model: Option<&'static Model>,
+    /// The arm's limits, with its model: a TOML file
+    #[arg(long, value_name = "FILE", conflicts_with = "model")]
+    limits: Option<PathBuf>,
     /// Connect to the command port without asking
     #[arg(long, short)]
     yes: bool,
@@ -44,11 +50,15 @@ pub(crate) struct Check {
 
 impl Check {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        let limits = match &self.limits {
+            Some(path) => Some(read_limits(path)?),
+            None => self.model.map(Limits::of),
+        };
         let target = self.robot.target(&[])?;
         if !self.yes && !self.robot.is_simulated() {
             obtain_seat(target.title())?;
         }
-        let preflight = target.preflight(self.model.map(Limits::of).as_ref());
+        let preflight = target.preflight(limits.as_ref());
         if self.json {
             output::json(&format!("{:#}\n", as_json(target.title(), &preflight)))?;
         } else {
@@ -59,6 +69,12 @@ impl Check {
             worst => Err(Failure::Found(worst)),
         }
     }
+}
+
+fn read_limits(path: &Path) -> Result<Limits, Failure> {
+    let name = path.display().to_string();
+    let text = fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {name}: {error}")))?;
+    Limits::from_toml(&text, &name).map_err(|errors| Failure::Usage(errors.to_string()))
 }
 
 /// Makes sure that the user wants this program to be the one client of the command port.

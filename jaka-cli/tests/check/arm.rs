@@ -1,10 +1,13 @@
 //! The arm's model, and where the arm is against limits.
 
+use std::fs;
+
 use expect_test::{Expect, expect};
 use jaka_sim::{Controller, Delays, Fault, Model};
-use jaka_sync::jaka_motion::proto::messages::kinematics::GetDhParamReply;
+use jaka_sync::proto::messages::kinematics::GetDhParamReply;
 
 use super::{assert_found, assert_report, check, healthy, make_ready};
+use crate::program::scratch;
 
 fn zu5() -> &'static Model {
     Model::named("Zu 5").expect("a published arm")
@@ -92,6 +95,31 @@ fn an_arm_beyond_its_limits() {
               lead it back, by a motion that goes no further out, or at the pendant
         "#]],
     );
+}
+
+#[test]
+fn limits_of_a_file() {
+    let path = scratch("limits.toml");
+    let file = path.display().to_string();
+    fs::write(&path, "model = \"Zu 5\"\n[joints]\nmax_deg = [360, 80, 175, 265, 360, 360]\n")
+        .expect("the folder is there");
+    let report = check(&healthy(), &["--yes", "--json", "--limits", &file]);
+    assert_report(
+        &report,
+        &expect![[r#"
+        limits: look: joint 2 is at 90 deg; limit 80 (Zu 5)
+          lead it back, by a motion that goes no further out, or at the pendant
+    "#]],
+    );
+    fs::write(&path, "model = \"Zu 5\"\n[tcp]\nspeed_mms = 250\n").expect("the folder is there");
+    let controller = healthy();
+    let report = check(&controller, &["--yes", "--limits", &file]);
+    expect![[r#"
+        jaka: limits.toml:3:1: tcp: unknown key `speed_mms`; is it `speed_mm_s`?
+        exit code 2
+    "#]]
+    .assert_eq(&report.text().replace(&file, "limits.toml"));
+    assert!(controller.requests().is_empty());
 }
 
 #[test]

@@ -67,14 +67,11 @@ impl Cell {
     /// Several motions in a queue, and their end.
     fn queue(&mut self) {
         for _ in 0..=self.random.below(8) {
-            let goes_on = match self.random.below(6) {
+            match self.random.below(6) {
                 0 | 1 => self.joint_move(),
                 2 => self.end_move(),
                 3 | 4 => self.line(),
                 _ => self.arc(),
-            };
-            if !goes_on {
-                break;
             }
         }
         let outcome = self.robot.wait(LONG).outcome;
@@ -86,7 +83,7 @@ impl Cell {
         self.robot.acknowledge();
     }
 
-    fn joint_move(&mut self) -> bool {
+    fn joint_move(&mut self) {
         let most = self.random.mostly_small(200.0);
         let by = self.random.offsets::<6>(most);
         let to: [f64; 6] = std::array::from_fn(|joint| self.at[joint] + by[joint]);
@@ -98,30 +95,33 @@ impl Cell {
         if self.random.one_in(20) {
             let error = self.robot.start(&motion).expect_err("without an acceleration");
             assert!(error.to_string().contains("acceleration") || excess.is_beyond(WITHIN), "{error}");
-            return true;
+            return;
         }
-        self.send(&motion.acceleration(acceleration), Judged { excess, end: Some(to) }, |sent| {
+        self.send(&motion.acceleration(acceleration), &Judged { excess, end: Some(to) }, |sent| {
             assert_eq!(sent["cmdName"], "joint_move");
-            assert_eq!(six(&sent["jointPosition"]), if sent["relFlag"] == 1 { by } else { to });
+            assert_eq!(
+                JointPosition(six(&sent["jointPosition"])),
+                JointPosition(if sent["relFlag"] == 1 { by } else { to })
+            );
         })
     }
 
-    fn end_move(&mut self) -> bool {
+    fn end_move(&mut self) {
         let near = self.near(60.0);
         let to = self.rig.pose(near);
         let target = product(product(inverted(self.rig.bounds.base), frame(to)), inverted(self.rig.bounds.tool));
         let Some(end) = inverse(&self.rig.bounds.arm, target, self.at) else {
-            return true;
+            return;
         };
         let speed = self.random.mostly_small(200.0);
         let acceleration = self.rig.bounds.accelerations[0] * self.random.between(0.2, 1.1);
         let excess = self.rig.bounds.joint_way(self.at, end, speed, acceleration, STEPS);
-        self.send(&EndMove::new(to, speed).acceleration(acceleration), Judged { excess, end: Some(end) }, |sent| {
-            assert_eq!(six(&sent["endPosition"]), <[f64; 6]>::from(to));
+        self.send(&EndMove::new(to, speed).acceleration(acceleration), &Judged { excess, end: Some(end) }, |sent| {
+            assert_eq!(Pose::from(six(&sent["endPosition"])), to);
         })
     }
 
-    fn line(&mut self) -> bool {
+    fn line(&mut self) {
         let tolerance = if self.random.one_in(2) { 0.0 } else { self.random.between(0.0, 20.0) };
         let (most, speed) = (self.random.mostly_small(60.0), self.random.mostly_small(500.0));
         let near = self.near(most);
@@ -138,21 +138,21 @@ impl Cell {
         };
         let path = Path::Line(product(inverted(self.rig.bounds.base), frame(to)));
         let (excess, end) = self.rig.bounds.tcp_way(self.at, path, speed, tolerance, STEPS);
-        self.send(&motion.acceleration(200.0).tolerance(tolerance), Judged { excess, end }, |sent| {
+        self.send(&motion.acceleration(200.0).tolerance(tolerance), &Judged { excess, end }, |sent| {
             assert_eq!(sent["cmdName"], "moveL");
             assert_eq!(sent["speed"], speed);
         })
     }
 
-    fn arc(&mut self) -> bool {
+    fn arc(&mut self) {
         let (most, speed) = (self.random.mostly_small(40.0), self.random.mostly_small(500.0));
         let (mid, to) = (self.near(most), self.near(most));
         let (mid, to) = (self.rig.pose(mid), self.rig.pose(to));
         let in_base = |pose: Pose| product(inverted(self.rig.bounds.base), frame(pose));
         let path = Path::Arc(in_base(mid), in_base(to));
         let (excess, end) = self.rig.bounds.tcp_way(self.at, path, speed, 0.0, STEPS);
-        self.send(&MoveC::absolute(mid, to, speed, 200.0, 0.0), Judged { excess, end }, |sent| {
-            assert_eq!(six(&sent["pos_end"]), <[f64; 6]>::from(to));
+        self.send(&MoveC::absolute(mid, to, speed, 200.0, 0.0), &Judged { excess, end }, |sent| {
+            assert_eq!(Pose::from(six(&sent["pos_end"])), to);
         })
     }
 
@@ -161,11 +161,11 @@ impl Cell {
         std::array::from_fn(|joint| self.at[joint] + by[joint])
     }
 
-    /// Starts a motion, and compares what was sent with what the witness says. False if the queue has to end.
-    fn send<M: Motion + std::fmt::Debug>(&mut self, motion: &M, judged: Judged, is_sent: impl Fn(&Value)) -> bool {
+    /// Starts a motion, and compares what was sent with what the witness says.
+    fn send<M: Motion + std::fmt::Debug>(&mut self, motion: &M, judged: &Judged, is_sent: impl Fn(&Value)) {
         let result = self.robot.start(motion);
         let sent = self.controller.motions();
-        let Judged { excess, end } = judged;
+        let Judged { excess, end } = *judged;
         let what = || format!("seed {}: from {:?}: {motion:?}, {excess:?}", self.seed, self.at);
         match &result {
             Ok(()) => {
@@ -182,7 +182,6 @@ impl Cell {
                 *if excess.is_beyond(AMOUNTS) { &mut self.tally.refused } else { &mut self.tally.either } += 1;
             }
         }
-        true
     }
 
     /// A servo session until a set-point is refused, or for a while.
