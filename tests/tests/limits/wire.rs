@@ -103,7 +103,7 @@ impl Cell {
                 JointPosition(six(&sent["jointPosition"])),
                 JointPosition(if sent["relFlag"] == 1 { by } else { to })
             );
-        })
+        });
     }
 
     fn end_move(&mut self) {
@@ -118,7 +118,7 @@ impl Cell {
         let excess = self.rig.bounds.joint_way(self.at, end, speed, acceleration, STEPS);
         self.send(&EndMove::new(to, speed).acceleration(acceleration), &Judged { excess, end: Some(end) }, |sent| {
             assert_eq!(Pose::from(six(&sent["endPosition"])), to);
-        })
+        });
     }
 
     fn line(&mut self) {
@@ -141,7 +141,7 @@ impl Cell {
         self.send(&motion.acceleration(200.0).tolerance(tolerance), &Judged { excess, end }, |sent| {
             assert_eq!(sent["cmdName"], "moveL");
             assert_eq!(sent["speed"], speed);
-        })
+        });
     }
 
     fn arc(&mut self) {
@@ -153,7 +153,7 @@ impl Cell {
         let (excess, end) = self.rig.bounds.tcp_way(self.at, path, speed, 0.0, STEPS);
         self.send(&MoveC::absolute(mid, to, speed, 200.0, 0.0), &Judged { excess, end }, |sent| {
             assert_eq!(Pose::from(six(&sent["pos_end"])), to);
-        })
+        });
     }
 
     fn near(&mut self, most: f64) -> [f64; 6] {
