@@ -44,7 +44,7 @@ impl<'m, S: MotionStatus> Count<'m, S> {
         let newest = self.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
         let newest = newest.ok_or_else(|| no_packet(CheckItem::StatusPort))?;
         findings.push(Finding::nothing(CheckItem::StatusPort, "packets come"));
-        findings.push(rate(after.packets.saturating_sub(self.before.packets), elapsed));
+        findings.push(rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed));
         findings.push(form(&newest, after.dropped_bytes.saturating_sub(self.before.dropped_bytes)));
         Ok(Some(newest))
     }
@@ -130,6 +130,11 @@ fn soft_limit(flag: i64) -> Finding {
     Finding::look(CheckItem::SoftLimit, format!("hit (`on_soft_limit` is {flag})"), advice)
 }
 
+/// All packets, also those that came so close together that they were never the newest.
+fn arrived(statistics: &MonitorStatistics) -> u64 {
+    statistics.packets.saturating_add(statistics.skipped)
+}
+
 fn rate(packets: u64, elapsed: Duration) -> Finding {
     #[expect(clippy::cast_precision_loss, reason = "there are not so many packets in a second")]
     let rate = packets as f64 / elapsed.as_secs_f64();
@@ -179,4 +184,17 @@ fn missing(newest: &Snapshot) -> Vec<&'static str> {
     ];
     let missing = fields.into_iter().filter(|(field, is_there)| !is_there && !newest.is_unfit(field));
     missing.map(|(field, _)| field).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::finding::Verdict;
+    use super::*;
+
+    #[test]
+    fn ten_packets_in_a_second_are_usual_though_some_are_late() {
+        let verdict = |packets, ms| rate(packets, Duration::from_millis(ms)).verdict();
+        assert_eq!([verdict(33, 1000), verdict(8, 1000), verdict(17, 2100)], [Verdict::NothingFound; 3]);
+        assert_eq!([verdict(0, 1000), verdict(7, 1000), verdict(8, 1100)], [Verdict::Look; 3]);
+    }
 }
