@@ -1,4 +1,5 @@
 //! In place of `limits.rs` without the feature `motion`: no robot has limits.
+#![allow(clippy::unused_self, clippy::unnecessary_wraps, reason = "the interface is that of `limits.rs`")]
 
 use std::time::Duration;
 
@@ -9,7 +10,7 @@ use super::{MotionStatus, Robot};
 use crate::{Error, Explanation, Motion};
 
 #[derive(Debug, Default)]
-pub(super) struct Checks;
+pub(super) struct Checks(());
 
 impl Checks {
     pub(super) fn forget_plan(&mut self) {}
@@ -18,17 +19,16 @@ impl Checks {
 }
 
 #[derive(Debug, Default)]
-pub(crate) struct SetPoints;
+pub(crate) struct SetPoints(());
 
 impl SetPoints {
     pub(crate) fn at(_start: JointPosition) -> Self {
-        Self
+        Self(())
     }
 
     pub(crate) fn sent(&mut self, _joints: Option<JointPosition>) {}
 }
 
-#[allow(clippy::unnecessary_wraps, clippy::unused_self)]
 impl<S: MotionStatus> Robot<S> {
     pub(super) fn check_limits<M: Motion>(
         &mut self,
