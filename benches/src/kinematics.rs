@@ -70,6 +70,9 @@ pub fn set_points() -> [JointPosition; 3] {
     [0.0, 0.1, 0.2].map(|by| JOINTS.map(|joint| joint + by).into())
 }
 
+/// Where the joint way ends that starts there.
+pub const ACROSS: [f64; 6] = [35.0, 60.0, -90.0, 160.0, -70.0, 40.0];
+
 /// A metre aside of [`BESIDE`].
 ///
 /// # Panics
@@ -82,6 +85,9 @@ pub fn a_metre_aside() -> Pose {
 
 /// How fast the line goes.
 pub const PACE: TcpPace = TcpPace { speed_mm_s: 100.0, tolerance_mm: 0.0 };
+
+/// How fast the joint way goes.
+pub const JOINT_PACE: JointPace = JointPace { speed_deg_s: 20.0, acceleration_deg_s2: Some(60.0) };
 
 fn set_point_checks() -> Work<'static> {
     let [before, last, next] = set_points();
@@ -102,15 +108,13 @@ fn set_point_checks() -> Work<'static> {
 }
 
 fn way_checks() -> Work<'static> {
-    let pace = JointPace { speed_deg_s: 30.0, acceleration_deg_s2: Some(60.0) };
     let (to, [one, two]) = (a_metre_aside(), [(); 2].map(|()| checker()));
     Work {
         name: "ways of a Zu 5 compared with limits",
         contenders: vec![
             Contender::new("line of 1 m", move || one.check_line(BESIDE.into(), black_box(to), PACE)),
             Contender::new("joint way of 90 deg", move || {
-                let to = JOINTS.map(|joint| joint - 90.0).into();
-                two.check_joint_way(black_box(JOINTS.into()), to, pace)
+                two.check_joint_way(black_box(BESIDE.into()), ACROSS.into(), JOINT_PACE)
             }),
         ],
         targets: vec![Target::Within("line of 1 m", 2000.0)],

@@ -2,7 +2,7 @@
 
 use allocation_counter::measure;
 use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, kinematics, limit, reply, status};
-use jaka_motion::{Frames, JointPace, Model, Transform};
+use jaka_motion::{Frames, Model, Transform};
 use jaka_proto::Request;
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
@@ -75,13 +75,14 @@ fn checks_against_limits_allocate_nothing() {
     let (checker, [before, last, next]) = (kinematics::checker(), kinematics::set_points());
     let (beside, aside) = (kinematics::BESIDE.into(), kinematics::a_metre_aside());
     let (pose, pace) = (Pose::from(Model::default().forward(next)), kinematics::PACE);
-    let joint_pace = JointPace { speed_deg_s: 30.0, acceleration_deg_s2: Some(60.0) };
+    let (across, joint_pace) = (kinematics::ACROSS.into(), kinematics::JOINT_PACE);
+    assert_eq!(checker.check_joint_way(beside, across, joint_pace), Ok(()));
     assert!(checker.check_line(beside, aside, pace).is_ok() && checker.check_place(next).is_ok());
     assert!(checker.check_pose_set_point([before, last], pose, kinematics::PERIOD).is_ok());
     assert_eq!(allocations(|| checker.check_place(next)), 0);
     assert_eq!(allocations(|| checker.check_set_point([before, last], next, kinematics::PERIOD)), 0);
     assert_eq!(allocations(|| checker.check_pose_set_point([before, last], pose, kinematics::PERIOD)), 0);
-    assert_eq!(allocations(|| checker.check_joint_way(beside, next, joint_pace)), 0);
+    assert_eq!(allocations(|| checker.check_joint_way(beside, across, joint_pace)), 0);
     assert_eq!(allocations(|| checker.check_end_move(beside, aside, joint_pace)), 0);
     assert_eq!(allocations(|| checker.check_line(beside, aside, pace)), 0);
     assert_eq!(allocations(|| checker.check_arc(beside, pose, aside, pace)), 0);

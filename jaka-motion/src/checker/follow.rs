@@ -44,6 +44,8 @@ struct Following<'a> {
     start_points: [Point3<f64>; 2],
     /// The least distance from each singularity.
     least: [f64; 3],
+    /// The most that the wrist can be away from the axis of each joint.
+    wrist_radii: [f64; 6],
 }
 
 /// Where the joints are at a share of the path.
@@ -53,6 +55,8 @@ struct Sample {
     joints: [f64; 6],
     /// How they turn, in degrees for the length of the whole path.
     rates: [f64; 6],
+    /// How these change, for a good guess of the next sample.
+    curve: [f64; 6],
     frames: [Isometry3<f64>; 6],
     distances: [f64; 3],
 }
@@ -98,6 +102,7 @@ impl<'a> Following<'a> {
             start: *from,
             start_points: [2, 4].map(|frame: usize| frames[frame].translation.vector.into()),
             least: model.distances(&frames).map(|distance| distance.min(least)),
+            wrist_radii: checker.radii(Point::Wrist),
             path,
         }
     }
@@ -136,10 +141,13 @@ impl<'a> Following<'a> {
     /// The next sample, if nothing between it and this one can have been missed.
     fn advance(&self, piece: &Piece, here: &Sample, share: f64) -> Result<Option<Sample>, Found> {
         let step = share - here.share;
-        let guess = std::array::from_fn(|index| here.joints[index] + step * here.rates[index]);
-        let Some(next) = self.sample(piece, share, &guess).filter(|next| continuous(here, next)) else {
+        let guess = std::array::from_fn(|index| {
+            here.joints[index] + step * (here.rates[index] + 0.5 * step * here.curve[index])
+        });
+        let Some(mut next) = self.sample(piece, share, &guess).filter(|next| continuous(here, next)) else {
             return Ok(None);
         };
+        next.curve = std::array::from_fn(|index| (next.rates[index] - here.rates[index]) / step);
         self.check(&next)?;
         let clear = self.speeds_clear(here, &next)
             && self.singularities_clear(here, &next)
@@ -153,7 +161,7 @@ impl<'a> Following<'a> {
         let (moved, turned) = (self.path.velocity(share), piece.turn);
         let rates = solved.rates(&Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z))?;
         let distances = self.checker.limits.model().distances(&solved.frames);
-        Some(Sample { share, joints: solved.joints, rates, frames: solved.frames, distances })
+        Some(Sample { share, joints: solved.joints, rates, curve: [0.0; 6], frames: solved.frames, distances })
     }
 
     /// Checks what holds at each share of the path.
@@ -209,7 +217,7 @@ impl<'a> Following<'a> {
             let moved = (next.joints[index] - here.joints[index]).abs();
             (moved + 2.0 * bend(here, next, index)).to_radians()
         };
-        let (radii, reach) = (self.checker.radii(Point::Wrist), self.checker.limits.model().reach_mm());
+        let (radii, reach) = (self.wrist_radii, self.checker.limits.model().reach_mm());
         let changes = [(1..4).map(|index| turned(index) * radii[index]).sum::<f64>() / reach, turned(2), turned(4)];
         (0..3).all(|index| {
             let least = 0.5 * (here.distances[index] + next.distances[index] - changes[index]);

@@ -46,3 +46,15 @@ fn three_poses_on_a_line_are_no_arc() {
         refused(&checker.check_arc(ELBOW_UP.into(), mid, end, SLOW), words);
     }
 }
+
+/// The arm is nearly stretched from the beginning, and stays just so while joint 1 turns it.
+#[test]
+fn an_arc_that_stays_as_near_to_a_singularity_as_it_starts_is_allowed() {
+    let at = |first: f64| [first, 40.0, -0.3, 130.0, -90.0, 5.0];
+    let pose = |first: f64| Model::default().forward(at(first)).into();
+    for turn in [2.0, 45.0, 170.0] {
+        let found = bare(zu5()).check_arc(at(0.0).into(), pose(0.5 * turn), pose(turn), SLOW);
+        let end = found.unwrap_or_else(|beyond| panic!("{beyond}"));
+        assert!(end.max_distance(&at(turn).into()) < 1e-3, "{end:?}");
+    }
+}
