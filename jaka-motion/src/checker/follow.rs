@@ -121,10 +121,13 @@ impl<'a> Following<'a> {
                 if steps > MOST_STEPS {
                     return Err((Exceeded::TooLong, here.share));
                 }
+                step = step.min(here.joint_step());
+                if step < LEAST_FOLLOWED {
+                    return Err(self.lost(here.share, &here.joints));
+                }
                 let next_share = if here.share + step < piece.end { here.share + step } else { piece.end };
                 match self.advance(piece, &here, next_share)? {
-                    Some(next) => (here, step) = (next, (2.0 * step).min(longest)),
-                    None if step < LEAST_FOLLOWED => return Err(self.lost(next_share, &here.joints)),
+                    Some(next) => (here, step) = (next, longest.min(1.5 * step)),
                     None => step = 0.5 * (next_share - here.share),
                 }
             }
@@ -264,6 +267,13 @@ impl<'a> Following<'a> {
         let model = self.checker.limits.model();
         let (which, distance) = nearest_singularity(&model.distances(&model.links.frames(joints)));
         (Exceeded::Singularity { which, distance, least: self.checker.limits.singularity_distance() }, share)
+    }
+}
+
+impl Sample {
+    /// The step in which no joint turns by quite as much as it may.
+    fn joint_step(&self) -> f64 {
+        0.95 * JOINT_STEP / self.rates.iter().fold(0.0, |fastest: f64, rate| fastest.max(rate.abs()))
     }
 }
 
