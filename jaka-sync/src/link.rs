@@ -23,6 +23,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::{ReadReply, RequestId};
+use jaka_proto::messages::beyond_settings::SetInstallationAngle;
 use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo};
@@ -62,8 +63,13 @@ pub(crate) struct Link {
 }
 
 /// What changes the frames to which poses refer.
-const FRAME_COMMANDS: [&str; 4] =
-    [SetToolId::INFO.name, SetUserId::INFO.name, SetToolOffsets::INFO.name, SetUserOffsets::INFO.name];
+const FRAME_COMMANDS: [&str; 5] = [
+    SetToolId::INFO.name,
+    SetUserId::INFO.name,
+    SetToolOffsets::INFO.name,
+    SetUserOffsets::INFO.name,
+    SetInstallationAngle::INFO.name,
+];
 
 /// A command on its way: what is needed to wait for its reply.
 #[derive(Debug, Clone, Copy)]

@@ -64,6 +64,9 @@ impl<S: MotionStatus> Robot<S> {
     /// [`ErrorKind::NotChecked`]; nothing is sent then. [`Checker`] tells what is checked, and how finely. Checked are
     /// [`run`](Self::run), [`start`](Self::start) and servo sessions, not what is sent through [`client`](Self::client), such as a jog.
     ///
+    /// A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and this program does not
+    /// know it yet, the arm goes to the target of the next motion from elsewhere: [`wait`](Self::wait) for the end of a motion to know.
+    ///
     /// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know nothing of
     /// collisions, not even of the arm with itself, and do not see motions of other clients.
     ///
