@@ -2,6 +2,7 @@
 
 mod plain_controller;
 mod random;
+mod simulated;
 mod ways;
 mod wire;
 
