@@ -46,7 +46,7 @@
 /// ```
 ///
 /// A motion of a pack can be waited for by [`Robot::run`](crate::Robot::run) once you implement [`Motion`](crate::Motion) for it,
-/// which says where it ends.
+/// which says where it ends, and on which way, for a robot with limits.
 ///
 /// From the first look at a controller with newer firmware to a finished pack: the guide in
 /// [`newer_firmware`](crate::newer_firmware).
