@@ -39,7 +39,7 @@ fn no_example_prints_its_error_as_debug() {
     let mut texts = vec![("README.md".to_owned(), first_motion("README.md"))];
     for entry in fs::read_dir(folder).expect("it is there") {
         let path = entry.expect("it can be read").path();
-        if path.is_file() {
+        if path.extension().is_some_and(|extension| extension == "rs") {
             texts.push((path.display().to_string(), fs::read_to_string(&path).expect("it is text")));
         }
     }

@@ -1,5 +1,6 @@
 //! The robot of a cell, and what its arm must not do.
 
+use std::panic::panic_any;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -9,6 +10,7 @@ use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Monitor, Robot};
 
+use crate::TooBusy;
 use crate::cell::{Cell, LIMIT, PATIENCE, PERIOD, SHORT, STALE};
 use crate::outcome::Outcome;
 use crate::troubles::Trouble;
@@ -25,7 +27,10 @@ const UNSEEN: Duration = Duration::from_secs(2);
 pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
     let monitor: Monitor =
         cell.config().connect_monitor(cell.controller.status_addr()).expect("the controller listens");
-    monitor.wait_until(|_| true, PATIENCE).expect("the first packet comes at once");
+    // It comes at once, and is old on a machine that is busy for longer than a packet counts.
+    if let Err(error) = monitor.wait_until(|_| true, PATIENCE) {
+        panic_any(TooBusy(format!("no packet was seen in time: {error}")));
+    }
     // Counted in packets alone, so that nothing depends on how fast this machine is.
     let grace = match cell.trouble {
         Trouble::Refusal | Trouble::Misfit => UNSEEN,
