@@ -127,6 +127,12 @@ impl Link {
         self.lock().frame_changes
     }
 
+    /// How many stops have gone out.
+    #[cfg_attr(not(feature = "motion"), allow(dead_code, reason = "limits ask"))]
+    pub(crate) fn stop_count(&self) -> u64 {
+        self.lock().stops
+    }
+
     /// The same error, with the last messages where they are recorded.
     pub(crate) fn attach(&self, error: Error) -> Error {
         self.tap.attach(error)

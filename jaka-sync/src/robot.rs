@@ -162,7 +162,8 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The client, for all other commands.
     ///
-    /// Motions that are sent through it are neither refused after a stop nor waited for.
+    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits. With limits, where a
+    /// queue of motions ends is not known after a call of this: wait for its end before the next motion.
     pub fn client(&mut self) -> &mut Client {
         self.rests = false;
         self.checks.forget_plan();
@@ -206,19 +207,19 @@ impl<S: MotionStatus> Robot<S> {
         let left = || timeout.saturating_sub(since.elapsed());
         let end = self.check_limits(motion, &begin, left())?;
         self.rests = false;
-        self.checks.forget_plan();
         let gate = self.gate();
         let sent = self.client.call_through(Some(&gate), motion, left());
         self.frame_changes = begin.frames.changes;
         match sent {
             Ok(()) => {
                 self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin);
-                self.checks.plan(end);
+                self.plan(end);
             }
             Err(error) => {
                 // It can still be waited for.
                 if error.may_have_run() {
                     self.accepted(Goal::Unknown, begin);
+                    self.checks.forget_plan();
                 }
                 return Err(self.explained(error, left()));
             }
@@ -299,7 +300,9 @@ impl<S: MotionStatus> Robot<S> {
     /// on its way.
     pub fn acknowledge(&mut self) {
         self.latch.acknowledge();
-        self.batch = None;
+        if self.batch.take().is_some() {
+            self.checks.unsettle();
+        }
     }
 
     /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).

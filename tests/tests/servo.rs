@@ -143,6 +143,9 @@ fn a_refusal_is_reported_soon_and_servo_mode_is_left() {
         (0..CYCLES).find_map(|_| session.send_joint_offset(STEP).err()).expect("a refusal comes within some cycles");
     let refusal = error.refusal().expect("the controller refuses");
     assert_eq!(refusal.code, ErrorCode(-1));
+    // The next one would start from where the arm is not.
+    let ended = session.send_joint_offset(STEP).expect_err("the session has ended");
+    assert!(matches!(ended.kind(), ErrorKind::SessionEnded { .. }), "{ended:?}");
     drop(session);
     assert_eq!(last_change(&controller.requests()), LEFT);
     robot.client().get_joint_pos().expect("the connection works");

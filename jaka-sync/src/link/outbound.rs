@@ -112,6 +112,7 @@ impl Link {
                 (_, name) => state.exchange.send(name.clone()),
             };
             state.frame_changes += u64::from(FRAME_COMMANDS.contains(&&*outgoing.name));
+            state.stops += u64::from(outgoing.right != Right::Usual);
             start = *end;
         }
     }

@@ -26,6 +26,8 @@ pub(super) struct State {
     pub(super) broken: Option<Arc<Disconnect>>,
     /// How often commands have gone out that change what poses refer to.
     pub(super) frame_changes: u64,
+    /// How many stops have gone out.
+    pub(super) stops: u64,
 }
 
 /// Whether the socket blocks.
@@ -46,6 +48,7 @@ impl State {
             sleepers: 0,
             broken: None,
             frame_changes: 0,
+            stops: 0,
         }
     }
 }

@@ -4,7 +4,10 @@ mod motion;
 mod set_points;
 mod unchecked;
 
+use std::time::{Duration, Instant};
+
 use jaka_motion::{Checker, Frames, Limits, Model, Tolerance};
+use jaka_proto::Command;
 use jaka_proto::messages::kinematics::KineForward;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
@@ -35,6 +38,10 @@ struct Limited {
     warning: Option<Error>,
     /// Where the last motion that was accepted ends, by its check.
     planned: Option<JointPosition>,
+    /// How many stops had gone out by then: after another one the arm ends elsewhere.
+    stops: u64,
+    /// Motions were given up that the arm may not have begun yet.
+    is_unsettled: bool,
     /// How often this program had changed frames when the frames of the checker were compared with the controller's.
     frame_changes: u64,
 }
@@ -44,14 +51,17 @@ struct Limited {
 const AGREES: Tolerance = Tolerance { position_mm: 1.0, angle_deg: 0.1 };
 
 impl Checks {
-    /// Where the arm is when it has done the last motion, where a check has told.
+    /// Where the arm is when it has done the last motion is no longer known.
     pub(super) fn forget_plan(&mut self) {
-        self.plan(None);
+        if let Some(limited) = &mut self.0 {
+            limited.planned = None;
+        }
     }
 
-    pub(super) fn plan(&mut self, end: Option<JointPosition>) {
+    /// Motions are given up that the arm may not have begun yet.
+    pub(super) fn unsettle(&mut self) {
         if let Some(limited) = &mut self.0 {
-            limited.planned = end;
+            limited.is_unsettled = true;
         }
     }
 }
@@ -64,6 +74,7 @@ impl<S: MotionStatus> Robot<S> {
     /// [`ErrorKind::NotChecked`]; nothing is sent then. [`Checker`] tells what is checked, and how finely. Checked are
     /// [`run`](Self::run), [`start`](Self::start) and servo sessions, not what is sent through [`client`](Self::client), such as a jog.
     ///
+    /// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not say.
     /// A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and this program does not
     /// know it yet, the arm goes to the target of the next motion from elsewhere: [`wait`](Self::wait) for the end of a motion to know.
     ///
@@ -89,14 +100,24 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as [`Client::call`](crate::Client::call).
     pub fn with_limits(mut self, limits: Limits) -> Result<Self, Error> {
-        let (frames, frame_changes) = self.fitted_frames(limits.model())?;
+        let (frames, frame_changes) = self.fitted_frames(limits.model(), None)?;
         let checker = Checker::new(limits, frames);
-        let limited = Limited { checker, policy: LimitPolicy::default(), warning: None, planned: None, frame_changes };
+        let limited = Limited {
+            checker,
+            policy: LimitPolicy::default(),
+            warning: None,
+            planned: None,
+            stops: 0,
+            is_unsettled: false,
+            frame_changes,
+        };
         self.checks = Checks(Some(Box::new(limited)));
         Ok(self)
     }
 
-    /// Sets what happens to a motion that is beyond a limit. It is refused by default. Without limits this does nothing.
+    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. Without limits this does nothing.
+    ///
+    /// A controller that has come to compute other poses than the limits' model is an error all the same ([`ErrorKind::ModelMismatch`]).
     pub fn with_limit_policy(mut self, policy: LimitPolicy) -> Self {
         if let Some(limited) = &mut self.checks.0 {
             limited.policy = policy;
@@ -115,18 +136,21 @@ impl<S: MotionStatus> Robot<S> {
         self.checks.0.as_ref().map(|limited| &limited.checker)
     }
 
-    /// Why the last motion, or a set-point of the last session, should not have been sent, where it was sent all the same
+    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent all the same
     /// ([`LimitPolicy::Warn`]).
-    pub fn limit_warning(&self) -> Option<&Error> {
-        self.checks.0.as_ref().and_then(|limited| limited.warning.as_ref())
+    pub fn limit_warning(&self) -> Option<String> {
+        self.checks.0.as_ref().and_then(|limited| limited.warning.as_ref()).map(warning)
     }
 
     /// The controller's frames, and how often this program had changed any before they were asked for.
-    fn fitted_frames(&mut self, model: &Model) -> Result<(Frames, u64), Error> {
+    fn fitted_frames(&mut self, model: &Model, timeout: Option<Duration>) -> Result<(Frames, u64), Error> {
+        let since = Instant::now();
         let frame_changes = self.client.link().frame_changes();
         let mut pairs = Vec::new();
         for joints in model.positions_to_compare() {
-            pairs.push((joints, self.client.call(&KineForward::new(joints))?.pose));
+            let usual = self.client.timeout_of(KineForward::INFO);
+            let left = timeout.map_or(usual, |timeout| timeout.saturating_sub(since.elapsed()).min(usual));
+            pairs.push((joints, self.client.call_within(&KineForward::new(joints), left)?.pose));
         }
         let fit = model.fit(&pairs, Tolerance::default());
         let frames =
@@ -135,12 +159,18 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// Makes the checker's frames those of the controller, which has this pose at these joint positions.
-    fn follow_frames(&mut self, joints: JointPosition, pose: Pose, command: &str) -> Result<(), Error> {
+    fn follow_frames(
+        &mut self,
+        joints: JointPosition,
+        pose: Pose,
+        command: &str,
+        timeout: Duration,
+    ) -> Result<(), Error> {
         if self.is_framed(joints, pose) {
             return Ok(());
         }
         let Some(model) = self.limits().map(|checker| checker.limits().model().clone()) else { return Ok(()) };
-        let (frames, frame_changes) = self.fitted_frames(&model)?;
+        let (frames, frame_changes) = self.fitted_frames(&model, Some(timeout))?;
         if let Some(limited) = &mut self.checks.0 {
             limited.checker = limited.checker.clone().with_frames(frames);
             limited.frame_changes = frame_changes;
@@ -150,9 +180,15 @@ impl<S: MotionStatus> Robot<S> {
 
     fn is_framed(&self, joints: JointPosition, pose: Pose) -> bool {
         let Some(limited) = &self.checks.0 else { return true };
-        let ours = limited.checker.frames().pose(limited.checker.limits().model().forward(joints));
-        let agrees = ours.distance_mm(&pose) <= AGREES.position_mm && ours.angle_deg(&pose) <= AGREES.angle_deg;
-        agrees && limited.frame_changes == self.client.link().frame_changes()
+        limited.agrees(joints, pose) && limited.frame_changes == self.client.link().frame_changes()
+    }
+
+    /// The last motion that was accepted ends there.
+    pub(super) fn plan(&mut self, end: Option<JointPosition>) {
+        let stops = self.client.link().stop_count();
+        if let Some(limited) = &mut self.checks.0 {
+            (limited.planned, limited.stops, limited.is_unsettled) = (end, stops, false);
+        }
     }
 
     fn not_checked(&self, command: &str, reason: Unchecked) -> Error {
@@ -165,9 +201,9 @@ impl<S: MotionStatus> Robot<S> {
         match &mut self.checks.0 {
             Some(limited) if is_limit && limited.policy == LimitPolicy::Warn => {
                 if limited.warning.is_none() {
-                    log::warn!(target: "jaka_sync", "sent although limits forbid it: {error}");
+                    log::warn!(target: "jaka_sync", "{}", warning(&error));
+                    limited.warning = Some(error);
                 }
-                limited.warning = Some(error);
                 Ok(())
             }
             _ => Err(error),
@@ -176,9 +212,30 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Why the controller may have refused a motion that was sent although it is beyond a limit.
     pub(super) fn limit_explanation(&self) -> Option<Explanation> {
-        match self.limit_warning()?.kind() {
+        match self.checks.0.as_ref()?.warning.as_ref()?.kind() {
             ErrorKind::BeyondLimit { beyond, .. } => Some(Explanation::BeyondLimit(Box::new(beyond.clone()))),
             _ => None,
         }
+    }
+}
+
+impl Limited {
+    /// Whether the controller's pose is the model's, in the frames that are known.
+    fn agrees(&self, joints: JointPosition, pose: Pose) -> bool {
+        let ours = self.checker.frames().pose(self.checker.limits().model().forward(joints));
+        ours.distance_mm(&pose) <= AGREES.position_mm && ours.angle_deg(&pose) <= AGREES.angle_deg
+    }
+}
+
+/// What was sent all the same, and why it should not have been.
+fn warning(error: &Error) -> String {
+    match error.kind() {
+        ErrorKind::BeyondLimit { command, beyond } => {
+            format!("`{command}` was sent although it is beyond a limit: {beyond}")
+        }
+        ErrorKind::NotChecked { command, reason } => {
+            format!("`{command}` was sent without a check against limits: {reason}")
+        }
+        _ => error.to_string(),
     }
 }

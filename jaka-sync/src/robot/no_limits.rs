@@ -15,7 +15,7 @@ pub(super) struct Checks(());
 impl Checks {
     pub(super) fn forget_plan(&mut self) {}
 
-    pub(super) fn plan(&mut self, _end: Option<JointPosition>) {}
+    pub(super) fn unsettle(&mut self) {}
 }
 
 #[derive(Debug, Default)]
@@ -27,6 +27,8 @@ impl SetPoints {
     }
 
     pub(crate) fn sent(&mut self, _joints: Option<JointPosition>) {}
+
+    pub(crate) fn paused(&mut self) {}
 }
 
 impl<S: MotionStatus> Robot<S> {
@@ -38,6 +40,8 @@ impl<S: MotionStatus> Robot<S> {
     ) -> Result<Option<JointPosition>, Error> {
         Ok(None)
     }
+
+    pub(super) fn plan(&mut self, _end: Option<JointPosition>) {}
 
     pub(super) fn limit_explanation(&self) -> Option<Explanation> {
         None

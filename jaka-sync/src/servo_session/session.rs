@@ -144,28 +144,40 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
-    fn check_open(&self) -> Result<(), Error> {
-        let ended = |because: &String| Err(ErrorKind::SessionEnded { because: because.clone() }.into());
-        self.ended.as_ref().map_or(Ok(()), ended)
+    /// Waits for the next cycle, and returns how late it is.
+    fn next_cycle(&mut self) -> Result<Duration, Error> {
+        if let Some(because) = self.ended.clone() {
+            return Err(ErrorKind::SessionEnded { because }.into());
+        }
+        let late = self.pace.wait();
+        if late >= self.config.period() {
+            self.sent.paused();
+        }
+        Ok(late)
     }
 
     fn send_checked_joints(&mut self, request: ServoJ, target: Option<JointPosition>) -> Result<(), Error> {
-        self.check_open()?;
+        let late = self.next_cycle()?;
         let checked = self.robot.check_joints(&self.sent, target, self.config.period());
         let target = checked.map_err(|error| self.end(error))?;
-        self.send_to(&request.step_count(self.config.step_count.into()), target)
+        self.send_to(&request.step_count(self.config.step_count.into()), target, late)
     }
 
     fn send_checked_pose(&mut self, request: ServoP, target: Option<Pose>) -> Result<(), Error> {
-        self.check_open()?;
+        let late = self.next_cycle()?;
         let checked = self.robot.check_pose(&self.sent, target, self.config.period());
         let joints = checked.map_err(|error| self.end(error))?;
-        self.send_to(&request.step_count(self.config.step_count.into()), joints)
+        self.send_to(&request.step_count(self.config.step_count.into()), joints, late)
     }
 
     /// Sends a set-point at which the joints are here, where that is known.
-    fn send_to<C: Command<Reply = ()>>(&mut self, request: &C, joints: Option<JointPosition>) -> Result<(), Error> {
-        if let Err(error) = self.send(request) {
+    fn send_to<C: Command<Reply = ()>>(
+        &mut self,
+        request: &C,
+        joints: Option<JointPosition>,
+        late: Duration,
+    ) -> Result<(), Error> {
+        if let Err(error) = self.send(request, late) {
             self.last = self.last.filter(|_| !error.may_have_run());
             return Err(error);
         }
@@ -190,14 +202,13 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         Err(InvalidArgument::new(ServoJ::INFO.name, field, value, allowed, false).into())
     }
 
-    fn send<C: Command<Reply = ()>>(&mut self, request: &C) -> Result<(), Error> {
-        let late = self.pace.wait();
+    fn send<C: Command<Reply = ()>>(&mut self, request: &C, late: Duration) -> Result<(), Error> {
         // After the wait: a stop may have come meanwhile.
         if let Err(error) = self.take_answers(C::INFO.name) {
             return Err(self.end(error));
         }
         if let Some(refusal) = self.refusal.take() {
-            return Err(refusal);
+            return Err(self.end(refusal));
         }
         self.robot.check_latch()?;
         if let Err(error) = self.check_unanswered() {
@@ -236,6 +247,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.report.accepted += answers.accepted;
         for error in answers.failed {
             if matches!(error.kind(), ErrorKind::ReplyLost { .. }) {
+                // Whether the controller took it is not known.
+                (self.last, self.sent) = (None, SetPoints::default());
                 self.report.unanswered += 1;
             } else {
                 self.report.refused += 1;

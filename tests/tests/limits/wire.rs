@@ -198,16 +198,23 @@ impl Cell {
             let change = self.random.offsets::<6>(change);
             let target: [f64; 6] =
                 std::array::from_fn(|joint| last[joint] + (last[joint] - earlier[joint]) + change[joint]);
-            let mut excess = self.rig.bounds.set_point(before, target, PERIOD, STEPS);
+            let mut is_pose = false;
+            let due = session.time();
             let result = match self.random.below(3) {
                 0 => session.send_joints(target),
                 1 => session.send_joint_offset(JointPosition(std::array::from_fn(|joint| target[joint] - last[joint]))),
                 _ => {
-                    let singularity = self.rig.bounds.least - self.rig.bounds.nearest_singularity(target);
-                    excess.singularity = singularity;
+                    is_pose = true;
                     session.send_pose(self.rig.pose(target))
                 }
             };
+            // A cycle that was missed is a standstill.
+            let has_paused = session.time().saturating_sub(due).as_secs_f64() > PERIOD * 1.5;
+            let from = if has_paused { [last; 2] } else { before };
+            let mut excess = self.rig.bounds.set_point(from, target, PERIOD, STEPS);
+            if is_pose {
+                excess.singularity = self.rig.bounds.least - self.rig.bounds.nearest_singularity(target);
+            }
             match result {
                 Ok(()) => {
                     assert!(

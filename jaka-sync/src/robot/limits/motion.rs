@@ -88,12 +88,15 @@ impl<S: MotionStatus> Robot<S> {
         timeout: Duration,
     ) -> Result<Option<JointPosition>, Error> {
         let chosen = self.client.call_within(&KineInverse::new(from, to), timeout);
-        let Some(checker) = self.limits() else { return Ok(None) };
+        let Some(limited) = &self.checks.0 else { return Ok(None) };
+        let checker = &limited.checker;
         let within = match chosen {
-            Ok(chosen) => {
+            Ok(chosen) if limited.agrees(chosen.joint_position, to) => {
                 let end = chosen.joint_position;
                 checker.check_joint_way(from, end, pace).map(|()| Some(end))
             }
+            // It says none, or one that is elsewhere.
+            Ok(_) => checker.check_end_move(from, to, pace).map(|()| None),
             Err(error) if error.is_refused() => checker.check_end_move(from, to, pace).map(|()| None),
             Err(error) => return Err(error),
         };
@@ -108,16 +111,17 @@ impl<S: MotionStatus> Robot<S> {
         timeout: Duration,
     ) -> Result<JointPosition, Error> {
         if self.has_motions() {
-            let changes = self.client.link().frame_changes();
+            let (changes, stops) = (self.client.link().frame_changes(), self.client.link().stop_count());
             let Some(limited) = &self.checks.0 else { return Err(self.not_checked(info.name, Unchecked::Start)) };
             return match limited.planned {
                 _ if limited.frame_changes != changes => Err(self.not_checked(info.name, Unchecked::FramesInQueue)),
-                Some(planned) => Ok(planned),
-                None => Err(self.not_checked(info.name, Unchecked::Start)),
+                Some(planned) if limited.stops == stops => Ok(planned),
+                _ => Err(self.not_checked(info.name, Unchecked::Start)),
             };
         }
         let since = Instant::now();
         let left = || timeout.saturating_sub(since.elapsed());
+        self.settle(info, timeout)?;
         let joints = match begin.start {
             Some(Place::Joints(joints)) => Some(Place::Joints(joints)),
             // It was found to be at rest.
@@ -128,8 +132,28 @@ impl<S: MotionStatus> Robot<S> {
         let (Some(Place::Joints(joints)), Some(Place::Pose(pose))) = (joints, pose) else {
             return Err(self.not_checked(info.name, Unchecked::Start));
         };
-        self.follow_frames(joints, pose, info.name)?;
+        self.follow_frames(joints, pose, info.name, left())?;
         Ok(joints)
+    }
+
+    /// After motions that were given up, which the arm may begin only now: it has to rest for as long as a motion may take to begin.
+    fn settle(&mut self, info: &'static CommandInfo, timeout: Duration) -> Result<(), Error> {
+        if !self.checks.0.as_ref().is_some_and(|limited| limited.is_unsettled) {
+            return Ok(());
+        }
+        let before = self.place(Quantity::Joints, timeout)?;
+        std::thread::sleep(self.grace.time.min(timeout));
+        let after = self.place(Quantity::Joints, timeout)?;
+        let (Some(before), Some(after)) = (before, after) else {
+            return Err(self.not_checked(info.name, Unchecked::Start));
+        };
+        if !before.is_still(&after) {
+            return Err(self.not_checked(info.name, Unchecked::Start));
+        }
+        if let Some(limited) = &mut self.checks.0 {
+            limited.is_unsettled = false;
+        }
+        Ok(())
     }
 
     pub(super) fn beyond_limit(&self, command: &str, beyond: Beyond) -> Error {

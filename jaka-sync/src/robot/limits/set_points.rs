@@ -20,6 +20,11 @@ impl SetPoints {
         Self(Some([start; 2]))
     }
 
+    /// No set-point came when one was due: the next one starts from standstill.
+    pub(crate) fn paused(&mut self) {
+        self.0 = self.0.map(|[_, last]| [last; 2]);
+    }
+
     /// The next one has been sent.
     pub(crate) fn sent(&mut self, joints: Option<JointPosition>) {
         self.0 = self.0.zip(joints).map(|([_, last], joints)| [last, joints]);
@@ -31,10 +36,12 @@ impl<S: MotionStatus> Robot<S> {
     pub(crate) fn prepare_set_points(&mut self, start: JointPosition, timeout: Duration) -> Result<(), Error> {
         let Some(limited) = &mut self.checks.0 else { return Ok(()) };
         limited.warning = None;
-        let Some(Place::Pose(pose)) = self.place(Quantity::Pose, timeout)? else {
-            return Err(self.not_checked(SetServoMode::INFO.name, Unchecked::Start));
+        let name = SetServoMode::INFO.name;
+        let framed = match self.place(Quantity::Pose, timeout)? {
+            Some(Place::Pose(pose)) => self.follow_frames(start, pose, name, timeout),
+            _ => Err(self.not_checked(name, Unchecked::Start)),
         };
-        self.follow_frames(start, pose, SetServoMode::INFO.name)
+        framed.or_else(|error| self.judged(error))
     }
 
     /// Checks a set-point of the joints.
@@ -63,14 +70,18 @@ impl<S: MotionStatus> Robot<S> {
         period: Duration,
     ) -> Result<Option<JointPosition>, Error> {
         let Some(checker) = self.limits() else { return Ok(None) };
-        let error = match (before.0, target) {
+        let (error, joints) = match (before.0, target) {
             (Some(before), Some(pose)) => match checker.check_pose_set_point(before, pose, period.as_secs_f64()) {
                 Ok(joints) => return Ok(Some(joints)),
-                Err(beyond) => self.beyond_limit(ServoP::INFO.name, beyond),
+                Err(beyond) => {
+                    let flange = checker.frames().flange(pose);
+                    let joints = checker.limits().model().inverse(flange, before[1]).ok();
+                    (self.beyond_limit(ServoP::INFO.name, beyond), joints)
+                }
             },
-            (None, _) => self.not_checked(ServoP::INFO.name, Unchecked::Start),
-            (_, None) => self.not_checked(ServoP::INFO.name, Unchecked::Target),
+            (None, _) => (self.not_checked(ServoP::INFO.name, Unchecked::Start), None),
+            (_, None) => (self.not_checked(ServoP::INFO.name, Unchecked::Target), None),
         };
-        self.judged(error).map(|()| None)
+        self.judged(error).map(|()| joints)
     }
 }
