@@ -24,6 +24,7 @@ use crate::transform::Transform;
 /// # What is promised
 /// What is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM), [`AMOUNT_DEG`](Self::AMOUNT_DEG),
 /// [`AMOUNT_SPEED`](Self::AMOUNT_SPEED), [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on the way is refused, however short the time for which it is. What is within all limits is not refused.
+/// The speeds of a set-point are means over its period.
 ///
 /// # A start beyond a limit
 /// A motion that starts beyond a joint's range or a region, or too near to a singularity, may lead back but not further out: for
@@ -129,7 +130,8 @@ impl Checker {
     /// Checks a set-point of joint positions, after the last two and a period in seconds later.
     ///
     /// `before` are the last but one and the last; both are where the arm is when a session starts. Joint ranges, the joints' mean speed over the
-    /// period and the change of it, the speed of the tool centre point, and regions, also on the way from the last one.
+    /// period and the change of it, the mean speed of the tool centre point over the period, and regions, also on the way from the last one.
+    /// Within the period the tool centre point can be faster than in the mean: it goes on a bend, of which the straight way is shorter.
     pub fn check_set_point(
         &self,
         before: [JointPosition; 2],

@@ -10,7 +10,7 @@ impl Checker {
     /// What is beyond a joint's range by more than this, in degrees, is refused.
     pub const AMOUNT_DEG: f64 = 0.1;
 
-    /// What is faster than a speed limit by more than this share of it is refused.
+    /// What is faster than a speed limit by more than this share of it is refused. The speeds of set-points are means over the period.
     pub const AMOUNT_SPEED: f64 = 0.02;
 
     /// What is nearer to a singularity than the least distance by more than this is refused.
