@@ -77,14 +77,15 @@ impl Limits {
     /// With this range of a joint, 1 to 6, in degrees.
     ///
     /// # Errors
-    /// There is no such joint, the range is empty, or it is wider than that of the [`model`](Self::model).
+    /// There is no such joint, the range is empty, or it is wider than the published one: of the Zu 12 and Zu 18, than the tighter of the two.
     pub fn with_joint_range(mut self, joint: usize, min_deg: f64, max_deg: f64) -> Result<Self, InvalidLimit> {
         let index = index_of(joint)?;
         finite("joint range", &[min_deg, max_deg])?;
         if min_deg > max_deg {
             return Err(InvalidLimit::EmptyRange { joint, min_deg, max_deg });
         }
-        let (least, most) = (self.model.joint_min()[index], self.model.joint_max()[index]);
+        let (least, most) = self.model.tighter_range();
+        let (least, most) = (least[index], most[index]);
         for given in [min_deg, max_deg] {
             if !(least..=most).contains(&given) {
                 let (published, model) = (given.clamp(least, most), self.model.name());

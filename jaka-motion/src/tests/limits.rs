@@ -28,8 +28,11 @@ fn where_two_sources_differ_the_tighter_ranges_count() {
         let limits = Limits::of(model);
         assert_eq!((&limits.joint_min()[..3], &limits.joint_max()[..3]), (&min[..], &max[..]));
         assert_eq!((limits.joint_min()[5], limits.joint_max()[5]), (-270.0, 270.0));
-        // The other source's can be asked for.
-        assert!(limits.with_joint_range(1, -360.0, 360.0).is_ok());
+        assert!(limits.clone().with_joint_range(1, -270.0, 270.0).is_ok());
+        assert_eq!(
+            limits.with_joint_range(1, -270.0, 360.0).unwrap_err().to_string(),
+            format!("joint 1: 360 deg is beyond the 270 deg of the {name}; a limit can only be tighter")
+        );
     }
 }
 
