@@ -28,7 +28,8 @@ use crate::transform::Transform;
 ///
 /// # A start beyond a limit
 /// A motion that starts beyond a joint's range or a region, or too near to a singularity, may lead back but not further out: for
-/// that motion the limit is where the start is. Speeds and accelerations have no such exception.
+/// that motion the limit is where the start is. Speeds, accelerations and a tolerance have no such exception: a line or an arc is refused that
+/// starts nearer to the border of a region than its tolerance.
 ///
 /// # What is assumed of the controller
 /// - `joint_move` and `end_move` are straight in joint space. The joint with the longest way has the speed and the acceleration that are

@@ -78,7 +78,7 @@ impl Checker {
 
     fn lead(&self, from: &[f64; 6], path: Path, pace: TcpPace) -> Result<[f64; 6], Found> {
         let at_end = |exceeded| (exceeded, 1.0);
-        pace.check().map_err(at_end)?;
+        pace.check(self.limits.model().reach_mm() + self.tool.translation.vector.norm()).map_err(at_end)?;
         if let Some(limit_mm_s) = self.limits.tcp_speed().filter(|limit| pace.speed_mm_s > rounded_up(*limit)) {
             return Err(at_end(Exceeded::TcpSpeed { speed_mm_s: pace.speed_mm_s, limit_mm_s }));
         }

@@ -17,7 +17,8 @@ pub struct JointPace {
 pub struct TcpPace {
     /// The speed of the tool centre point, in mm/s.
     pub speed_mm_s: f64,
-    /// How far the arm may be from its way, in mm: what regions allow is less by as much.
+    /// How far the arm may be from its way, in mm: what regions allow is less by as much, at the start too. One longer than the arm with its
+    /// tool is refused.
     pub tolerance_mm: f64,
 }
 
@@ -29,10 +30,11 @@ impl JointPace {
 }
 
 impl TcpPace {
-    pub(super) fn check(&self) -> Result<(), Exceeded> {
+    /// `reach_mm` is that of the arm with its tool.
+    pub(super) fn check(&self, reach_mm: f64) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_mm_s)?;
         let tolerance = self.tolerance_mm;
-        if tolerance.is_finite() && tolerance >= 0.0 {
+        if tolerance.is_finite() && (0.0..=reach_mm).contains(&tolerance) {
             Ok(())
         } else {
             Err(Exceeded::Pace { what: "tolerance", given: tolerance })

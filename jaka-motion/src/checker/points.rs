@@ -60,7 +60,7 @@ impl Checker {
 
     /// How far the point is within all its regions at least, in mm; all places are in the arm's base.
     ///
-    /// Where it was at the start counts as within. Blending takes off what is `tolerance`.
+    /// Where it was at the start counts as within. Blending takes off what is `tolerance`, at the start too.
     pub(super) fn beyond_regions(
         &self,
         point: Point,
@@ -70,11 +70,11 @@ impl Checker {
     ) -> Result<f64, Exceeded> {
         self.regions_of(point).try_fold(f64::INFINITY, |clear, region| {
             let by_mm = self.beyond_region(region, at) + tolerance;
-            let within = self.allowed(region, start, tolerance) - by_mm;
-            if within < -ROUNDING {
+            let allowed = self.allowed(region, start);
+            if by_mm > allowed + ROUNDING {
                 return Err(Exceeded::Region { name: region.name().clone(), point, by_mm, tolerance_mm: tolerance });
             }
-            Ok(clear.min(within.max(0.0)))
+            Ok(clear.min((allowed - by_mm).max(0.0)))
         })
     }
 
@@ -88,7 +88,7 @@ impl Checker {
     ) -> impl Iterator<Item = f64> + 'a {
         self.regions_of(point).filter_map(move |region| {
             let seen = self.seen_from(region);
-            let depth = self.allowed(region, Some(start), tolerance) - tolerance;
+            let depth = self.allowed(region, Some(start)) - tolerance;
             region.crossed(&(seen * way[0]), &(seen * way[1]), depth)
         })
     }
@@ -132,8 +132,8 @@ impl Checker {
     }
 
     /// How far beyond a region a point may be: not at all, or as far as it is at the start.
-    fn allowed(&self, region: &Region, start: Option<&Point3<f64>>, tolerance: f64) -> f64 {
-        start.map_or(0.0, |start| (self.beyond_region(region, start) + tolerance).max(0.0))
+    fn allowed(&self, region: &Region, start: Option<&Point3<f64>>) -> f64 {
+        start.map_or(0.0, |start| self.beyond_region(region, start).max(0.0))
     }
 
     /// The arm's base, seen from the frame of a region.

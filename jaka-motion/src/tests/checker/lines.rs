@@ -141,6 +141,45 @@ fn a_box_is_smaller_by_the_tolerance() {
     );
 }
 
+/// The start is within the region, and blending may take the arm out of it at once.
+#[test]
+fn a_start_nearer_to_a_border_than_the_tolerance_is_refused() {
+    let floor = moved(ELBOW_UP, [0.0, 0.0, -5.0]).z;
+    let checker = bare(with_region(Region::half_space("floor", [0.0, 0.0, floor], [0.0, 0.0, 1.0])));
+    let line = |by: [f64; 3], tolerance_mm: f64| {
+        checker.check_line(ELBOW_UP.into(), moved(ELBOW_UP, by), TcpPace { tolerance_mm, ..SLOW })
+    };
+    let along = [0.0, 50.0, 0.0];
+    assert!(line(along, 0.0).is_ok() && line(along, 4.9).is_ok());
+    refused(
+        &line(along, 20.0),
+        "the tool centre point would be 15 mm beyond `floor` at 0 % of its way, 20 mm of blending counted (Zu 5)",
+    );
+    assert!(line([0.0, 0.0, 10.0], 20.0).is_err());
+}
+
+/// What is so long swallows the lengths that it is added to.
+#[test]
+fn a_tolerance_longer_than_the_arm_is_refused() {
+    let floor = moved(ELBOW_UP, [0.0, 0.0, -50.0]).z;
+    let region = Region::half_space("floor", [0.0, 0.0, floor], [0.0, 0.0, 1.0]).expect("a region");
+    let reach = Model::default().reach_mm();
+    let tool = Frames::new().with_tool(Pose::from_millimetres_degrees([0.0, 300.0, 400.0], [0.0; 3]));
+    for (frames, longest) in [(Frames::new(), reach), (tool, reach + 500.0)] {
+        let from = frames.pose(Model::default().forward(ELBOW_UP));
+        for limits in [zu5(), zu5().with_region(region.clone()).expect("the only one")] {
+            let (anywhere, checker) = (limits.regions().is_empty(), Checker::new(limits, frames));
+            for (tolerance_mm, is_one) in [(longest - 0.1, true), (longest + 0.1, false), (1e19, false), (1e300, false)]
+            {
+                let to = Pose { z: from.z - 30.0, ..from };
+                let found = checker.check_line(ELBOW_UP.into(), to, TcpPace { tolerance_mm, ..SLOW });
+                let pace = matches!(&found, Err(beyond) if matches!(beyond.exceeded, Exceeded::Pace { what: "tolerance", .. }));
+                assert_eq!((pace, found.is_ok()), (!is_one, is_one && anywhere), "{tolerance_mm}: {found:?}");
+            }
+        }
+    }
+}
+
 /// The tool starts under the table and may come back up, slantwise too, but not go deeper.
 #[test]
 fn a_start_beyond_a_region_may_lead_back_but_not_further_out() {
