@@ -8,6 +8,7 @@ mod pace;
 mod path;
 mod points;
 mod set_point;
+mod singularities;
 mod solve;
 
 use jaka_proto::messages::types::{JointPosition, Pose};

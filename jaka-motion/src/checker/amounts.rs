@@ -21,6 +21,9 @@ impl Checker {
 /// how exactly joint positions are found for a pose.
 pub(super) const ROUNDING: f64 = 1e-5;
 
+/// What rounding may add to where a start beyond a limit is: so little that it does not add up over a queue of motions or a session.
+pub(super) const START_ROUNDING: f64 = 1e-9;
+
 /// How far, in mm, a point may be from the straight way between two neighbouring samples. With the quarter of a box's side by which
 /// [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a way through the box has a sample in it.
 pub(super) const BEND_MM: f64 = 0.1;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3, Vector6};
 
-use super::amounts::{BEND_MM, LEAST_STEP, ROUNDING};
+use super::amounts::{BEND_MM, LEAST_STEP};
 use super::pace::TcpPace;
 use super::path::{Path, Piece};
 use super::{Checker, rounded_up};
@@ -171,12 +171,7 @@ impl<'a> Following<'a> {
     fn check(&self, here: &Sample) -> Result<(), Found> {
         let there = |exceeded| (exceeded, here.share);
         self.checker.within_ranges(&here.joints, &self.start).map_err(there)?;
-        for (index, which) in Singularity::ALL.into_iter().enumerate() {
-            let (distance, least) = (here.distances[index], self.least[index]);
-            if distance < least - ROUNDING {
-                return Err(there(Exceeded::Singularity { which, distance, least }));
-            }
-        }
+        self.checker.distances_kept(&self.least, &here.distances).map_err(there)?;
         self.check_speeds(here).map_err(there)?;
         for point in [Point::Elbow, Point::Wrist] {
             self.check_point(point, &here.frames).map_err(there)?;

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Point3};
 
 use super::Checker;
-use super::amounts::{BEND_MM, LEAST_STEP, ROUNDING};
+use super::amounts::{BEND_MM, LEAST_STEP, ROUNDING, START_ROUNDING};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::{Point, Region, RegionFrame};
 
@@ -31,8 +31,8 @@ impl Checker {
     /// Whether all joints are within their ranges, or no further beyond than where the motion started.
     pub(super) fn within_ranges(&self, joints: &[f64; 6], start: &[f64; 6]) -> Result<(), Exceeded> {
         let (min, max) = (self.limits.joint_min(), self.limits.joint_max());
-        let least = |index: usize| min[index].min(start[index]) - ROUNDING;
-        let most = |index: usize| max[index].max(start[index]) + ROUNDING;
+        let least = |index: usize| (min[index] - ROUNDING).min(start[index] - START_ROUNDING);
+        let most = |index: usize| (max[index] + ROUNDING).max(start[index] + START_ROUNDING);
         let beyond = |index: &usize| joints[*index] < least(*index) || joints[*index] > most(*index);
         let by = |index: usize| (min[index] - joints[index]).max(joints[index] - max[index]);
         let furthest = (0..6).filter(beyond).max_by(|one, other| by(*one).total_cmp(&by(*other)));
@@ -71,7 +71,7 @@ impl Checker {
         self.regions_of(point).try_fold(f64::INFINITY, |clear, region| {
             let by_mm = self.beyond_region(region, at) + tolerance;
             let allowed = self.allowed(region, start);
-            if by_mm > allowed + ROUNDING {
+            if by_mm > ROUNDING.max(allowed + START_ROUNDING) {
                 return Err(Exceeded::Region { name: region.name().clone(), point, by_mm, tolerance_mm: tolerance });
             }
             Ok(clear.min((allowed - by_mm).max(0.0)))

@@ -2,11 +2,9 @@
 
 use nalgebra::Isometry3;
 
-use super::amounts::ROUNDING;
 use super::pace::above_zero;
 use super::{Checker, rounded_up};
 use crate::beyond::{Exceeded, Found};
-use crate::model::Singularity;
 
 /// What rounding may add to an acceleration, in deg/s²: the joint positions have some 16 digits.
 const ACCELERATION_ROUNDING: f64 = 1e-6;
@@ -38,7 +36,9 @@ impl Checker {
         let at_end = |exceeded| (exceeded, 1.0);
         let joints = self.nearest(target, before[1]).map_err(at_end)?;
         self.set_point(before, &joints, period_s)?;
-        self.distances_kept(before[1], &joints).map_err(at_end)?;
+        let model = self.limits.model();
+        let [last, here] = [before[1], &joints].map(|joints| model.distances(&model.links.frames(joints)));
+        self.distances_kept(&last, &here).map_err(at_end)?;
         Ok(joints)
     }
 
@@ -63,19 +63,6 @@ impl Checker {
         let speed_mm_s = moved.norm() / period_s;
         if speed_mm_s > rounded_up(limit_mm_s) {
             return Err(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s });
-        }
-        Ok(())
-    }
-
-    /// Whether no singularity is nearer than the least distance, or than where the motion started.
-    fn distances_kept(&self, from: &[f64; 6], to: &[f64; 6]) -> Result<(), Exceeded> {
-        let model = self.limits.model();
-        let [before, after] = [from, to].map(|joints| model.distances(&model.links.frames(joints)));
-        for (index, which) in Singularity::ALL.into_iter().enumerate() {
-            let (distance, least) = (after[index], self.limits.singularity_distance().min(before[index]));
-            if distance < least - ROUNDING {
-                return Err(Exceeded::Singularity { which, distance, least });
-            }
         }
         Ok(())
     }

@@ -18,8 +18,11 @@ pub(super) struct Solved {
     jacobian: Matrix6<f64>,
 }
 
-/// How far off the tool may be, in mm, and in radians times [`RADIAN`].
-const EXACT: f64 = 1e-6;
+/// An error not worth a step, in mm, and in radians times [`RADIAN`]: where a motion starts beyond a limit, the end of the one before is compared
+/// with its own.
+const EXACT: f64 = 1e-10;
+/// How far off the tool may be where no step makes the error smaller, in the same unit.
+const ACCEPTED: f64 = 1e-6;
 /// The most steps. Each squares the error.
 const STEPS: usize = 8;
 /// Added to the squares of the Jacobian's singular values: little enough that the rates of joints are exact down to hundredths of a
@@ -36,14 +39,14 @@ impl Checker {
     /// The joint positions that Newton's method finds from a guess.
     pub(super) fn solved(&self, tool: &Isometry3<f64>, guess: &[f64; 6]) -> Option<Solved> {
         let (mut joints, mut before) = (*guess, f64::INFINITY);
-        for _ in 0..STEPS {
+        for round in 1..=STEPS {
             let frames = self.limits.model().links.frames(&joints);
             let here = frames[5] * self.tool;
             let mut jacobian = jacobian(&frames, &here.translation.vector);
             jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
             let off = off(&here, tool);
             let error = off.norm();
-            if error < EXACT {
+            if error < EXACT || (error < ACCEPTED && (error >= before || round == STEPS)) {
                 return Some(Solved { joints, frames, jacobian });
             }
             if error.is_nan() || error >= before {

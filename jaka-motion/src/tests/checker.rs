@@ -5,6 +5,7 @@ mod hostile;
 mod joint_ways;
 mod lines;
 mod places;
+mod rounding;
 mod set_points;
 
 use jaka_proto::messages::types::Pose;
