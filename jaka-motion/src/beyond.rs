@@ -97,7 +97,7 @@ pub enum Exceeded {
     Singularity {
         /// Which one.
         which: Singularity,
-        /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it.
+        /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it; 0 where a set-point is on the other side.
         distance: f64,
         /// The least distance.
         least: f64,

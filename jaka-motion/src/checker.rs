@@ -147,7 +147,8 @@ impl Checker {
     }
 
     /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point), with the distance from singularities, and returns the
-    /// joint positions nearest to the last ones that reach it.
+    /// joint positions nearest to the last ones that reach it. One on the other side of a singularity is refused, unless the least distance
+    /// is 0.
     pub fn check_pose_set_point(
         &self,
         before: [JointPosition; 2],

@@ -37,8 +37,9 @@ impl Checker {
         let joints = self.nearest(target, before[1]).map_err(at_end)?;
         self.set_point(before, &joints, period_s)?;
         let model = self.limits.model();
-        let [last, here] = [before[1], &joints].map(|joints| model.distances(&model.links.frames(joints)));
-        self.distances_kept(&last, &here).map_err(at_end)?;
+        let [last, here] = [before[1], &joints].map(|joints| model.signed_distances(&model.links.frames(joints)));
+        self.distances_kept(&last.map(f64::abs), &here.map(f64::abs)).map_err(at_end)?;
+        self.same_sides(&last, &here).map_err(at_end)?;
         Ok(joints)
     }
 

@@ -17,4 +17,14 @@ impl Checker {
         }
         Ok(())
     }
+
+    /// Whether no singularity is between two places, for their signed distances. From a singularity the arm may go to either side.
+    pub(super) fn same_sides(&self, start: &[f64; 3], here: &[f64; 3]) -> Result<(), Exceeded> {
+        let least = self.limits.singularity_distance();
+        let passed = |index: usize| start[index].abs() > ROUNDING && start[index] * here[index] < 0.0;
+        match Singularity::ALL.into_iter().enumerate().find(|(index, _)| least > 0.0 && passed(*index)) {
+            Some((_, which)) => Err(Exceeded::Singularity { which, distance: 0.0, least }),
+            None => Ok(()),
+        }
+    }
 }

@@ -77,15 +77,21 @@ impl Model {
 
     /// How far shoulder, elbow and wrist are from their singularities, for the frames of the joints.
     pub(crate) fn distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
+        self.signed_distances(frames).map(f64::abs)
+    }
+
+    /// The distances, with another sign on each side of a singularity.
+    pub(crate) fn signed_distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         let at = |index: usize| frames[index].translation.vector;
         let axis = |index: usize| frames[index].rotation * Vector3::z();
         // Joint 2 turns both in one plane, to which lengths along its axis do not count.
         let in_plane = |bar: Vector3<f64>| bar - axis(1) * axis(1).dot(&bar);
         let (upper_arm, forearm) = (in_plane(at(2) - at(1)), in_plane(at(3) - at(2)));
+        let (bend, turn) = (upper_arm.cross(&forearm), axis(3).cross(&axis(5)));
         [
-            axis(0).cross(&axis(1)).dot(&(at(4) - at(0))).abs() / self.reach_mm(),
-            upper_arm.cross(&forearm).norm() / (upper_arm.norm() * forearm.norm()),
-            axis(3).cross(&axis(5)).norm(),
+            axis(0).cross(&axis(1)).dot(&(at(4) - at(0))) / self.reach_mm(),
+            bend.norm().copysign(bend.dot(&axis(1))) / (upper_arm.norm() * forearm.norm()),
+            turn.norm().copysign(turn.dot(&axis(4))),
         ]
     }
 }

@@ -100,6 +100,42 @@ fn a_pose_keeps_its_distance_from_singularities() {
     assert_eq!(checker.check_set_point([from.into(); 2], joints.into(), CYCLE), Ok(()));
 }
 
+/// Both ends are far enough from the singularity that is between them. There is no case for the elbow: a pose is reached with the elbow bent as it
+/// was, too, and that is nearer.
+#[test]
+fn a_pose_does_not_leap_over_a_singularity() {
+    let model = Model::default();
+    let step = |limits: Limits, from: [f64; 6], to: [f64; 6]| {
+        bare(limits).check_pose_set_point([from.into(); 2], model.forward(to).into(), 0.1)
+    };
+    let with = |joint: usize, at: f64| {
+        let mut joints = [0.0, 60.0, -80.0, 190.0, -40.0, 0.0];
+        joints[joint] = at;
+        joints
+    };
+    let shoulder = |second: &f64| model.singularity_distance(with(1, *second)).shoulder;
+    let seconds = (0..1800).map(|step| f64::from(step) * 0.1);
+    let above = seconds.min_by(|one, other| shoulder(one).total_cmp(&shoulder(other))).expect("some");
+    assert!(shoulder(&above) < 0.001 && shoulder(&(above - 4.0)).min(shoulder(&(above + 4.0))) > 0.01);
+    for (which, from, to) in [
+        (Singularity::Wrist, with(4, -4.0), with(4, 4.0)),
+        (Singularity::Wrist, with(4, 0.7), with(4, -0.7)),
+        (Singularity::Shoulder, with(1, above - 4.0), with(1, above + 4.0)),
+        (Singularity::Shoulder, with(1, above + 4.0), with(1, above - 4.0)),
+    ] {
+        let found = step(quick(), from, to).expect_err("over a singularity");
+        assert!(matches!(found.exceeded, Exceeded::Singularity { which: passed, .. } if passed == which), "{found}");
+        assert_eq!(found.to_string(), format!("the set-point passes the {which} singularity (Zu 5)"));
+        assert!(step(quick().with_singularity_distance(0.0).expect("a distance"), from, to).is_ok());
+        // Joint positions may pass.
+        assert_eq!(bare(quick()).check_set_point([from.into(); 2], to.into(), 0.1), Ok(()));
+    }
+    // A pose may lead away from a singularity to either side.
+    for to in [with(4, 2.0), with(4, -2.0)] {
+        assert!(step(quick(), with(4, 0.0), to).is_ok());
+    }
+}
+
 #[test]
 fn an_odd_period_is_refused() {
     let checker: Checker = bare(quick());
