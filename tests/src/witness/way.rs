@@ -86,6 +86,9 @@ pub struct Steps {
     pub millimetres: f64,
 }
 
+/// The least number of pieces of a line or an arc: on an arc of a millimetre the direction changes within tenths of one.
+const LEAST_PIECES: f64 = 400.0;
+
 impl Excess {
     const NONE: Self = Self {
         degrees: f64::NEG_INFINITY,
@@ -184,7 +187,7 @@ impl Bounds {
         let mut excess = self.at(from, tolerance);
         excess.speed = speed / self.tcp_speed - 1.0;
         excess.singularity = self.least - self.nearest_singularity(from);
-        let pieces = (length / steps.millimetres).max(turn / steps.degrees).ceil().max(1.0);
+        let pieces = (length / steps.millimetres).max(turn / steps.degrees).ceil().max(LEAST_PIECES);
         let (mut joints, mut done) = (from, 0.0);
         while done < pieces {
             // Near a singularity the joints go far in a step, which is halved then.
