@@ -2,51 +2,14 @@
 
 mod reader;
 
-use std::fmt;
-
 use jaka_spec::Source;
 use jaka_spec::words::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use self::reader::{Placed, Reader, Table};
-use super::{InvalidLimit, Limits, Point, Region, RegionFrame};
+use super::{InvalidLimit, Limits, LimitsFileError, Point, Region, RegionFrame};
 use crate::model::Model;
-
-/// Everything that is wrong with a file of limits, each at its line and column.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LimitsFileError(Vec<jaka_spec::Error>);
-
-impl LimitsFileError {
-    /// The errors, one by one, from the top of the file.
-    pub fn iter(&self) -> std::slice::Iter<'_, jaka_spec::Error> {
-        self.0.iter()
-    }
-}
-
-impl<'a> IntoIterator for &'a LimitsFileError {
-    type Item = &'a jaka_spec::Error;
-    type IntoIter = std::slice::Iter<'a, jaka_spec::Error>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        self.iter()
-    }
-}
-
-/// A line for each.
-impl fmt::Display for LimitsFileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, error) in self.0.iter().enumerate() {
-            if index > 0 {
-                f.write_str("\n")?;
-            }
-            write!(f, "{error}")?;
-        }
-        Ok(())
-    }
-}
-
-impl std::error::Error for LimitsFileError {}
 
 impl Limits {
     /// The limits that a TOML text states, over those of [`of`](Self::of); `file_name` is what errors name.
@@ -106,7 +69,7 @@ impl Limits {
         let limits = read(&mut reader, &table);
         match (limits, reader.finish()) {
             (Some(limits), errors) if errors.is_empty() => Ok(limits),
-            (_, errors) => Err(LimitsFileError(errors)),
+            (_, errors) => Err(errors.into_iter().collect()),
         }
     }
 }

@@ -104,17 +104,24 @@ impl<S: MotionStatus> Robot<S> {
     /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`
     /// where the controller does not say it, or the arm moves.
     pub(super) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+        if self.rests { self.place(quantity, timeout) } else { self.place_still_for(quantity, QUERY_PERIOD, timeout) }
+    }
+
+    /// Where the arm is, by two answers that agree and are this far apart; `None` where the controller does not say it, or the arm moves.
+    pub(super) fn place_still_for(
+        &mut self,
+        quantity: Quantity,
+        apart: Duration,
+        timeout: Duration,
+    ) -> Result<Option<Place>, Error> {
         let since = Instant::now();
         let left = || timeout.saturating_sub(since.elapsed());
-        let first = self.place(quantity, timeout)?;
-        if self.rests || first.is_none() {
-            return Ok(first);
-        }
+        let Some(first) = self.place(quantity, timeout)? else { return Ok(None) };
         // A stop or a packet does not matter here: what is sent then asks for both.
-        std::thread::sleep(QUERY_PERIOD.min(left()));
+        std::thread::sleep(apart.min(left()));
         // A query that is sent has time for its reply.
         let second = self.place(quantity, left().max(QUERY_PERIOD))?;
-        Ok(second.filter(|second| first.is_some_and(|first| first.is_still(second))))
+        Ok(second.filter(|second| first.is_still(second)))
     }
 
     /// Waits until two answers say that the arm is at rest; false if they do not within `timeout`.

@@ -95,18 +95,7 @@ pub(super) enum Nearness {
 impl Goal {
     /// The goal of a motion to `target` that begins at `start`, if that is known.
     pub(super) fn new(target: Target, tolerance: f64, start: Option<Place>) -> Self {
-        let place = match (target, start) {
-            (Target::Joints(joints), _) => Some(Place::Joints(joints)),
-            (Target::Pose(pose), _) => Some(Place::Pose(pose)),
-            (Target::JointOffset(by), Some(Place::Joints(from))) => {
-                Some(Place::Joints(JointPosition(std::array::from_fn(|i| from.0[i] + by.0[i]))))
-            }
-            (Target::Offset([x, y, z]), Some(Place::Pose(from))) => {
-                Some(Place::Pose(Pose { x: from.x + x, y: from.y + y, z: from.z + z, ..from }))
-            }
-            _ => None,
-        };
-        place.map_or(Self::Unknown, |place| Self::At(place, tolerance))
+        target.from(start).map_or(Self::Unknown, |place| Self::At(place, tolerance))
     }
 
     /// What to ask for, to see whether the arm is there.
@@ -131,6 +120,21 @@ impl Goal {
 }
 
 impl Target {
+    /// Where it is for a motion that begins at `start`, if that determines it.
+    pub(super) fn from(self, start: Option<Place>) -> Option<Place> {
+        match (self, start) {
+            (Self::Joints(joints), _) => Some(Place::Joints(joints)),
+            (Self::Pose(pose), _) => Some(Place::Pose(pose)),
+            (Self::JointOffset(by), Some(Place::Joints(from))) => {
+                Some(Place::Joints(JointPosition(std::array::from_fn(|i| from.0[i] + by.0[i]))))
+            }
+            (Self::Offset([x, y, z]), Some(Place::Pose(from))) => {
+                Some(Place::Pose(Pose { x: from.x + x, y: from.y + y, z: from.z + z, ..from }))
+            }
+            _ => None,
+        }
+    }
+
     /// What must be known of the beginning, if the end follows from it.
     pub(super) fn start_quantity(&self) -> Option<Quantity> {
         match self {

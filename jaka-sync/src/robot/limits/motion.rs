@@ -12,12 +12,6 @@ use crate::robot::batch::Begin;
 use crate::robot::target::{Place, Quantity};
 use crate::{Error, ErrorKind, Motion, MotionStatus, Path, Robot, Target};
 
-/// Where a motion ends, from where it begins.
-enum End {
-    Joints(JointPosition),
-    Pose(Pose),
-}
-
 impl<S: MotionStatus> Robot<S> {
     /// The joint positions at which a motion will end, where it has limits and is within them.
     pub(in crate::robot) fn check_limits<M: Motion>(
@@ -48,29 +42,28 @@ impl<S: MotionStatus> Robot<S> {
         let since = Instant::now();
         let from = self.start_of_motion(info, begin, timeout)?;
         let Some(checker) = self.limits() else { return Ok(None) };
-        let end = match (target, path) {
-            (_, Path::Unknown) => return Err(self.not_checked(info.name, Unchecked::Path)),
-            (Target::Joints(to), _) => End::Joints(to),
-            (Target::JointOffset(by), _) => End::Joints(JointPosition(std::array::from_fn(|i| from.0[i] + by.0[i]))),
-            (Target::Pose(to), _) => End::Pose(to),
-            (Target::Offset([x, y, z]), _) => {
-                let pose = checker.frames().pose(checker.limits().model().forward(from));
-                End::Pose(Pose { x: pose.x + x, y: pose.y + y, z: pose.z + z, ..pose })
-            }
-            (Target::Unknown, _) => return Err(self.not_checked(info.name, Unchecked::Target)),
+        if path == Path::Unknown {
+            return Err(self.not_checked(info.name, Unchecked::Path));
+        }
+        let start = match target.start_quantity() {
+            Some(Quantity::Pose) => Place::Pose(checker.frames().pose(checker.limits().model().forward(from))),
+            _ => Place::Joints(from),
+        };
+        let Some(end) = target.from(Some(start)) else {
+            return Err(self.not_checked(info.name, Unchecked::Target));
         };
         let tcp_pace = |speed_mm_s| TcpPace { speed_mm_s, tolerance_mm };
         let within = match (end, path) {
-            (End::Joints(to), Path::Joints { speed, acceleration }) => {
+            (Place::Joints(to), Path::Joints { speed, acceleration }) => {
                 let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
                 checker.check_joint_way(from, to, pace).map(|()| Some(to))
             }
-            (End::Pose(to), Path::Joints { speed, acceleration }) => {
+            (Place::Pose(to), Path::Joints { speed, acceleration }) => {
                 let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
                 return self.check_end_move(info, from, to, pace, timeout.saturating_sub(since.elapsed()));
             }
-            (End::Pose(to), Path::Line { speed }) => checker.check_line(from, to, tcp_pace(speed)).map(Some),
-            (End::Pose(to), Path::Arc { through, speed }) => {
+            (Place::Pose(to), Path::Line { speed }) => checker.check_line(from, to, tcp_pace(speed)).map(Some),
+            (Place::Pose(to), Path::Arc { through, speed }) => {
                 checker.check_arc(from, through, to, tcp_pace(speed)).map(Some)
             }
             _ => return Err(self.not_checked(info.name, Unchecked::Path)),
@@ -95,10 +88,9 @@ impl<S: MotionStatus> Robot<S> {
                 let end = chosen.joint_position;
                 checker.check_joint_way(from, end, pace).map(|()| Some(end))
             }
+            Err(error) if !error.is_refused() => return Err(error),
             // It says none, or one that is elsewhere.
-            Ok(_) => checker.check_end_move(from, to, pace).map(|()| None),
-            Err(error) if error.is_refused() => checker.check_end_move(from, to, pace).map(|()| None),
-            Err(error) => return Err(error),
+            _ => checker.check_end_move(from, to, pace).map(|()| None),
         };
         within.map_err(|beyond| self.beyond_limit(info.name, beyond))
     }
@@ -141,13 +133,8 @@ impl<S: MotionStatus> Robot<S> {
         if !self.checks.0.as_ref().is_some_and(|limited| limited.is_unsettled) {
             return Ok(());
         }
-        let before = self.place(Quantity::Joints, timeout)?;
-        std::thread::sleep(self.grace.time.min(timeout));
-        let after = self.place(Quantity::Joints, timeout)?;
-        let (Some(before), Some(after)) = (before, after) else {
-            return Err(self.not_checked(info.name, Unchecked::Start));
-        };
-        if !before.is_still(&after) {
+        let rests = self.place_still_for(Quantity::Joints, self.grace.time, timeout)?.is_some();
+        if !rests {
             return Err(self.not_checked(info.name, Unchecked::Start));
         }
         if let Some(limited) = &mut self.checks.0 {
