@@ -100,7 +100,7 @@ impl Way {
         }
         let run_time = session.time();
         self.ran(start, cpu, &late);
-        let report = session.finish()?;
+        let report = session.land()?;
         self.late.extend(lateness(&report));
         self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())? - report.cycles;
         self.most_outstanding = self.most_outstanding.max(report.most_outstanding);

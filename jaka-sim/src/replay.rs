@@ -27,7 +27,7 @@ pub enum Replay {
     /// ends the connection where it did then.
     ///
     /// Status packets wait for the requests that were sent before them, so that a program that is slower, or faster, sees the
-    /// same. Anything else is a [`Deviation`], and ends the connection.
+    /// same. A set-point that holds the arm may come more often than then. Anything else is a [`Deviation`], and ends the connection.
     Strict,
     /// Each request gets the reply to the first equal request of the recording, of whatever connection, that has not been
     /// used yet. Where none came then, none comes now.

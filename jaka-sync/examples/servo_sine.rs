@@ -1,7 +1,7 @@
 //! A sine for joint 6 in servo mode, with the lateness of its set-points compared with that of a loop that does nothing else.
 //!
 //! `cargo run --release --example servo_sine -- [ADDRESS] [--seconds N] [--spin MICROSECONDS]`; without an address against a
-//! simulated controller. On a robot it powers the arm and turns joint 6 by 5 degrees to and fro; it asks before.
+//! simulated controller. On a robot it powers the arm and turns joint 6 by 2 degrees to and fro; it asks before.
 
 mod common;
 
@@ -14,9 +14,10 @@ use std::time::{Duration, Instant};
 use jaka_sync::ServoConfig;
 use jaka_sync::types::JointPosition;
 
-/// Degrees to each side, and seconds for one turn: 31 deg/s at most, reached gently.
-const AMPLITUDE: f64 = 5.0;
-const PERIOD: f64 = 1.0;
+/// Degrees to each side, and seconds for one turn: 4 deg/s at most, so slow that the arm may start from standstill at any of its points, where this
+/// thread got no processor for a while.
+const AMPLITUDE: f64 = 2.0;
+const PERIOD: f64 = 4.0;
 
 fn main() -> ExitCode {
     common::end(run())
@@ -27,7 +28,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let seconds = number("--seconds").transpose()?.unwrap_or(5);
     let spin = Duration::from_micros(number("--spin").transpose()?.unwrap_or(0));
     let target = common::target_at(std::env::args().nth(1).filter(|address| !address.starts_with("--")))?;
-    target.ask("The arm will be powered and joint 6 will turn by 5 deg. Clear the area.")?;
+    target.ask("The arm will be powered and joint 6 will turn by 2 deg. Clear the area.")?;
     let mut robot = target.robot()?;
     robot.power_up(Duration::from_secs(60))?;
 
@@ -36,12 +37,12 @@ fn run() -> Result<(), Box<dyn Error>> {
     let config = ServoConfig::new().busy_wait(spin);
     let mut session = robot.enter_servo_mode(&config)?;
     let end = Duration::from_secs(seconds);
-    // Not by the clock: where this thread gets the processor late, the motion is delayed, and does not jump.
-    let mut times = (0..).map(|set_point| config.period() * set_point).take_while(|time| *time < end);
-    session.run(|_clock, _status| {
-        times.next().map_or(ControlFlow::Break(()), |time| ControlFlow::Continue(sine(start, time)))
-    })?;
-    let report = session.finish()?;
+    session.run(
+        |time, _status| {
+            if time < end { ControlFlow::Continue(sine(start, time)) } else { ControlFlow::Break(()) }
+        },
+    )?;
+    let report = session.land()?;
     println!(
         "  {} set-points, {} accepted, {} refused, {} unanswered, {} late, at most {} answers outstanding",
         report.cycles, report.accepted, report.refused, report.unanswered, report.late_cycles, report.most_outstanding
@@ -56,11 +57,11 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Starts and ends at rest: the amplitude grows over the first second.
+/// Starts at rest: the amplitude grows over the first turn. The landing brakes it.
 fn sine(start: JointPosition, time: Duration) -> JointPosition {
     let t = time.as_secs_f64();
     let mut joints = start;
-    joints.0[5] += AMPLITUDE * t.min(1.0) * (TAU * t / PERIOD).sin();
+    joints.0[5] += AMPLITUDE * (t / PERIOD).min(1.0) * (TAU * t / PERIOD).sin();
     joints
 }
 

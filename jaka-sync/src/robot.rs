@@ -11,6 +11,7 @@ mod position;
 mod power;
 mod preflight;
 mod readiness;
+mod rest;
 mod status;
 mod stops;
 mod target;
@@ -28,7 +29,6 @@ use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
 use self::latch::Latch;
 use self::limits::Checks;
-pub(crate) use self::limits::SetPoints;
 #[cfg(feature = "motion")]
 pub use self::limits::{LimitPolicy, Unchecked};
 pub use self::motion::{Motion, Path};
@@ -36,6 +36,7 @@ pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use self::readiness::StatusProblem;
+pub(crate) use self::rest::Rest;
 pub use self::status::MotionStatus;
 pub use self::stops::RobotStop;
 use self::target::Goal;
@@ -283,6 +284,17 @@ impl<S: MotionStatus> Robot<S> {
     /// True if motions were accepted that have not been waited for.
     pub(crate) fn has_motions(&self) -> bool {
         self.batch.is_some()
+    }
+
+    /// For how long at most a servo session that moves the arm may take until its next set-point; none where none moves it. A stop of the
+    /// program's own waits that long for it to brake.
+    pub(crate) fn expect_set_point(&self, within: Option<Duration>) {
+        self.latch.stops().expect_set_point(within);
+    }
+
+    /// True if the program has allowed motion without status.
+    pub(crate) fn moves_without_status(&self) -> bool {
+        self.moves_without_status
     }
 
     pub(crate) fn check_latch(&self) -> Result<(), Error> {

@@ -1,15 +1,21 @@
 //! Servo mode: set-points at the controller's own pace.
 
+mod course;
 mod enter;
+mod land;
 mod leave;
 mod pace;
+mod rates;
 mod report;
 mod session;
+mod set_point;
+mod turn;
 
 use std::time::Duration;
 
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
+use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;
 
@@ -22,6 +28,8 @@ pub struct ServoConfig {
     pub(crate) enter_timeout: Duration,
     pub(crate) busy_wait: Duration,
     pub(crate) max_unanswered: Duration,
+    rest_timeout: Duration,
+    rates: Rates,
 }
 
 /// The longest servo period, in controller cycles.
@@ -38,6 +46,8 @@ impl Default for ServoConfig {
             enter_timeout: Duration::from_secs(5),
             busy_wait: Duration::ZERO,
             max_unanswered: Duration::from_millis(100),
+            rest_timeout: Duration::from_secs(1),
+            rates: Rates::default(),
         }
     }
 }
@@ -82,6 +92,46 @@ impl ServoConfig {
     pub fn max_unanswered(mut self, time: Duration) -> Self {
         self.max_unanswered = time;
         self
+    }
+
+    /// Sets how fast the speed of a joint may change from one set-point to the next, and with which acceleration the arm is braked when the
+    /// session ends, in deg/s²: 720 by default, which the document advises at most (4.7). More than 0. If the robot has limits, it is braked with
+    /// their accelerations.
+    pub fn max_joint_acceleration(mut self, acceleration_deg_s2: f64) -> Self {
+        self.rates.joint_acceleration = [acceleration_deg_s2; 6];
+        self
+    }
+
+    /// Sets how fast set-points that are poses may move the tool centre point, in mm/s: 3000 by default, which is ours. More than 0.
+    pub fn max_tcp_speed(mut self, speed_mm_s: f64) -> Self {
+        self.rates.tcp_speed = speed_mm_s;
+        self
+    }
+
+    /// Sets how fast the speed of the tool centre point may change from one set-point that is a pose to the next, and with which
+    /// acceleration the arm is braked after such, in mm/s²: 8000 by default, which the document advises at most (4.9). More than 0.
+    pub fn max_tcp_acceleration(mut self, acceleration_mm_s2: f64) -> Self {
+        self.rates.tcp_acceleration = acceleration_mm_s2;
+        self
+    }
+
+    /// Sends set-points without comparing them with the ones before: also those that jump. For programs that check them by other means, and
+    /// for controllers whose filter smooths them. The arm is still braked when the session ends, and limits of the robot still hold.
+    pub fn unchecked(mut self) -> Self {
+        self.rates.are_checked = false;
+        self
+    }
+
+    /// Sets how long the last set-point is held when a session ends, if no status packet shows the arm at rest there: 1 s by default.
+    pub fn rest_timeout(mut self, timeout: Duration) -> Self {
+        self.rest_timeout = timeout;
+        self
+    }
+
+    /// How late a set-point is at least after which the arm is taken to stand: the controller had none for so long. No source says how
+    /// long it takes; three periods are ours.
+    fn gap(&self) -> Duration {
+        self.period() * 3
     }
 
     /// How many set-points may be unanswered.

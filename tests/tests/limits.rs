@@ -233,7 +233,11 @@ fn a_set_point_beyond_a_limit_ends_the_session() {
     ));
     drop(session);
     assert!(!controller.state().servo_mode);
-    assert_eq!(motions(&controller).len(), 250);
+    // What follows holds the arm.
+    let (moving, holding): (Vec<_>, Vec<_>) =
+        motions(&controller).into_iter().partition(|request| request.contains("0.004"));
+    assert_eq!(moving.len(), 250);
+    assert!(holding.iter().all(|request| request.contains("[0,0,0,0,0,0]")), "{holding:?}");
 }
 
 #[test]

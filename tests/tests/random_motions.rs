@@ -401,8 +401,9 @@ fn one_session(rig: &mut Rig, number: u32) {
     thread::scope(|scope| {
         let controller = &*controller;
         scope.spawn(move || trouble.run(controller));
-        let result =
-            robot.enter_servo_mode(&ServoConfig::new().max_unanswered(bound)).and_then(|session| go(session, count));
+        let result = robot
+            .enter_servo_mode(&ServoConfig::new().max_unanswered(bound).unchecked())
+            .and_then(|session| go(session, count));
         tally.sessions += 1;
         tally.sessions_ended += u32::from(result.is_err());
         let most = if result.is_ok() { 1.0 } else { bound.as_secs_f64() / 0.008 + 1.0 };
@@ -420,7 +421,7 @@ fn go(mut session: ServoSession<'_>, count: u32) -> Result<(), Error> {
         let step = if at / 20 % 2 == 0 { STEP } else { -STEP };
         session.send_joint_offset([step, 0.0, 0.0, 0.0, 0.0, step / 2.0])?;
     }
-    session.finish().map(drop)
+    session.land().map(drop)
 }
 
 /// How many motions a controller has before another, with other habits: it keeps the last of its requests, and not all.

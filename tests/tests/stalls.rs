@@ -345,7 +345,7 @@ fn moves_on(controller: &Controller, for_time: Duration) -> f64 {
 
 #[test]
 fn set_points_do_not_accumulate_on_a_link_that_is_held() {
-    const STEP: f64 = 0.08;
+    const STEP: f64 = 0.04;
     let (controller, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
     let slow = |session: &mut jaka_sync::ServoSession<'_>| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
@@ -358,7 +358,7 @@ fn set_points_do_not_accumulate_on_a_link_that_is_held() {
     let text = error.to_string();
     assert!(text.contains("servo mode may be on") && text.contains("no stop can be sent"), "{text}");
     assert!(slow(&mut session).is_err_and(|error| matches!(error.kind(), ErrorKind::SessionEnded { .. })));
-    let report = session.finish();
+    let report = session.land();
     assert!(report.as_ref().is_err_and(|error| matches!(error.kind(), ErrorKind::SessionEnded { .. })), "{report:?}");
     controller.links().release();
     // 100 ms are twelve set-points; those of before the stall are done when the first of these begins.

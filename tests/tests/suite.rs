@@ -14,6 +14,7 @@ mod firmware;
 mod first_program;
 mod hostile_text;
 mod kinematics;
+mod landing;
 mod limits;
 mod monitor;
 mod motion;

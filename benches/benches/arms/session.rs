@@ -34,7 +34,7 @@ fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
         session.send_joint_offset([0.0; 6])?;
     }
     let due = session.time().as_nanos() / PERIOD.as_nanos();
-    let report = session.finish()?;
+    let report = session.land()?;
     Ok(Tally {
         cycles: report.cycles,
         lost: u64::try_from(due).unwrap_or_default().saturating_sub(report.cycles),

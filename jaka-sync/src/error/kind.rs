@@ -157,6 +157,14 @@ pub enum ErrorKind {
         /// Why servo mode could not be left.
         leaving: Error,
     },
+    /// A servo session has braked the arm and held it, but no status packet has shown it at rest there; servo mode was left. The arm may not
+    /// have followed: look at it before you go on.
+    RestNotSeen {
+        /// What ended the session; none where it was to land.
+        first: Option<Error>,
+        /// How long the arm was held.
+        after: Duration,
+    },
     /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
     UnexpectedStatus {
         /// Which field does not fit.
@@ -198,6 +206,7 @@ impl ErrorKind {
             | Self::SetPointsUnanswered { .. }
             | Self::SessionEnded { .. }
             | Self::NotAcknowledged { .. }
+            | Self::RestNotSeen { .. }
             | Self::UnexpectedStatus { .. } => Group::Other,
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
@@ -210,6 +219,7 @@ impl ErrorKind {
             | Self::ReplyLost { .. }
             | Self::UnexpectedReply { .. }
             | Self::SetPointsUnanswered { .. }
+            | Self::RestNotSeen { .. }
             | Self::ServoModeNotLeft { .. } => true,
             Self::Disconnected { sent, .. } => *sent,
             Self::InvalidArgument(_)
@@ -237,6 +247,7 @@ impl ErrorKind {
             Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source } => Some(source),
             Self::Disconnected { cause, .. } => Some(&**cause),
             Self::ServoModeNotLeft { leaving, .. } => leaving.source(),
+            Self::RestNotSeen { first, .. } => first.as_ref().and_then(|first| first.source()),
             Self::StatusUnknown { problem } => problem.source(),
             Self::NotAcknowledged { outcome } => outcome.cause(),
             #[cfg(feature = "motion")]
@@ -295,6 +306,10 @@ impl fmt::Display for ErrorKind {
                 first.as_ref().map_or(Ok(()), |first| write!(f, "{first}; and "))?;
                 write!(f, "servo mode may be on, because leaving it failed or was not confirmed: {leaving}")?;
                 if leaving.is_disconnected() { f.write_str("; no stop can be sent on this connection") } else { Ok(()) }
+            }
+            Self::RestNotSeen { first, after } => {
+                first.as_ref().map_or(Ok(()), |first| write!(f, "{first}; and "))?;
+                write!(f, "the arm was braked and held for {after:?}, but no status packet has shown it at rest there")
             }
             Self::StateTimeout { after, packets, says } => {
                 write!(f, "the robot was not in the expected state within {after:?} ({packets} status packets came)")?;

@@ -11,7 +11,6 @@ use jaka_proto::Command;
 use jaka_proto::messages::kinematics::KineForward;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-pub(crate) use self::set_points::SetPoints;
 pub use self::unchecked::Unchecked;
 use super::{MotionStatus, Robot};
 use crate::{Error, ErrorKind, Explanation};

@@ -18,19 +18,6 @@ impl Checks {
     pub(super) fn unsettle(&mut self) {}
 }
 
-#[derive(Debug, Default)]
-pub(crate) struct SetPoints(());
-
-impl SetPoints {
-    pub(crate) fn at(_start: JointPosition) -> Self {
-        Self(())
-    }
-
-    pub(crate) fn sent(&mut self, _joints: Option<JointPosition>) {}
-
-    pub(crate) fn paused(&mut self) {}
-}
-
 impl<S: MotionStatus> Robot<S> {
     pub(super) fn check_limits<M: Motion>(
         &mut self,
@@ -47,13 +34,22 @@ impl<S: MotionStatus> Robot<S> {
         None
     }
 
-    pub(crate) fn prepare_set_points(&mut self, _start: JointPosition, _timeout: Duration) -> Result<(), Error> {
+    pub(crate) fn prepare_set_points(
+        &mut self,
+        _start: JointPosition,
+        _pose: Option<Pose>,
+        _timeout: Duration,
+    ) -> Result<(), Error> {
         Ok(())
+    }
+
+    pub(crate) fn joint_accelerations(&self) -> Option<[f64; 6]> {
+        None
     }
 
     pub(crate) fn check_joints(
         &mut self,
-        _before: &SetPoints,
+        _before: Option<[JointPosition; 2]>,
         target: Option<JointPosition>,
         _period: Duration,
     ) -> Result<Option<JointPosition>, Error> {
@@ -62,7 +58,7 @@ impl<S: MotionStatus> Robot<S> {
 
     pub(crate) fn check_pose(
         &mut self,
-        _before: &SetPoints,
+        _before: Option<[JointPosition; 2]>,
         _target: Option<Pose>,
         _period: Duration,
     ) -> Result<Option<JointPosition>, Error> {

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::TypedReply;
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos, GetTcpPosReply};
+use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
 
@@ -99,6 +100,12 @@ impl<S: MotionStatus> Robot<S> {
                 _ => {}
             }
         }
+    }
+
+    /// The pose of the tool centre point now; `None` where the controller does not say it.
+    pub(crate) fn tcp_pose(&mut self, timeout: Duration) -> Result<Option<Pose>, Error> {
+        let place = self.place(Quantity::Pose, timeout)?;
+        Ok(place.and_then(|place| if let Place::Pose(pose) = place { Some(pose) } else { None }))
     }
 
     /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`

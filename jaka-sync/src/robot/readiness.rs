@@ -109,6 +109,29 @@ impl<S: MotionStatus> Robot<S> {
     }
 }
 
+impl<S: MotionStatus> Robot<S> {
+    /// Lets set-points pass that brake the arm, also where the status is no longer known, and before a stop of the program's own: nothing
+    /// but a protective or an emergency stop blocks them.
+    pub(crate) fn braking_gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {
+        let (latch, monitor) = (self.latch.clone(), Arc::clone(&self.monitor));
+        move || {
+            if let Ok(newest) = readable(monitor.fresh_packet()) {
+                check_stops(&newest)?;
+            }
+            match latch.unacknowledged() {
+                None | Some(Outcome::Stopped) => Ok(()),
+                Some(outcome) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
+            }
+        }
+    }
+
+    /// Lets set-points pass that hold the arm: those that brake it pass, and no stop has begun.
+    pub(crate) fn holding_gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {
+        let (latch, braking) = (self.latch.clone(), self.braking_gate());
+        move || braking().and_then(|()| latch.check())
+    }
+}
+
 fn readable<S: MotionStatus>(
     snapshot: Result<Arc<Snapshot<S>>, StatusProblem>,
 ) -> Result<Arc<Snapshot>, StatusProblem> {

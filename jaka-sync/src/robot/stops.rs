@@ -1,7 +1,8 @@
 //! Stops from other threads, and what they keep back.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use super::Outcome;
 use crate::monitor::Waker;
@@ -16,7 +17,14 @@ pub(super) struct Stops {
     taken: AtomicU64,
     /// How many are on their way to the controller.
     under_way: AtomicU64,
+    /// Until when a servo session that moves the arm sends its next set-point; none where none moves it. Locked alone.
+    next_set_point: Mutex<Option<Instant>>,
+    /// Signalled when no session moves the arm any more.
+    stands: Condvar,
 }
+
+/// How long a stop waits at most for a servo session to brake.
+const LONGEST_BRAKING: Duration = Duration::from_secs(2);
 
 impl Stops {
     /// The number of the latest stop that the controller has accepted.
@@ -34,10 +42,41 @@ impl Stops {
         (self.is_under_way() || self.begun() != told).then_some(Outcome::Stopped)
     }
 
+    /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
+    pub(super) fn expect_set_point(&self, within: Option<Duration>) {
+        let mut next = lock(&self.next_set_point);
+        if within.is_none() && next.is_none() {
+            return;
+        }
+        *next = within.map(|within| Instant::now() + within);
+        if next.is_none() {
+            self.stands.notify_all();
+        }
+    }
+
+    /// Waits while a servo session brakes. One whose next set-point is overdue does not: the arm has none to follow.
+    fn wait_until_braked(&self) {
+        let since = Instant::now();
+        let mut next = lock(&self.next_set_point);
+        while let Some(due) = *next {
+            let left =
+                due.saturating_duration_since(Instant::now()).min(LONGEST_BRAKING.saturating_sub(since.elapsed()));
+            if left.is_zero() {
+                return;
+            }
+            next = self.stands.wait_timeout(next, left).unwrap_or_else(PoisonError::into_inner).0;
+        }
+    }
+
     /// True while the controller has not answered a stop.
     pub(super) fn is_under_way(&self) -> bool {
         self.under_way.load(Ordering::SeqCst) > 0
     }
+}
+
+/// Every change is made whole before the lock is left.
+fn lock(next_set_point: &Mutex<Option<Instant>>) -> MutexGuard<'_, Option<Instant>> {
+    next_set_point.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A stop on its way, until it is dropped.
@@ -78,12 +117,16 @@ impl RobotStop {
 
     /// Sends `stop_program` (4.23), waits until the controller has accepted it, and ends the wait.
     ///
+    /// A [`ServoSession`](crate::ServoSession) that moves the arm brakes it first, with its next set-points: no source says that `stop_program` alone
+    /// ends servo motion. The stop waits for that for 2 s at most, and not at all where the session's next set-point is overdue.
+    ///
     /// # Errors
     /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the
     /// next motion is refused.
     pub fn stop(&self) -> Result<(), Error> {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
+        self.stops.wait_until_braked();
         if let Err(error) = self.handle.stop() {
             // A program that learned of it, or acknowledged it, did not know that it would fail.
             self.stops.begun.fetch_add(1, Ordering::SeqCst);

@@ -5,16 +5,17 @@ use std::time::{Duration, Instant};
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
-use jaka_proto::messages::types::{JointPosition, Switch};
+use jaka_proto::messages::types::Switch;
 
+use super::course::Course;
 use super::pace::{CYCLE, Pace};
 use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
-use crate::robot::SetPoints;
 use crate::{Error, ErrorKind, Explanation, MotionStatus, Robot};
 
 impl<'r, S: MotionStatus> ServoSession<'r, S> {
     pub(crate) fn enter(robot: &'r mut Robot<S>, config: &ServoConfig) -> Result<Self, Error> {
         check_step_count(config)?;
+        config.rates.check_themselves()?;
         robot.rest_for_servo(config.enter_timeout)?;
         if let Some(filter) = &config.filter {
             robot.client().call(filter)?;
@@ -23,17 +24,15 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             robot,
             config: config.clone(),
             pace: Pace::new(config.period(), config.busy_wait),
-            last: None,
-            sent: SetPoints::default(),
+            course: Course::unknown(),
             report: ServoReport::default(),
             refusal: None,
             is_open: true,
             ended: None,
         };
         match session.switch_on() {
-            Ok(start) => {
-                session.last = Some(start);
-                session.sent = SetPoints::at(start);
+            Ok(course) => {
+                session.course = course;
                 session.pace = Pace::new(config.period(), config.busy_wait);
                 Ok(session)
             }
@@ -42,7 +41,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
     }
 
     /// Servo mode on, and where the arm is in it.
-    fn switch_on(&mut self) -> Result<JointPosition, Error> {
+    fn switch_on(&mut self) -> Result<Course, Error> {
         let gate = self.robot.gate();
         let (client, timeout) = (self.robot.client(), self.config.enter_timeout);
         let on =
@@ -54,8 +53,12 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         }
         self.wait_until_entered(timeout)?;
         let start = self.robot.client().get_joint_pos()?.joint_position;
-        self.robot.prepare_set_points(start, timeout)?;
-        Ok(start)
+        let pose = self.robot.tcp_pose(timeout)?;
+        self.robot.prepare_set_points(start, pose, timeout)?;
+        if let Some(accelerations) = self.robot.joint_accelerations() {
+            self.config.rates.joint_acceleration = accelerations;
+        }
+        Ok(Course::at(start, pose))
     }
 
     /// The acknowledgement of `servo_move` comes before the mode has changed, and also where it does not change.

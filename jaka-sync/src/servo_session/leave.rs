@@ -7,6 +7,7 @@ use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 
+use super::land::{lets_land, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
 use crate::link::Question;
@@ -16,19 +17,21 @@ use crate::{Disconnect, Error, ErrorKind, Explanation, MotionStatus};
 const PATIENCE: Duration = Duration::from_secs(1);
 
 impl<S: MotionStatus> ServoSession<'_, S> {
-    /// Waits for the last answers and leaves servo mode.
+    /// Brakes the arm, holds it until the status shows it at rest, waits for the last answers, and leaves servo mode.
     ///
     /// # Errors
-    /// As [`Client::call`](crate::Client::call), and [`ErrorKind::Refused`] if the controller refused a set-point. Servo mode is
-    /// left in any case, if possible; [`ErrorKind::ServoModeNotLeft`] if it cannot be left, or that is not known, with the session's own
-    /// error if there is one. [`ErrorKind::SessionEnded`] if the session had ended before.
-    pub fn finish(mut self) -> Result<ServoReport, Error> {
+    /// As [`Client::call`](crate::Client::call), and [`ErrorKind::Refused`] if the controller refused a set-point. [`ErrorKind::RestNotSeen`] if
+    /// no status packet showed the arm at rest. Servo mode is left in any case, if possible; [`ErrorKind::ServoModeNotLeft`] if it cannot
+    /// be left, or that is not known, with the session's own error if there is one. [`ErrorKind::SessionEnded`] if the session had ended
+    /// before.
+    pub fn land(mut self) -> Result<ServoReport, Error> {
         if let Some(because) = self.ended.take() {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
+        let landed = self.come_to_rest();
         let answers = self.last_answers();
         let left = self.leave();
-        let first = answers.err().or(self.refusal.take());
+        let first = answers.err().or(self.refusal.take()).or(landed.err());
         match (first, left) {
             (None, Ok(())) => {
                 self.report.sort();
@@ -51,12 +54,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         Ok(())
     }
 
-    /// Ends the session because of an error: no set-point goes out any more, and servo mode is left.
+    /// Ends the session because of an error: by a landing, where set-points are still followed, and servo mode is left.
     pub(super) fn end(&mut self, first: Error) -> Error {
+        let landed = if self.is_open && lets_land(&first) { self.come_to_rest() } else { Ok(()) };
         let left = if self.is_open { self.leave() } else { Ok(()) };
-        let error = match left {
-            Ok(()) => first,
-            Err(leaving) => not_left(Some(first), leaving),
+        let error = match (landed, left) {
+            (Ok(()), Ok(())) => first,
+            (Err(landing), Ok(())) => not_seen(first, landing),
+            (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(error.to_string());
         error
@@ -68,6 +73,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// servo mode, and waiting for a second one that was lost would cost the connection, and the stop with it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
+        self.robot.expect_set_point(None);
         // Another thread that reads may have received replies meanwhile.
         let (answers, unanswered) = self.robot.client().link().forget_posted();
         self.count(answers);
@@ -118,8 +124,9 @@ fn not_left(first: Option<Error>, leaving: Error) -> Error {
 impl<S: MotionStatus> Drop for ServoSession<'_, S> {
     fn drop(&mut self) {
         if self.is_open {
-            if let Err(error) = self.leave() {
-                log::warn!(target: "jaka_sync", "servo mode was not left: {error}");
+            let landed = self.come_to_rest();
+            if let Err(error) = self.leave().and(landed) {
+                log::warn!(target: "jaka_sync", "the servo session that was dropped did not end at rest: {error}");
             }
         }
     }

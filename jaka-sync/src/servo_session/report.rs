@@ -5,14 +5,18 @@ use std::time::Duration;
 /// Set-points whose lateness is kept: an hour at 8 ms.
 const SAMPLES: usize = 450_000;
 
-/// What a servo session did, from [`ServoSession::finish`](super::ServoSession::finish).
+/// What a servo session did, from [`ServoSession::land`](super::ServoSession::land).
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct ServoReport {
-    /// Set-points sent.
+    /// Set-points sent, without those of the landing.
     pub cycles: u64,
     /// Set-points sent more than half a period late.
     pub late_cycles: u64,
+    /// Set-points that were late by a period or more: the controller had none when one was due.
+    pub gaps: u64,
+    /// Set-points of the landing: those that braked the arm, and those that held it.
+    pub landing_cycles: u64,
     /// Answers that accepted a set-point.
     pub accepted: u64,
     /// Answers that refused one.
@@ -28,6 +32,7 @@ impl ServoReport {
     pub(super) fn late(&mut self, late: Duration, period: Duration) {
         self.cycles += 1;
         self.late_cycles += u64::from(late > period / 2);
+        self.gaps += u64::from(late >= period);
         if self.lateness.len() < SAMPLES {
             self.lateness.push(u32::try_from(late.as_micros()).unwrap_or(u32::MAX));
         }

@@ -6,25 +6,22 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
+use super::course::Course;
 use super::pace::Pace;
+use super::set_point::SetPoint;
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
-use crate::robot::SetPoints;
 use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
-
-/// The greatest speed of a joint in servo mode, in deg/s (4.15).
-const MAX_SPEED: f64 = 180.0;
 
 /// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
 /// counted, not waited for.
 ///
-/// Each call sends one set-point in the next cycle, and fails within a period if the controller has refused an earlier one.
-/// Dropping the session leaves servo mode, also while a panic unwinds; [`finish`](Self::finish) does it with a report.
+/// Each call sends one set-point in the next cycle. [`land`](Self::land) brakes the arm, leaves servo mode and reports; dropping the
+/// session does the same without a report, also while a panic unwinds.
 ///
 /// # Entering
 /// [`Robot::enter_servo_mode`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not been waited for, and
@@ -32,12 +29,28 @@ const MAX_SPEED: f64 = 180.0;
 /// [`ErrorKind::StatusUnknown`] where the status is stale, missing or unreadable, and as [`Client::call`](crate::Client::call). If
 /// something fails after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
+/// # Set-points
+/// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be faster than 180 deg/s, and
+/// [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with each other. The first step is from standstill, and
+/// so is one after a gap, before a set-point that is late by three periods or more: the controller had none when one was due. A
+/// late set-point delays all later ones, and none comes sooner to catch up. [`ServoConfig::unchecked`] turns these checks off.
+///
+/// # Landing
+/// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at once: the last set-point
+/// before a missing one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a landing, whatever ends it: the call that
+/// fails, [`land`](Self::land), a drop, a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known. The arm is braked straight on, all
+/// joints in proportion, with the acceleration of [`ServoConfig`] or, if the robot has limits, of these. Then the last set-point is held until
+/// status packets show the arm at rest there ([`ServoConfig::rest_timeout`]), and servo mode is left. A stop of the program's own brakes, and
+/// then sends `stop_program`.
+///
+/// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. What an arm does that
+/// is at speed then, or whose program is killed, is not known from any source.
+///
 /// # A link that stalls
-/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), or the status is no longer known, no more are sent:
-/// servo mode is left, and the call fails with [`ErrorKind::SetPointsUnanswered`] or [`ErrorKind::StatusUnknown`]. If the end of servo
-/// mode is not answered within a second, the connection is reset, which discards the set-points that the system has not sent, and the
-/// error is [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at most the
-/// set-points that were unanswered.
+/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), no more are sent: servo mode is left, and the call fails with
+/// [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a second, the connection is reset, which discards the
+/// set-points that the system has not sent, and the error is [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken
+/// already may still move the arm: at most the set-points that were unanswered.
 ///
 /// ```no_run
 /// # use jaka_sync::{Robot, ServoConfig};
@@ -46,19 +59,17 @@ const MAX_SPEED: f64 = 180.0;
 /// for _ in 0..125 {
 ///     session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
 /// }
-/// let report = session.finish()?;
+/// let report = session.land()?;
 /// println!("{} set-points, 99 % within {:?}", report.cycles, report.lateness(0.99));
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
-#[must_use = "dropping a session leaves servo mode; `finish` does so, too, and reports"]
+#[must_use = "dropping a session ends it; `land` does so, too, and reports"]
 pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) robot: &'r mut Robot<S>,
     pub(super) config: ServoConfig,
     pub(super) pace: Pace,
-    /// The joints of the last set-point, where they are known.
-    pub(super) last: Option<JointPosition>,
-    /// What the next set-point is checked against, where the robot has limits.
-    pub(super) sent: SetPoints,
+    /// The last set-points: what the next one is compared with, and from which the arm is braked.
+    pub(super) course: Course,
     pub(super) report: ServoReport,
     pub(super) refusal: Option<Error>,
     /// True while servo mode is to be left.
@@ -68,7 +79,7 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
 }
 
 impl<S: MotionStatus> ServoSession<'_, S> {
-    /// The time of the next set-point, counted from the first.
+    /// The time of the next set-point: the periods of those before it.
     pub fn time(&self) -> Duration {
         self.pace.time()
     }
@@ -76,18 +87,16 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Waits for the next cycle and sends a set-point for all joints.
     ///
     /// # Errors
-    /// - [`ErrorKind::InvalidArgument`]: a joint would have to move faster than 180 deg/s, which the controller ignores (4.15).
-    ///   Nothing was sent. After a pose this is not checked, because the joint positions are not known.
-    /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. Nothing was sent, and the session has ended: the
-    ///   controller keeps the last set-point, and servo mode was left.
+    /// The session has ended after each of them, and the arm was braked unless the text says otherwise; [`ErrorKind::ServoModeNotLeft`] if
+    /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
+    /// - [`ErrorKind::InvalidArgument`]: a joint would have to be too fast, or to become so too soon. The set-point was not sent.
+    /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
-    /// - [`ErrorKind::NotAcknowledged`]: a protective or emergency stop. [`ErrorKind::Disconnected`]: the connection is lost.
-    /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds; the session has ended.
-    ///   [`ErrorKind::ServoModeNotLeft`]: it has ended so, and servo mode may be on. [`ErrorKind::SessionEnded`]: it had ended before.
+    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop. [`ErrorKind::Disconnected`]: the connection is lost.
+    /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
+    /// - [`ErrorKind::SessionEnded`]: the session had ended before.
     pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
-        let target = target.into();
-        self.check_speed(target)?;
-        self.send_checked_joints(ServoJ::absolute(target), Some(target))
+        self.send(SetPoint::Joints(target.into()))
     }
 
     /// Waits for the next cycle and sends a set-point by an offset of all joints from the one before.
@@ -95,22 +104,18 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
     pub fn send_joint_offset(&mut self, offset: impl Into<JointPosition>) -> Result<(), Error> {
-        let offset = offset.into();
-        let (from, to) = (JointPosition([0.0; 6]), offset);
-        self.check_step(from, to)?;
-        let target = self.last.map(|last| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i])));
-        self.send_checked_joints(ServoJ::relative(offset), target)
+        self.send(SetPoint::JointOffset(offset.into()))
     }
 
     /// Waits for the next cycle and sends a set-point for the tool centre point.
     ///
-    /// The speeds of the joints that follow from it are the controller's to check.
+    /// The speeds of the joints that follow from it are the controller's to check, unless the robot has limits. It is compared with the
+    /// set-point before if that is a pose, too, or the first, and the robot has no limits.
     ///
     /// # Errors
-    /// As [`send_joints`](Self::send_joints), except for the speed.
+    /// As [`send_joints`](Self::send_joints).
     pub fn send_pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
-        let target = target.into();
-        self.send_checked_pose(ServoP::absolute(target), Some(target))
+        self.send(SetPoint::Pose(target.into()))
     }
 
     /// Waits for the next cycle and sends a set-point by an offset of the tool centre point.
@@ -118,16 +123,15 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// No source says along which axes it goes, so a robot with limits refuses it.
     ///
     /// # Errors
-    /// As [`send_pose`](Self::send_pose).
+    /// As [`send_joints`](Self::send_joints).
     pub fn send_pose_offset(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
-        self.send_checked_pose(ServoP::relative(offset), None)
+        self.send(SetPoint::PoseOffset(offset.into()))
     }
 
     /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns, until it
     /// returns `Break`.
     ///
-    /// The time is that of the clock: missed cycles are skipped. A motion that is a function of this time then has a long way to the next
-    /// set-point, which may be refused as too fast; a motion that counts its set-points is delayed instead.
+    /// The time is that of the set-points, [`time`](Self::time), not of the clock: a late cycle delays a motion that is a function of it.
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
@@ -144,90 +148,68 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
-    /// Waits for the next cycle, and returns how late it is.
-    fn next_cycle(&mut self) -> Result<Duration, Error> {
+    /// Sends a set-point in the next cycle, or ends the session.
+    fn send(&mut self, set_point: SetPoint) -> Result<(), Error> {
         if let Some(because) = self.ended.clone() {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
         let late = self.pace.wait();
-        if late >= self.config.period() {
-            self.sent.paused();
+        if late >= self.config.gap() {
+            self.course.paused();
         }
-        Ok(late)
-    }
-
-    fn send_checked_joints(&mut self, request: ServoJ, target: Option<JointPosition>) -> Result<(), Error> {
-        let late = self.next_cycle()?;
-        let checked = self.robot.check_joints(&self.sent, target, self.config.period());
-        let target = checked.map_err(|error| self.end(error))?;
-        self.send_to(&request.step_count(self.config.step_count.into()), target, late)
-    }
-
-    fn send_checked_pose(&mut self, request: ServoP, target: Option<Pose>) -> Result<(), Error> {
-        let late = self.next_cycle()?;
-        let checked = self.robot.check_pose(&self.sent, target, self.config.period());
-        let joints = checked.map_err(|error| self.end(error))?;
-        self.send_to(&request.step_count(self.config.step_count.into()), joints, late)
-    }
-
-    /// Sends a set-point at which the joints are here, where that is known.
-    fn send_to<C: Command<Reply = ()>>(
-        &mut self,
-        request: &C,
-        joints: Option<JointPosition>,
-        late: Duration,
-    ) -> Result<(), Error> {
-        if let Err(error) = self.send(request, late) {
-            self.last = self.last.filter(|_| !error.may_have_run());
-            return Err(error);
-        }
-        self.last = joints;
-        self.sent.sent(joints);
+        let sent = self.check(&set_point).and_then(|joints| self.send_checked(set_point, joints));
+        sent.map_err(|error| self.end(error))?;
+        self.report.late(late, self.config.period());
         Ok(())
     }
 
-    fn check_speed(&self, target: JointPosition) -> Result<(), Error> {
-        self.last.map_or(Ok(()), |last| self.check_step(last, target))
-    }
-
-    fn check_step(&self, from: JointPosition, to: JointPosition) -> Result<(), Error> {
-        let most = MAX_SPEED * self.config.period().as_secs_f64();
-        let steps = from.0.iter().zip(to.0).map(|(from, to)| to - from);
-        let Some((joint, step)) = steps.enumerate().find(|(_, step)| step.abs() > most + 1e-9) else {
-            return Ok(());
-        };
-        let allowed = format!("a step of at most {most:.3} deg each {:?} (180 deg/s)", self.config.period());
-        let value = format!("a step of {step:.3} deg");
-        let field = format!("joint_position[{joint}]");
-        Err(InvalidArgument::new(ServoJ::INFO.name, field, value, allowed, false).into())
-    }
-
-    fn send<C: Command<Reply = ()>>(&mut self, request: &C, late: Duration) -> Result<(), Error> {
-        // After the wait: a stop may have come meanwhile.
-        if let Err(error) = self.take_answers(C::INFO.name) {
-            return Err(self.end(error));
+    /// Where the joints are at the set-point, if that is known.
+    fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
+        let period = self.config.period();
+        // Limits say more of a pose: what the joints do.
+        let is_limits_to_check = set_point.is_pose() && self.robot.joint_accelerations().is_some();
+        if let Some(step) = self.course.step_to(set_point).filter(|_| !is_limits_to_check) {
+            self.config.rates.check(&step, self.course.last_step(&step).as_ref(), period)?;
         }
+        let (before, joints) = (self.course.last_joints(), self.course.joints_at(set_point));
+        match *set_point {
+            SetPoint::Joints(_) | SetPoint::JointOffset(_) => self.robot.check_joints(before, joints, period),
+            SetPoint::Pose(target) => self.robot.check_pose(before, Some(target), period),
+            SetPoint::PoseOffset(_) => self.robot.check_pose(before, None, period),
+        }
+    }
+
+    fn send_checked(&mut self, set_point: SetPoint, joints: Option<JointPosition>) -> Result<(), Error> {
+        // After the wait: a stop may have come meanwhile.
+        self.take_answers(ServoJ::INFO.name)?;
         if let Some(refusal) = self.refusal.take() {
-            return Err(self.end(refusal));
+            return Err(refusal);
         }
         self.robot.check_latch()?;
-        if let Err(error) = self.check_unanswered() {
-            return Err(self.end(error));
-        }
+        self.check_unanswered()?;
         let gate = self.robot.gate();
-        let posted = self.robot.client().post(Some(&gate), std::slice::from_ref(request));
-        let ends = |error: &Error| error.is_disconnected() || matches!(error.kind(), ErrorKind::StatusUnknown { .. });
-        let outstanding = match posted {
-            Err(error) if ends(&error) => return Err(self.end(error)),
-            posted => posted?,
-        };
-        self.report.late(late, self.config.period());
+        self.post(&set_point, &gate)?;
+        self.course.sent(set_point, joints);
+        self.robot.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
+        Ok(())
+    }
+
+    /// Sends a set-point of any kind.
+    pub(super) fn post(&mut self, set_point: &SetPoint, gate: &dyn Fn() -> Result<(), Error>) -> Result<(), Error> {
+        let steps = self.config.step_count.into();
+        let (client, gate) = (self.robot.client(), Some(gate));
+        let outstanding = match *set_point {
+            SetPoint::Joints(target) => client.post(gate, &[ServoJ::absolute(target).step_count(steps)]),
+            SetPoint::JointOffset(offset) => client.post(gate, &[ServoJ::relative(offset).step_count(steps)]),
+            SetPoint::Pose(target) => client.post(gate, &[ServoP::absolute(target).step_count(steps)]),
+            SetPoint::PoseOffset(offset) => client.post(gate, &[ServoP::relative(offset).step_count(steps)]),
+        }?;
         self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
         Ok(())
     }
 
     /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.
-    fn check_unanswered(&mut self) -> Result<(), Error> {
+    pub(super) fn check_unanswered(&mut self) -> Result<(), Error> {
         let link = self.robot.client().link();
         let count = link.outstanding();
         if count < self.config.most_unanswered() {
@@ -248,7 +230,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         for error in answers.failed {
             if matches!(error.kind(), ErrorKind::ReplyLost { .. }) {
                 // Whether the controller took it is not known.
-                (self.last, self.sent) = (None, SetPoints::default());
+                self.course.lost();
                 self.report.unanswered += 1;
             } else {
                 self.report.refused += 1;

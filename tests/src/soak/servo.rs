@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_proto::read_payload;
-use jaka_sync::kinematics::GetJointPos;
+use jaka_sync::kinematics::{GetJointPos, GetTcpPos};
 use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Error, ErrorKind, Explanation, ServoConfig, ServoReport, ServoSession};
@@ -44,7 +44,7 @@ pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     if !is_ready(arm, session) {
         return;
     }
-    let config = ServoConfig::new().enter_timeout(ENTER);
+    let config = ServoConfig::new().enter_timeout(ENTER).unchecked();
     let config = if arm.random.one_in(2) { config.max_unanswered(LONG) } else { config };
     let outcome = match session.robot.enter_servo_mode(&config) {
         Ok(servo) => go_through(arm, servo),
@@ -101,6 +101,7 @@ fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
         (text(&SetServoMode::new(Switch::On)), switched, 1),
         (text(&IsInServomove::new()), entered, usize::MAX),
         (text(&GetJointPos::new()), entered, 1),
+        (text(&GetTcpPos::new()), entered, 1),
     ]
 }
 
@@ -134,7 +135,7 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
     let before = sent.len();
     let mut failed = None;
     for at in 0..count {
-        let step = if at % 2 == 0 { 0.05 } else { -0.05 };
+        let step = if at % 2 == 0 { 0.04 } else { -0.04 };
         let offset = [step, 0.0, 0.0, 0.0, 0.0, f64::from(arm.serial()) * 1e-7];
         let result = servo.send_joint_offset(offset);
         let command = ServoJ::relative(offset).step_count(1);
@@ -145,8 +146,12 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
         }
     }
     let set_points = sent[before..].iter().filter(|(_, fate, _)| *fate == Fate::Sent).count();
+    if set_points > 0 {
+        // So slow an arm need not be braked, only held.
+        sent.push((text(&ServoJ::relative([0.0; 6]).step_count(1)), Fate::Perhaps, usize::MAX));
+    }
     arm.tally.add("set-points", u64::try_from(set_points).unwrap_or_default());
-    let finished = if arm.random.one_in(4) { None } else { Some(servo.finish()) };
+    let finished = if arm.random.one_in(4) { None } else { Some(servo.land()) };
     let (result, left) = leave(failed, finished);
     if let Ok(Some(report)) = &result {
         check(arm, report, set_points);
@@ -159,7 +164,9 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
 fn set_point(result: &Result<(), Error>) -> Fate {
     let Err(error) = result else { return Fate::Sent };
     let error = match error.kind() {
-        ErrorKind::ServoModeNotLeft { first: Some(first), .. } => first,
+        ErrorKind::ServoModeNotLeft { first: Some(first), .. } | ErrorKind::RestNotSeen { first: Some(first), .. } => {
+            first
+        }
         _ => error,
     };
     match error.kind() {
@@ -194,7 +201,7 @@ fn leave(
 
 fn check(arm: &mut Arm, report: &ServoReport, sent: usize) {
     let answers = report.accepted + report.refused + report.unanswered;
-    if report.cycles != answers || usize::try_from(report.cycles) != Ok(sent) {
+    if report.cycles + report.landing_cycles != answers || usize::try_from(report.cycles) != Ok(sent) {
         arm.find(&format!("of {sent} set-points, {report:?}"));
     }
     arm.tally.add("set-points accepted", report.accepted);

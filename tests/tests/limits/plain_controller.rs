@@ -38,7 +38,8 @@ impl PlainController {
         let controller = Self { commands: address(&commands), status: address(&status), state };
         let answering = controller.clone();
         thread::spawn(move || commands.accept().map(|(stream, _)| answering.answer(stream)));
-        thread::spawn(move || status.accept().map(|(stream, _)| publish(stream)));
+        let publishing = controller.clone();
+        thread::spawn(move || status.accept().map(|(stream, _)| publishing.publish(stream)));
         controller
     }
 
@@ -50,6 +51,25 @@ impl PlainController {
     /// The requests that move the arm, since this was last asked for.
     pub(super) fn motions(&self) -> Vec<Value> {
         std::mem::take(&mut self.lock().motions)
+    }
+
+    /// Where the arm is.
+    pub(super) fn joints(&self) -> [f64; 6] {
+        self.lock().joints
+    }
+
+    /// Packets of an arm that is ready and at rest.
+    fn publish(&self, mut stream: TcpStream) {
+        loop {
+            let packet = json!({
+                "errcode": "0x0", "errmsg": "", "enabled": true, "paused": false, "powered_on": 1, "inpos": true,
+                "emergency_stop": 0, "protective_stop": 0, "joint_actual_position": self.joints(),
+            });
+            if stream.write_all(packet.to_string().as_bytes()).is_err() {
+                return;
+            }
+            thread::sleep(Duration::from_millis(20));
+        }
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
@@ -89,10 +109,29 @@ impl State {
             "get_tcp_pos" => reply["tcp_pos"] = json!(self.pose(self.joints)),
             "servo_move" => self.servo_mode = request["relFlag"] == 1,
             "is_in_servomove" => reply["in_servomove"] = json!(self.servo_mode),
-            _ if MOTIONS.contains(&&*name) => self.motions.push(request),
+            _ if MOTIONS.contains(&&*name) => {
+                self.follow(&name, &request);
+                self.motions.push(request);
+            }
             _ => {}
         }
         reply
+    }
+
+    /// The arm is at each set-point at once.
+    fn follow(&mut self, name: &str, request: &Value) {
+        match (name, request["relFlag"] == 1) {
+            ("servo_j", false) => self.joints = six(&request["jointPosition"]),
+            ("servo_j", true) => {
+                let offset = six(&request["jointPosition"]);
+                self.joints = std::array::from_fn(|joint| self.joints[joint] + offset[joint]);
+            }
+            ("servo_p", false) => {
+                let near = json!({"cartPosition": request["catPosition"], "jointPosition": self.joints});
+                self.joints = self.inverse(&near).unwrap_or(self.joints);
+            }
+            _ => {}
+        }
     }
 
     fn pose(&self, joints: [f64; 6]) -> [f64; 6] {
@@ -114,12 +153,4 @@ fn frame([x, y, z, rx, ry, rz]: [f64; 6]) -> Frame {
 
 pub(super) fn six(value: &Value) -> [f64; 6] {
     std::array::from_fn(|index| value[index].as_f64().expect("six numbers"))
-}
-
-/// Packets of an arm that is ready and at rest.
-fn publish(mut stream: TcpStream) {
-    let packet = r#"{"errcode": "0x0", "errmsg": "", "enabled": true, "paused": false, "powered_on": 1, "inpos": true, "emergency_stop": 0, "protective_stop": 0}"#;
-    while stream.write_all(packet.as_bytes()).is_ok() {
-        thread::sleep(Duration::from_millis(20));
-    }
 }

@@ -4,7 +4,7 @@
 //! 400 of them, or as many as `JAKA_LIMITS` says.
 
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{JointPosition, Pose};
@@ -20,6 +20,7 @@ const RIGS: u32 = 20;
 const LONG: Duration = Duration::from_secs(60);
 const PERIOD: f64 = 0.008;
 const STEPS: Steps = Steps { degrees: 0.1, millimetres: 0.3 };
+const FINE: Steps = Steps { degrees: 0.002, millimetres: 0.006 };
 
 /// What became of motions and set-points.
 #[derive(Debug, Default, Clone, Copy)]
@@ -36,6 +37,8 @@ struct Judged {
     excess: Excess,
     /// Where the arm is afterwards, if the witness can tell.
     end: Option<[f64; 6]>,
+    /// Its way, its speed and its tolerance, if it is one of the tool centre point.
+    way: Option<(Path, f64, f64)>,
 }
 
 /// A robot with limits, at a controller of plain sockets.
@@ -99,7 +102,7 @@ impl Cell {
             assert!(error.to_string().contains("acceleration") || excess.is_beyond(WITHIN), "{error}");
             return;
         }
-        self.send(&motion.acceleration(acceleration), &Judged { excess, end: Some(to) }, |sent| {
+        self.send(&motion.acceleration(acceleration), &Judged { excess, end: Some(to), way: None }, |sent| {
             assert_eq!(sent["cmdName"], "joint_move");
             assert_eq!(
                 JointPosition(six(&sent["jointPosition"])),
@@ -118,9 +121,13 @@ impl Cell {
         let speed = self.random.mostly_small(200.0);
         let acceleration = self.rig.bounds.accelerations[0] * self.random.between(0.2, 1.1);
         let excess = self.rig.bounds.joint_way(self.at, end, speed, acceleration, STEPS);
-        self.send(&EndMove::new(to, speed).acceleration(acceleration), &Judged { excess, end: Some(end) }, |sent| {
-            assert_eq!(Pose::from(six(&sent["endPosition"])), to);
-        });
+        self.send(
+            &EndMove::new(to, speed).acceleration(acceleration),
+            &Judged { excess, end: Some(end), way: None },
+            |sent| {
+                assert_eq!(Pose::from(six(&sent["endPosition"])), to);
+            },
+        );
     }
 
     fn line(&mut self) {
@@ -139,8 +146,8 @@ impl Cell {
             (MoveL::absolute(to, speed), to)
         };
         let path = Path::Line(product(inverted(self.rig.bounds.base), frame(to)));
-        let (excess, end) = self.rig.bounds.tcp_way(self.at, path, speed, tolerance, STEPS);
-        self.send(&motion.acceleration(200.0).tolerance(tolerance), &Judged { excess, end }, |sent| {
+        let judged = self.judged_way(path, speed, tolerance, STEPS);
+        self.send(&motion.acceleration(200.0).tolerance(tolerance), &judged, |sent| {
             assert_eq!(sent["cmdName"], "moveL");
             assert_eq!(sent["speed"], speed);
         });
@@ -152,10 +159,15 @@ impl Cell {
         let (mid, to) = (self.rig.pose(mid), self.rig.pose(to));
         let in_base = |pose: Pose| product(inverted(self.rig.bounds.base), frame(pose));
         let path = Path::Arc(in_base(mid), in_base(to));
-        let (excess, end) = self.rig.bounds.tcp_way(self.at, path, speed, 0.0, STEPS);
-        self.send(&MoveC::absolute(mid, to, speed, 200.0, 0.0), &Judged { excess, end }, |sent| {
+        let judged = self.judged_way(path, speed, 0.0, STEPS);
+        self.send(&MoveC::absolute(mid, to, speed, 200.0, 0.0), &judged, |sent| {
             assert_eq!(Pose::from(six(&sent["pos_end"])), to);
         });
+    }
+
+    fn judged_way(&self, path: Path, speed: f64, tolerance: f64, steps: Steps) -> Judged {
+        let (excess, end) = self.rig.bounds.tcp_way(self.at, path, speed, tolerance, steps);
+        Judged { excess, end, way: Some((path, speed, tolerance)) }
     }
 
     fn near(&mut self, most: f64) -> [f64; 6] {
@@ -167,7 +179,11 @@ impl Cell {
     fn send<M: Motion + std::fmt::Debug>(&mut self, motion: &M, judged: &Judged, is_sent: impl Fn(&Value)) {
         let result = self.robot.start(motion);
         let sent = self.controller.motions();
-        let Judged { excess, end } = *judged;
+        let Judged { mut excess, end, way } = *judged;
+        if let (true, Some((path, speed, tolerance))) = (result.is_err() && !excess.is_beyond(WITHIN), way) {
+            // Near a singularity joints are fastest for less than a step of the witness.
+            excess = self.judged_way(path, speed, tolerance, FINE).excess;
+        }
         let what = || format!("seed {}: from {:?}: {motion:?}, {excess:?}", self.seed, self.at);
         match &result {
             Ok(()) => {
@@ -192,7 +208,8 @@ impl Cell {
         let starting_speed = self.rig.bounds.accelerations[0] * PERIOD * PERIOD;
         let config = ServoConfig::new().max_unanswered(LONG);
         let mut session = self.robot.enter_servo_mode(&config).expect("the arm is ready");
-        let (mut before, mut refusal) = ([self.at; 2], None::<(Error, Excess)>);
+        let mut last_sent = Instant::now();
+        let (mut before, mut refusal) = ([self.at; 2], None::<(Error, [Excess; 2])>);
         for _ in 0..count {
             let [earlier, last] = before;
             // Mostly as fast as before and a little more; sometimes a leap.
@@ -201,7 +218,6 @@ impl Cell {
             let target: [f64; 6] =
                 std::array::from_fn(|joint| last[joint] + (last[joint] - earlier[joint]) + change[joint]);
             let mut is_pose = false;
-            let due = session.time();
             let result = match self.random.below(if is_clear(&self.rig, last) { 3 } else { 2 }) {
                 0 => session.send_joints(target),
                 1 => session.send_joint_offset(JointPosition(std::array::from_fn(|joint| target[joint] - last[joint]))),
@@ -210,10 +226,13 @@ impl Cell {
                     session.send_pose(self.rig.pose(target))
                 }
             };
-            // A cycle that was missed is a standstill.
-            let has_paused = session.time().saturating_sub(due).as_secs_f64() > PERIOD * 1.5;
-            let from = if has_paused { [last; 2] } else { before };
-            let mut excess = self.rig.bounds.set_point(from, target, PERIOD, STEPS);
+            let periods = last_sent.elapsed().as_secs_f64() / PERIOD;
+            last_sent = Instant::now();
+            if result.is_ok() && periods > 2.5 {
+                // After three periods without a set-point the arm stands; on a machine as busy as that, it is not known from here.
+                break;
+            }
+            let mut excess = self.rig.bounds.set_point(before, target, PERIOD, STEPS);
             if is_pose {
                 excess.singularity = self.rig.bounds.least - self.rig.bounds.nearest_singularity(target);
             }
@@ -228,16 +247,18 @@ impl Cell {
                     before = [last, target];
                 }
                 Err(error) => {
-                    refusal = Some((error, excess));
+                    // A busy machine may have left the arm without set-points, so that it stands.
+                    let from_standstill = self.rig.bounds.set_point([last; 2], target, PERIOD, STEPS);
+                    refusal = Some((error, [excess, from_standstill]));
                     break;
                 }
             }
         }
         match refusal {
-            None => drop(session.finish().expect("all were accepted")),
+            None => drop(session.land().expect("all were accepted")),
             Some((error, excess)) => {
                 assert!(
-                    excess.is_beyond(WITHIN),
+                    excess.iter().any(|excess| excess.is_beyond(WITHIN)),
                     "refused although within: {error}\nseed {}: {before:?}, {excess:?}",
                     self.seed
                 );
@@ -245,10 +266,8 @@ impl Cell {
                 self.tally.set_points_refused += 1;
             }
         }
-        let sent = self.controller.motions();
-        self.at = before[1];
-        self.controller.put(self.at);
-        assert!(sent.len() <= count as usize);
+        drop(self.controller.motions());
+        self.at = self.controller.joints();
     }
 }
 

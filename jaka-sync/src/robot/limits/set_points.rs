@@ -7,52 +7,40 @@ use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::Unchecked;
-use crate::robot::target::{Place, Quantity};
 use crate::{Error, MotionStatus, Robot};
-
-/// The last two set-points of a session, in joint positions: none where they are not known, or the robot has no limits.
-#[derive(Debug, Default)]
-pub(crate) struct SetPoints(Option<[JointPosition; 2]>);
-
-impl SetPoints {
-    /// Of a session that begins at rest.
-    pub(crate) fn at(start: JointPosition) -> Self {
-        Self(Some([start; 2]))
-    }
-
-    /// No set-point came when one was due: the next one starts from standstill.
-    pub(crate) fn paused(&mut self) {
-        self.0 = self.0.map(|[_, last]| [last; 2]);
-    }
-
-    /// The next one has been sent.
-    pub(crate) fn sent(&mut self, joints: Option<JointPosition>) {
-        self.0 = self.0.zip(joints).map(|([_, last], joints)| [last, joints]);
-    }
-}
 
 impl<S: MotionStatus> Robot<S> {
     /// Before servo mode is used: the checker's frames are the controller's.
-    pub(crate) fn prepare_set_points(&mut self, start: JointPosition, timeout: Duration) -> Result<(), Error> {
+    pub(crate) fn prepare_set_points(
+        &mut self,
+        start: JointPosition,
+        pose: Option<Pose>,
+        timeout: Duration,
+    ) -> Result<(), Error> {
         let Some(limited) = &mut self.checks.0 else { return Ok(()) };
         limited.warning = None;
         let name = SetServoMode::INFO.name;
-        let framed = match self.place(Quantity::Pose, timeout)? {
-            Some(Place::Pose(pose)) => self.follow_frames(start, pose, name, timeout),
-            _ => Err(self.not_checked(name, Unchecked::Start)),
+        let framed = match pose {
+            Some(pose) => self.follow_frames(start, pose, name, timeout),
+            None => Err(self.not_checked(name, Unchecked::Start)),
         };
         framed.or_else(|error| self.judged(error))
     }
 
-    /// Checks a set-point of the joints.
+    /// The greatest accelerations of the joints, in deg/s², if the robot has limits.
+    pub(crate) fn joint_accelerations(&self) -> Option<[f64; 6]> {
+        self.limits().map(|checker| *checker.limits().joint_accelerations())
+    }
+
+    /// Checks a set-point of the joints, after the last two.
     pub(crate) fn check_joints(
         &mut self,
-        before: &SetPoints,
+        before: Option<[JointPosition; 2]>,
         target: Option<JointPosition>,
         period: Duration,
     ) -> Result<Option<JointPosition>, Error> {
         let Some(checker) = self.limits() else { return Ok(target) };
-        let error = match (before.0, target) {
+        let error = match (before, target) {
             (Some(before), Some(joints)) => match checker.check_set_point(before, joints, period.as_secs_f64()) {
                 Ok(()) => return Ok(target),
                 Err(beyond) => self.beyond_limit(ServoJ::INFO.name, beyond),
@@ -65,12 +53,12 @@ impl<S: MotionStatus> Robot<S> {
     /// Checks a set-point of the tool centre point, and returns its joint positions where they are known.
     pub(crate) fn check_pose(
         &mut self,
-        before: &SetPoints,
+        before: Option<[JointPosition; 2]>,
         target: Option<Pose>,
         period: Duration,
     ) -> Result<Option<JointPosition>, Error> {
         let Some(checker) = self.limits() else { return Ok(None) };
-        let (error, joints) = match (before.0, target) {
+        let (error, joints) = match (before, target) {
             (Some(before), Some(pose)) => match checker.check_pose_set_point(before, pose, period.as_secs_f64()) {
                 Ok(joints) => return Ok(Some(joints)),
                 Err(beyond) => {

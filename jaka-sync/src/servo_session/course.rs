@@ -1,0 +1,166 @@
+//! The last set-points of a session: what the next one is compared with, and how the arm is braked after it.
+
+use jaka_proto::messages::types::{JointPosition, Pose};
+
+use super::set_point::{SetPoint, Step};
+
+/// The last set-points, in joints and in poses, as far as they are known.
+#[derive(Debug, Clone)]
+pub(super) struct Course {
+    joints: LastTwo<JointPosition>,
+    poses: LastTwo<Pose>,
+    /// The last one; none while nothing was sent.
+    sent: Option<SetPoint>,
+    /// How far it was from the one before, where that is known.
+    step: Option<Step>,
+}
+
+/// The last but one and the last, where they are known.
+#[derive(Debug, Clone, Copy)]
+struct LastTwo<T> {
+    before: Option<T>,
+    last: Option<T>,
+}
+
+impl<T: Copy> LastTwo<T> {
+    const UNKNOWN: Self = Self { before: None, last: None };
+
+    fn at(place: Option<T>) -> Self {
+        Self { before: place, last: place }
+    }
+
+    fn then(self, next: Option<T>) -> Self {
+        Self { before: self.last, last: next }
+    }
+
+    fn both(self) -> Option<[T; 2]> {
+        Some([self.before?, self.last?])
+    }
+}
+
+impl Course {
+    /// Of a session that has not begun.
+    pub(super) fn unknown() -> Self {
+        Self { joints: LastTwo::UNKNOWN, poses: LastTwo::UNKNOWN, sent: None, step: None }
+    }
+
+    /// Of a session that begins at rest here.
+    pub(super) fn at(joints: JointPosition, pose: Option<Pose>) -> Self {
+        Self { joints: LastTwo::at(Some(joints)), poses: LastTwo::at(pose), sent: None, step: None }
+    }
+
+    /// The last two set-points, in joint positions, where they are known.
+    pub(super) fn last_joints(&self) -> Option<[JointPosition; 2]> {
+        self.joints.both()
+    }
+
+    /// Where the joints are to be at the last set-point, if that is one of joints, and where it is known.
+    pub(super) fn held_joints(&self) -> Option<JointPosition> {
+        let of_joints = matches!(self.sent, Some(SetPoint::Joints(_) | SetPoint::JointOffset(_)));
+        self.joints.last.filter(|_| of_joints)
+    }
+
+    /// Where the joints would be at a set-point, as far as it says so itself.
+    pub(super) fn joints_at(&self, next: &SetPoint) -> Option<JointPosition> {
+        match next {
+            SetPoint::Joints(target) => Some(*target),
+            SetPoint::JointOffset(offset) => {
+                let add = |last: JointPosition| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i]));
+                self.joints.last.map(add)
+            }
+            SetPoint::Pose(_) | SetPoint::PoseOffset(_) => None,
+        }
+    }
+
+    /// How far a set-point is from the last one, where that is known.
+    pub(super) fn step_to(&self, next: &SetPoint) -> Option<Step> {
+        match next {
+            SetPoint::Joints(target) => self.joints.last.map(|last| Step::between_joints(last, *target)),
+            SetPoint::JointOffset(offset) => Some(Step::Joints(offset.0)),
+            SetPoint::Pose(target) => self.poses.last.map(|last| Step::between_poses(last, *target)),
+            SetPoint::PoseOffset(offset) => Some(Step::of_offset(*offset)),
+        }
+    }
+
+    /// How far the last set-point was from the one before, as a step of the same kind: none where that is not known.
+    pub(super) fn last_step(&self, like: &Step) -> Option<Step> {
+        match (self.step, like) {
+            (None, like) if self.sent.is_none() => Some(like.scaled(0.0)),
+            // What stands, stands in joints and in poses.
+            (Some(step), like) if step.is_none() => Some(like.scaled(0.0)),
+            (Some(step @ Step::Joints(_)), Step::Joints(_)) | (Some(step @ Step::Pose(..)), Step::Pose(..)) => {
+                Some(step)
+            }
+            (_, Step::Joints(_)) => self.joints.both().map(|[before, last]| Step::between_joints(before, last)),
+            _ => None,
+        }
+    }
+
+    /// A set-point was sent, at which the joints are here, where that is known.
+    pub(super) fn sent(&mut self, set_point: SetPoint, joints: Option<JointPosition>) {
+        self.step = self.step_to(&set_point);
+        self.joints = self.joints.then(joints);
+        self.poses = match set_point {
+            SetPoint::Pose(target) => self.poses.then(Some(target)),
+            _ => LastTwo::UNKNOWN,
+        };
+        self.sent = Some(set_point);
+    }
+
+    /// No set-point came when one was due: the arm stands at the last one.
+    pub(super) fn paused(&mut self) {
+        self.joints = LastTwo::at(self.joints.last);
+        self.poses = LastTwo::at(self.poses.last);
+        self.step = self.sent.map(|_| Step::Joints([0.0; 6]));
+    }
+
+    /// A reply was lost: where offsets have led is not known.
+    pub(super) fn lost(&mut self) {
+        if let Some(SetPoint::JointOffset(_) | SetPoint::PoseOffset(_)) = self.sent {
+            (self.joints, self.poses) = (LastTwo::UNKNOWN, LastTwo::UNKNOWN);
+        }
+    }
+
+    /// True if a set-point was sent, and the last one asks for a motion.
+    pub(super) fn is_moving(&self) -> bool {
+        self.sent.is_some() && self.step.is_none_or(|step| !step.is_none())
+    }
+
+    /// True if a set-point was sent.
+    pub(super) fn has_begun(&self) -> bool {
+        self.sent.is_some()
+    }
+
+    /// The step from the last set-point but one to the last, from which the arm is braked; none where it stands, or that is not known.
+    pub(super) fn step(&self) -> Option<Step> {
+        self.step.filter(|step| !step.is_none())
+    }
+
+    /// The set-point this far from the last one, of the same kind as that.
+    pub(super) fn after(&self, step: &Step) -> Option<SetPoint> {
+        match (self.sent?, step) {
+            (SetPoint::Joints(last), Step::Joints(step)) => {
+                Some(SetPoint::Joints(JointPosition(std::array::from_fn(|joint| last.0[joint] + step[joint]))))
+            }
+            (SetPoint::JointOffset(_), Step::Joints(step)) => Some(SetPoint::JointOffset(JointPosition(*step))),
+            (SetPoint::Pose(last), Step::Pose([x, y, z], turn)) => {
+                let moved = Pose { x: last.x + x, y: last.y + y, z: last.z + z, ..last };
+                Some(SetPoint::Pose(turn.apply(moved)))
+            }
+            (SetPoint::PoseOffset(_), Step::Pose([x, y, z], turn)) => {
+                let [rx, ry, rz] = turn.degrees();
+                Some(SetPoint::PoseOffset(Pose { x: *x, y: *y, z: *z, rx, ry, rz }))
+            }
+            _ => None,
+        }
+    }
+
+    /// The last set-point once more, which holds the arm there.
+    pub(super) fn hold(&self) -> Option<SetPoint> {
+        Some(match self.sent? {
+            SetPoint::JointOffset(_) => SetPoint::JointOffset(JointPosition([0.0; 6])),
+            SetPoint::PoseOffset(_) => SetPoint::PoseOffset(Pose::from([0.0; 6])),
+            absolute => absolute,
+        })
+    }
+}

@@ -1,0 +1,135 @@
+//! The landing: the arm is braked and held, so that it is at rest when servo mode is left.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::Command;
+use jaka_proto::messages::servo::ServoJ;
+
+use super::ServoSession;
+use super::set_point::SetPoint;
+use crate::robot::Rest;
+use crate::{Error, ErrorKind, MotionStatus, Outcome};
+
+/// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its set-points is at rest
+/// by then.
+const BLIND: Duration = Duration::from_millis(200);
+
+impl<S: MotionStatus> ServoSession<'_, S> {
+    /// Brakes the arm from where the last set-points have led it, and holds it until the status shows it at rest.
+    ///
+    /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
+    pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
+        let came = if self.course.has_begun() { self.brake().and_then(|()| self.hold()) } else { Ok(()) };
+        self.robot.expect_set_point(None);
+        came
+    }
+
+    /// Straight on, by a step that becomes smaller evenly. Where the last set-point is so long ago that the arm has none, it stands.
+    fn brake(&mut self) -> Result<(), Error> {
+        if self.pace.late() >= self.config.gap() {
+            self.course.paused();
+        }
+        let Some(step) = self.course.step() else { return Ok(()) };
+        let count = self.config.rates.periods_to_brake(&step, self.config.period());
+        for left in (1..count).rev() {
+            let factor = f64::from(left) / f64::from(count);
+            let Some(next) = self.course.after(&step.scaled(factor)) else { return Ok(()) };
+            let gate = self.robot.braking_gate();
+            let came_after_gap = self.send_landing(next, &gate)?;
+            self.robot.expect_set_point(Some(self.config.gap() * 2));
+            if came_after_gap {
+                // The controller had no set-point: the arm stands.
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
+    fn hold(&mut self) -> Result<(), Error> {
+        // A stop of the program's own can go out now.
+        self.robot.expect_set_point(None);
+        let since = Instant::now();
+        let (mut rest, mut is_held) = (Rest::new(since, self.course.held_joints()), true);
+        loop {
+            if is_held && self.robot.unacknowledged().is_some() {
+                // A stop discards set-points: the arm may rest before the last one.
+                (rest, is_held) = (Rest::new(Instant::now(), None), false);
+            }
+            let packet = self.robot.monitor().last_known_packet();
+            if packet.is_some_and(|packet| rest.is_seen(&S::snapshot(&packet))) {
+                return Ok(());
+            }
+            let is_blind = self.robot.monitor().fresh_packet().is_err();
+            let patience = if is_blind { BLIND.min(self.config.rest_timeout) } else { self.config.rest_timeout };
+            if since.elapsed() >= patience {
+                let may_be_blind = is_blind && self.robot.moves_without_status();
+                return if may_be_blind {
+                    Ok(())
+                } else {
+                    Err(ErrorKind::RestNotSeen { first: None, after: patience }.into())
+                };
+            }
+            self.hold_once()?;
+        }
+    }
+
+    fn hold_once(&mut self) -> Result<(), Error> {
+        match (self.robot.unacknowledged(), self.course.hold()) {
+            (None, Some(set_point)) => {
+                let gate = self.robot.holding_gate();
+                match self.send_landing(set_point, &gate) {
+                    // A stop has come between.
+                    Err(error) if lets_land(&error) && !error.is_refused() => Ok(()),
+                    sent => sent.map(drop),
+                }
+            }
+            // After a stop of the program's own nothing goes out; packets may still show rest.
+            (None | Some(Outcome::Stopped), _) => {
+                self.pace.wait();
+                Ok(())
+            }
+            (Some(outcome), _) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
+        }
+    }
+
+    /// Sends a set-point in the next cycle, and says whether it came after a gap.
+    fn send_landing(&mut self, set_point: SetPoint, gate: &dyn Fn() -> Result<(), Error>) -> Result<bool, Error> {
+        let late = self.pace.wait();
+        self.take_answers(ServoJ::INFO.name)?;
+        if let Some(refusal) = self.refusal.take() {
+            return Err(refusal);
+        }
+        self.check_unanswered()?;
+        self.post(&set_point, gate)?;
+        self.course.sent(set_point, self.course.joints_at(&set_point));
+        self.report.landing_cycles += 1;
+        Ok(late >= self.config.gap())
+    }
+}
+
+/// Whether the arm is braked after this error: where set-points still reach a controller that follows them.
+pub(super) fn lets_land(error: &Error) -> bool {
+    match error.kind() {
+        ErrorKind::NotAcknowledged { outcome } => matches!(outcome, Outcome::Stopped),
+        ErrorKind::InvalidArgument(_)
+        | ErrorKind::NotInFirmware(_)
+        | ErrorKind::Refused { .. }
+        | ErrorKind::StatusUnknown { .. } => true,
+        #[cfg(feature = "motion")]
+        ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
+        _ => false,
+    }
+}
+
+/// What ended a session, and that the arm was not seen at rest after it.
+pub(super) fn not_seen(first: Error, landing: Error) -> Error {
+    match landing.into_kind() {
+        // That the status is not known says so.
+        ErrorKind::RestNotSeen { after, .. } if !matches!(first.kind(), ErrorKind::StatusUnknown { .. }) => {
+            ErrorKind::RestNotSeen { first: Some(first), after }.into()
+        }
+        // What ended the landing, ended the session, too.
+        _ => first,
+    }
+}

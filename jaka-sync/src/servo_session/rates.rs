@@ -1,0 +1,137 @@
+//! How fast set-points may be, and how the arm is braked.
+
+use std::time::Duration;
+
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
+
+use super::set_point::Step;
+
+/// How fast set-points may be, and how fast that may change: so the arm is also braked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rates {
+    /// False if set-points are sent as they are. The arm is braked all the same.
+    pub(super) are_checked: bool,
+    /// Of each joint, in deg/s².
+    pub(super) joint_acceleration: [f64; 6],
+    /// Of the tool centre point, in mm/s.
+    pub(super) tcp_speed: f64,
+    /// In mm/s².
+    pub(super) tcp_acceleration: f64,
+}
+
+/// The greatest speed of a joint in servo mode, in deg/s (4.15).
+const JOINT_SPEED: f64 = 180.0;
+
+/// How fast the tool may turn, in deg/s and deg/s²: ours, as fast as three joints of the wrist turn it together.
+const TURN_SPEED: f64 = 540.0;
+const TURN_ACCELERATION: f64 = 2160.0;
+
+/// What rounding may add to a step. Where joints are a hundred degrees from zero, their differences have some 14 digits.
+const ROUNDING: f64 = 1e-9;
+
+/// How large a step is: of six joints, or of the tool centre point's position and of its orientation.
+type Sizes = [f64; 6];
+
+/// The document advises 720 deg/s² for joints (4.7) and 8000 mm/s² for the tool centre point (4.9) at most; 3000 mm/s is ours.
+impl Default for Rates {
+    fn default() -> Self {
+        Self { are_checked: true, joint_acceleration: [720.0; 6], tcp_speed: 3000.0, tcp_acceleration: 8000.0 }
+    }
+}
+
+impl Rates {
+    /// Checks a step, and how it differs from the one before, where that is known. Each set-point is judged by its nominal period, as the
+    /// controller does (4.15).
+    pub(super) fn check(&self, step: &Step, before: Option<&Step>, period: Duration) -> Result<(), InvalidArgument> {
+        if !self.are_checked {
+            return Ok(());
+        }
+        let (speeds, accelerations) = self.of(step);
+        let time = period.as_secs_f64();
+        if let Some((index, size, most)) = first_beyond(&sizes(step), &speeds.map(|speed| speed * time)) {
+            let unit = unit(step, index);
+            let value = format!("a step of {size:.3} {unit}");
+            let allowed = format!("a step of at most {most:.3} {unit} each {period:?} ({} {unit}/s)", speeds[index]);
+            return Err(refused(step, index, value, allowed));
+        }
+        let Some(change) = before.and_then(|before| step.change_from(before)) else { return Ok(()) };
+        let most = accelerations.map(|acceleration| acceleration * time * time);
+        let Some((index, size, most)) = first_beyond(&sizes(&change), &most) else { return Ok(()) };
+        let unit = unit(step, index);
+        let from = if before.is_some_and(Step::is_none) { "standstill" } else { "the step before" };
+        let value = format!("a step that differs by {size:.3} {unit} from {from}");
+        let allowed =
+            format!("a change of at most {most:.3} {unit} each {period:?} ({} {unit}/s²)", accelerations[index]);
+        Err(refused(step, index, value, allowed))
+    }
+
+    /// Checks that these are numbers above zero.
+    pub(super) fn check_themselves(&self) -> Result<(), InvalidArgument> {
+        let rates = [
+            ("max_joint_acceleration", self.joint_acceleration[0], "deg/s²"),
+            ("max_tcp_speed", self.tcp_speed, "mm/s"),
+            ("max_tcp_acceleration", self.tcp_acceleration, "mm/s²"),
+        ];
+        let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
+        wrong.map_or(Ok(()), |(name, rate, unit)| {
+            let allowed = format!("a number above 0 {unit}");
+            Err(InvalidArgument::new(SetServoMode::INFO.name, name, rate.to_string(), allowed, false))
+        })
+    }
+
+    /// In how many periods the arm is braked from this step: the n-th set-point of them goes on by `1 - n / count` of it.
+    pub(super) fn periods_to_brake(&self, step: &Step, period: Duration) -> u32 {
+        let time = period.as_secs_f64();
+        let (_, accelerations) = self.of(step);
+        let periods = sizes(step).into_iter().zip(accelerations).map(|(size, most)| size / (most * time * time));
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the cast takes the nearest that fits"
+        )]
+        let count = (periods.fold(0.0, f64::max) - ROUNDING).ceil() as u32;
+        count
+    }
+
+    /// The greatest speeds and accelerations of a step of this kind.
+    fn of(&self, step: &Step) -> (Sizes, Sizes) {
+        match step {
+            Step::Joints(_) => ([JOINT_SPEED; 6], self.joint_acceleration),
+            Step::Pose(..) => {
+                let (mut speeds, mut accelerations) = ([f64::INFINITY; 6], [f64::INFINITY; 6]);
+                (speeds[0], speeds[1]) = (self.tcp_speed, TURN_SPEED);
+                (accelerations[0], accelerations[1]) = (self.tcp_acceleration, TURN_ACCELERATION);
+                (speeds, accelerations)
+            }
+        }
+    }
+}
+
+fn sizes(step: &Step) -> Sizes {
+    match step {
+        Step::Joints(step) => step.map(f64::abs),
+        Step::Pose(mm, turn) => {
+            let length = mm.iter().map(|axis| axis * axis).sum::<f64>().sqrt();
+            [length, turn.angle_deg(), 0.0, 0.0, 0.0, 0.0]
+        }
+    }
+}
+
+/// The first that is more than it may be, and by how much. A number that is not finite is the encoder's to refuse.
+fn first_beyond(sizes: &Sizes, most: &Sizes) -> Option<(usize, f64, f64)> {
+    (0..6).find(|index| sizes[*index] > most[*index] + ROUNDING).map(|index| (index, sizes[index], most[index]))
+}
+
+fn unit(step: &Step, index: usize) -> &'static str {
+    if matches!(step, Step::Pose(..)) && index == 0 { "mm" } else { "deg" }
+}
+
+fn refused(step: &Step, index: usize, value: String, allowed: String) -> InvalidArgument {
+    let (command, field) = match step {
+        Step::Joints(_) => (ServoJ::INFO.name, format!("joint_position[{index}]")),
+        Step::Pose(..) => (ServoP::INFO.name, "pose".to_owned()),
+    };
+    InvalidArgument::new(command, field, value, allowed, false)
+}
