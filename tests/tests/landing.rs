@@ -177,9 +177,9 @@ fn a_stop_of_the_program_brakes_first_and_nothing_goes_out_after_it() {
                 return false;
             }
             fast.send(()).expect("the other thread waits");
-            let step = f64::from(STEPS) * ASKED * PERIOD * PERIOD;
+            let speed = f64::from(STEPS) * ASKED * PERIOD * PERIOD;
             let error = loop {
-                if let Err(error) = session.send_joint_offset([0.0, 0.0, step, 0.0, 0.0, 0.0]) {
+                if let Err(error) = session.send_joint_offset([0.0, 0.0, speed, 0.0, 0.0, 0.0]) {
                     break error;
                 }
             };
