@@ -88,6 +88,24 @@ pub enum Exceeded {
         /// How far from its way blending may take the arm, in mm.
         tolerance_mm: f64,
     },
+    /// After a set-point the arm could not stop before a joint is beyond its range.
+    LandingRange {
+        /// The joint, 1 to 6.
+        joint: usize,
+        /// Where it would stop, in degrees.
+        end_deg: f64,
+        /// The end of its range, in degrees.
+        limit_deg: f64,
+    },
+    /// After a set-point the arm could not stop before a point of it is beyond a region.
+    LandingRegion {
+        /// The region's name.
+        name: Arc<str>,
+        /// The point of the arm.
+        point: Point,
+        /// How far beyond it would stop, or be on the way there, in mm.
+        by_mm: f64,
+    },
     /// The arm does not reach there.
     OutOfReach {
         /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.

@@ -4,6 +4,7 @@ mod amounts;
 mod end_move;
 mod follow;
 mod joint_way;
+mod landing;
 mod pace;
 mod path;
 mod points;
@@ -134,6 +135,10 @@ impl Checker {
     /// `before` are the last but one and the last; both are where the arm is when a session starts. Joint ranges, the joints' mean speed over the
     /// period and the change of it, the mean speed of the tool centre point over the period, and regions, also on the way from the last one.
     /// Within the period the tool centre point can be faster than in the mean: it goes on a bend, of which the straight way is shorter.
+    ///
+    /// And there must be room to stop. After the set-point the arm could land straight on in joint space, all joints in proportion, in the N
+    /// periods in which the joint that takes the longest slows down as much as it may: by steps of the set-point's own times 1 - k/N. Joint ranges and
+    /// regions hold on that way too. For example, 175 deg/s at 300 deg/s² take 51 degrees.
     pub fn check_set_point(
         &self,
         before: [JointPosition; 2],

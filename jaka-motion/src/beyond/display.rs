@@ -43,6 +43,14 @@ impl fmt::Display for Beyond {
                     write!(f, ", {tolerance_mm} mm of blending counted")?;
                 }
             }
+            Exceeded::LandingRange { joint, end_deg, limit_deg } => {
+                let end = Apart(*end_deg, *limit_deg);
+                write!(f, "the arm could not stop before joint {joint} is at {end} deg; limit {limit_deg}")?;
+            }
+            Exceeded::LandingRegion { name, point, by_mm } => {
+                let (by, name) = (Apart(*by_mm, 0.0), name.escape_debug());
+                write!(f, "the arm could not stop before the {point} is {by} mm beyond `{name}`")?;
+            }
             Exceeded::OutOfReach { by_mm } => write!(f, "out of reach by {} mm{at}", Apart(*by_mm, 0.0))?,
             Exceeded::Singularity { which, .. } => {
                 write!(f, "the {} passes the {which} singularity{on_the_way}", self.way.noun())?;

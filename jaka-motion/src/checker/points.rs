@@ -127,7 +127,7 @@ impl Checker {
         check(1.0, &here).map(|_| ())
     }
 
-    fn beyond_region(&self, region: &Region, at: &Point3<f64>) -> f64 {
+    pub(super) fn beyond_region(&self, region: &Region, at: &Point3<f64>) -> f64 {
         region.beyond(&(self.seen_from(region) * at))
     }
 

@@ -24,7 +24,8 @@ impl Checker {
         self.joint_steps(&moved, period_s).map_err(at_end)?;
         self.joint_changes(&moved, &moved_before, period_s).map_err(at_end)?;
         self.tcp_step(last, target, period_s).map_err(at_end)?;
-        self.regions_on_joint_way(last, target)
+        self.regions_on_joint_way(last, target)?;
+        self.landing(last, target, period_s)
     }
 
     pub(super) fn pose_set_point(

@@ -229,7 +229,28 @@ impl Bounds {
         // Speeds and accelerations of the pieces of this way are those of a motion without limits.
         let mut way = self.joint_way(last, to, 1e-9, 1e-9, steps);
         (way.speed, way.acceleration) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-        excess.or(way)
+        excess.or(way).or(self.landing(last, to, period, steps))
+    }
+
+    /// On the way to a stop after a set-point: step after step, each shorter than the one before by as much as the first allows.
+    fn landing(&self, last: [f64; 6], to: [f64; 6], period: f64, steps: Steps) -> Excess {
+        let moved: [f64; 6] = std::array::from_fn(|joint| to[joint] - last[joint]);
+        let mut count = 1_u32;
+        let is_soft = |count: u32| {
+            let slows = |joint: usize| moved[joint].abs() / period / f64::from(count) / period;
+            (0..6).all(|joint| slows(joint) <= self.accelerations[joint])
+        };
+        while !is_soft(count) && count < 100_000 {
+            count += 1;
+        }
+        let mut end = to;
+        for step in 1..count {
+            let share = 1.0 - f64::from(step) / f64::from(count);
+            end = std::array::from_fn(|joint| end[joint] + moved[joint] * share);
+        }
+        let mut way = self.joint_way(to, end, 1e-9, 1e-9, steps);
+        (way.speed, way.acceleration) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        way
     }
 
     /// The least of the distances from the singularities of shoulder, elbow and wrist.

@@ -136,6 +136,43 @@ fn a_pose_does_not_leap_over_a_singularity() {
     }
 }
 
+/// At 175 deg/s and 300 deg/s², landing takes 73 periods of 8 ms, and 36 times the step: 50.4 degrees.
+#[test]
+fn there_is_room_to_stop() {
+    let limits = zu5().with_joint_accelerations([300.0; 6]).expect("above 0");
+    let checker = bare(limits.with_joint_range(1, -90.0, 90.0).expect("tighter"));
+    let step = 175.0 * CYCLE;
+    let at = |first: f64| {
+        let mut joints = ELBOW_UP;
+        joints[0] = first;
+        joints.into()
+    };
+    let set = |target: f64| checker.check_set_point([at(target - 2.0 * step), at(target - step)], at(target), CYCLE);
+    assert_eq!(set(39.5), Ok(()));
+    refused(&set(39.7), "the arm could not stop before joint 1 is at 90.1 deg; limit 90 (Zu 5)");
+    let back = checker.check_set_point([at(80.0), at(80.0 - step)], at(80.0 - 2.0 * step), CYCLE);
+    assert_eq!(back, Ok(()));
+}
+
+/// Landing ends well after a plate.
+#[test]
+fn landing_stays_in_the_regions() {
+    let y = moved(ELBOW_UP, [0.0, 20.0, 0.0]).y;
+    let plate = Region::outside_box("plate", [-2e3, y, -2e3], [2e3, y + 2.0, 2e3]).expect("a box");
+    let checker = |acceleration: f64| {
+        let limits = zu5().with_joint_accelerations([acceleration; 6]).expect("above 0");
+        bare(limits.with_region(plate.clone()).expect("the only one"))
+    };
+    let set = |acceleration: f64| {
+        let step = 60.0 * CYCLE;
+        checker(acceleration).check_set_point([turned(-2.0 * step), turned(-step)], turned(0.0), CYCLE)
+    };
+    assert_eq!(set(3000.0), Ok(()));
+    let found = set(300.0).expect_err("six degrees are 40 mm");
+    assert!(matches!(&found.exceeded, Exceeded::LandingRegion { name, .. } if &**name == "plate"), "{found}");
+    assert!(found.to_string().starts_with("the arm could not stop before the tool centre point is "), "{found}");
+}
+
 #[test]
 fn an_odd_period_is_refused() {
     let checker: Checker = bare(quick());
