@@ -5,4 +5,5 @@ fn main() {
     for mut work in jaka_benches::kinematics::works() {
         println!("{}", work.report());
     }
+    println!("{}", jaka_benches::generator::report());
 }

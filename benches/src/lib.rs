@@ -2,6 +2,7 @@
 
 pub mod encode;
 pub mod framing;
+pub mod generator;
 pub mod kinematics;
 pub mod limit;
 pub mod measure;

@@ -1,7 +1,7 @@
 //! Counts that repeat exactly: allocations, and bytes visited.
 
 use allocation_counter::measure;
-use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, kinematics, limit, reply, status};
+use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, generator, kinematics, limit, reply, status};
 use jaka_motion::{Frames, Model, Transform};
 use jaka_proto::Request;
 use jaka_proto::framing::Framer;
@@ -90,6 +90,22 @@ fn checks_against_limits_allocate_nothing() {
     let far = Pose { x: 5e3, ..pose };
     assert_eq!(allocations(|| checker.check_line(beside, far, pace)), 0);
     assert_eq!(allocations(|| checker.check_set_point([before, last], [400.0; 6].into(), kinematics::PERIOD)), 0);
+}
+
+#[test]
+fn generated_set_points_allocate_nothing() {
+    for regions in [0, 3] {
+        let mut arm = generator::generator(regions);
+        let _ = arm.next(&generator::goal(0));
+        let count = measure(|| {
+            for number in 0..600 {
+                let _ = arm.next(&generator::goal(number / 6));
+                let _ = arm.landing();
+            }
+            arm.paused();
+        });
+        assert_eq!((count.count_total, arm.rejections()), (0, 0));
+    }
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Motions compared with limits.
 
 mod amounts;
+#[cfg(feature = "generator")]
+mod branch;
 mod end_move;
 mod follow;
 mod joint_way;
@@ -11,11 +13,17 @@ mod points;
 mod set_point;
 mod singularities;
 mod solve;
+#[cfg(feature = "generator")]
+mod stops;
+#[cfg(feature = "generator")]
+mod tool_rates;
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 use nalgebra::Isometry3;
 
 pub use self::pace::{JointPace, TcpPace};
+#[cfg(feature = "generator")]
+pub(crate) use self::stops::longest;
 use crate::beyond::{Beyond, Exceeded, Found, Way};
 use crate::frames::Frames;
 use crate::limits::Limits;

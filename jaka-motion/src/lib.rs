@@ -2,17 +2,23 @@
 
 mod arc;
 mod beyond;
+#[cfg(feature = "generator")]
+mod braking;
 mod branches;
 mod checker;
 mod closed_form;
 mod fit;
 mod frames;
+#[cfg(feature = "generator")]
+mod generator;
 mod limits;
 mod links;
 mod model;
 mod no_solution;
 mod transform;
 mod up_to_eight;
+#[cfg(feature = "generator")]
+mod velocity;
 
 #[cfg(test)]
 mod tests;
@@ -23,6 +29,8 @@ pub use branches::Branches;
 pub use checker::{Checker, JointPace, TcpPace};
 pub use fit::{Fit, FitError, Tolerance};
 pub use frames::Frames;
+#[cfg(feature = "generator")]
+pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, Step};
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
 #[cfg(feature = "toml")]
@@ -31,3 +39,5 @@ pub use limits::{InvalidLimit, Limits, Point, Region, RegionFrame};
 pub use model::{DhMismatch, Model, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;
 pub use transform::Transform;
+#[cfg(feature = "generator")]
+pub use velocity::{TcpVelocity, VelocityFrame};

@@ -1,11 +1,15 @@
 //! What the tests share: a deterministic source of numbers, and differences between transforms.
 
+#[cfg(feature = "generator")]
+mod braking;
 mod calibrated;
 mod captured;
 mod checker;
 mod conventions;
 mod differences;
 mod fit;
+#[cfg(feature = "generator")]
+mod generator;
 mod hostile;
 mod limits;
 mod place;
@@ -31,6 +35,12 @@ impl Random {
         self.0 ^= self.0 << 17;
         let unit = f64::from(u32::try_from(self.0 >> 32).expect("32 bits are left")) / f64::from(u32::MAX);
         min + unit * (max - min)
+    }
+
+    #[cfg(feature = "generator")]
+    fn below(&mut self, count: u8) -> usize {
+        let at = self.between(0.0, f64::from(count));
+        (0..count).rev().find(|number| f64::from(*number) <= at).unwrap_or(0).into()
     }
 
     fn joints(&mut self, model: &Model) -> [f64; 6] {

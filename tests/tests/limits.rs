@@ -2,7 +2,7 @@
 
 mod holes;
 mod plain_controller;
-mod random;
+pub(crate) mod random;
 mod simulated;
 mod ways;
 mod wire;

@@ -12,6 +12,7 @@ mod exchange;
 mod faults;
 mod firmware;
 mod first_program;
+mod generator;
 mod hostile_text;
 mod kinematics;
 mod landing;

@@ -235,7 +235,7 @@ impl<'a> Following<'a> {
             return Ok(false);
         }
         let way = [place(point, &here.frames), place(point, &next.frames)];
-        for part in self.checker.crossings(point, self.start_of(point), way, self.tolerance) {
+        for part in self.checker.crossings(point, Some(self.start_of(point)), way, self.tolerance) {
             let share = here.share + part * step;
             let guess =
                 std::array::from_fn(|index| here.joints[index] + part * (next.joints[index] - here.joints[index]));

@@ -92,7 +92,12 @@ impl Checker {
 
     /// How a point goes while the joints move by these degrees.
     fn course(&self, point: Point, moved: &[f64; 6]) -> Course {
-        let (radii, turned) = (self.radii(point), moved.map(|degrees| degrees.abs().to_radians()));
+        self.course_of_turns(point, &moved.map(|degrees| degrees.abs().to_radians()))
+    }
+
+    /// How a point goes while the joints turn by at most these radians.
+    pub(super) fn course_of_turns(&self, point: Point, turned: &[f64; 6]) -> Course {
+        let radii = self.radii(point);
         let rate_mm = (0..6).map(|index| turned[index] * radii[index]).sum();
         // The turn of one joint changes how another moves the point: at most by the turns' product times the outer one's distance.
         let pairs = (0..6).flat_map(|one| (0..6).map(move |other| (one, other)));

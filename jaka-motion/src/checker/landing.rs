@@ -37,7 +37,7 @@ impl Checker {
     }
 }
 
-fn as_landing(exceeded: Exceeded) -> Exceeded {
+pub(super) fn as_landing(exceeded: Exceeded) -> Exceeded {
     match exceeded {
         Exceeded::JointRange { joint, position_deg, limit_deg } => {
             Exceeded::LandingRange { joint, end_deg: position_deg, limit_deg }

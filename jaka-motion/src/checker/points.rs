@@ -82,21 +82,34 @@ impl Checker {
     pub(super) fn crossings<'a>(
         &'a self,
         point: Point,
-        start: &'a Point3<f64>,
+        start: Option<&'a Point3<f64>>,
         way: [Point3<f64>; 2],
         tolerance: f64,
     ) -> impl Iterator<Item = f64> + 'a {
         self.regions_of(point).filter_map(move |region| {
             let seen = self.seen_from(region);
-            let depth = self.allowed(region, Some(start)) - tolerance;
+            let depth = self.allowed(region, start) - tolerance;
             region.crossed(&(seen * way[0]), &(seen * way[1]), depth)
         })
     }
 
-    /// Checks the regions for a point along a way; `at` is its place in the arm's base for a share of the way.
+    /// Checks the regions for a point along a way; `at` is its place in the arm's base for a share of the way. Where it starts counts as within.
     pub(super) fn along(
         &self,
         point: Point,
+        tolerance: f64,
+        course: Course,
+        at: impl Fn(f64) -> Point3<f64>,
+    ) -> Result<(), Found> {
+        let start = self.regions_of(point).next().map(|_| at(0.0));
+        self.along_from(point, start, tolerance, course, at)
+    }
+
+    /// As [`along`](Self::along), with the place that counts as within, if there is one.
+    pub(super) fn along_from(
+        &self,
+        point: Point,
+        start: Option<Point3<f64>>,
         tolerance: f64,
         course: Course,
         at: impl Fn(f64) -> Point3<f64>,
@@ -109,16 +122,15 @@ impl Checker {
         if step.is_nan() || step < LEAST_STEP {
             return Err((Exceeded::TooLong, 0.0));
         }
-        let start = at(0.0);
         let check = |share: f64, here: &Point3<f64>| {
-            self.beyond_regions(point, Some(&start), here, tolerance).map_err(|exceeded| (exceeded, share))
+            self.beyond_regions(point, start.as_ref(), here, tolerance).map_err(|exceeded| (exceeded, share))
         };
-        let (mut share, mut here) = (0.0, start);
+        let (mut share, mut here) = (0.0, at(0.0));
         while share < 1.0 {
             let clear = check(share, &here)?;
             let next_share = f64::min(share + step.max(clear / course.rate_mm), 1.0);
             let next = at(next_share);
-            for part in self.crossings(point, &start, [here, next], tolerance) {
+            for part in self.crossings(point, start.as_ref(), [here, next], tolerance) {
                 let crossing = share + part * (next_share - share);
                 check(crossing, &at(crossing))?;
             }

@@ -8,39 +8,39 @@ use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
 /// By how much a limit may be exceeded without notice, as the checker says.
-pub(super) const AMOUNTS: [f64; 4] =
+pub(crate) const AMOUNTS: [f64; 4] =
     [Checker::AMOUNT_DEG, Checker::AMOUNT_MM, Checker::AMOUNT_SPEED, Checker::AMOUNT_SINGULARITY];
 
 /// What the witness may not see of what is within a limit: its own steps, and rounding.
-pub(super) const WITHIN: [f64; 4] = [-1e-4, -0.05, -0.01, -1e-4];
+pub(crate) const WITHIN: [f64; 4] = [-1e-4, -0.05, -0.01, -1e-4];
 
-pub(super) struct Random(TestRng);
+pub(crate) struct Random(TestRng);
 
 impl Random {
-    pub(super) fn new(seed: u32) -> Self {
+    pub(crate) fn new(seed: u32) -> Self {
         let mut bytes = [0; 32];
         bytes[..4].copy_from_slice(&seed.to_le_bytes());
         Self(TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
     }
 
-    pub(super) fn below(&mut self, limit: u32) -> u32 {
+    pub(crate) fn below(&mut self, limit: u32) -> u32 {
         self.0.next_u32() % limit
     }
 
-    pub(super) fn one_in(&mut self, times: u32) -> bool {
+    pub(crate) fn one_in(&mut self, times: u32) -> bool {
         self.below(times) == 0
     }
 
-    pub(super) fn between(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn between(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * f64::from(self.0.next_u32()) / f64::from(u32::MAX)
     }
 
     /// From next to nothing to `most`.
-    pub(super) fn mostly_small(&mut self, most: f64) -> f64 {
+    pub(crate) fn mostly_small(&mut self, most: f64) -> f64 {
         self.between(0.05, 1.0).powi(2) * most
     }
 
-    pub(super) fn offsets<const N: usize>(&mut self, most: f64) -> [f64; N] {
+    pub(crate) fn offsets<const N: usize>(&mut self, most: f64) -> [f64; N] {
         std::array::from_fn(|_| self.between(-most, most))
     }
 
@@ -50,16 +50,16 @@ impl Random {
 }
 
 /// An arm with limits, for the checker and for the witness.
-pub(super) struct Rig {
-    pub(super) limits: Limits,
-    pub(super) tool: Pose,
-    pub(super) base: Pose,
-    pub(super) bounds: Bounds,
+pub(crate) struct Rig {
+    pub(crate) limits: Limits,
+    pub(crate) tool: Pose,
+    pub(crate) base: Pose,
+    pub(crate) bounds: Bounds,
 }
 
 impl Rig {
     /// Limits that about half of the motions of these tests are beyond.
-    pub(super) fn new(random: &mut Random) -> Self {
+    pub(crate) fn new(random: &mut Random) -> Self {
         let name = Witness::names().nth(random.below(20) as usize).expect("there are twenty");
         let model = Model::named(name).expect("published");
         let (tool, base) = (random.frame(150.0, 180.0), random.frame(500.0, 180.0));
@@ -95,12 +95,12 @@ impl Rig {
         Self { limits, tool, base, bounds }
     }
 
-    pub(super) fn checker(&self) -> Checker {
+    pub(crate) fn checker(&self) -> Checker {
         Checker::new(self.limits.clone(), Frames::new().with_tool(self.tool).with_mounting(self.base))
     }
 
     /// Joint positions within all limits, if some are soon found.
-    pub(super) fn place(&self, random: &mut Random) -> Option<[f64; 6]> {
+    pub(crate) fn place(&self, random: &mut Random) -> Option<[f64; 6]> {
         let anywhere = |random: &mut Random| -> [f64; 6] {
             std::array::from_fn(|joint| random.between(self.bounds.joint_min[joint], self.bounds.joint_max[joint]))
         };
@@ -112,13 +112,13 @@ impl Rig {
     }
 
     /// The pose of the tool, as commands have it.
-    pub(super) fn pose(&self, joints: [f64; 6]) -> Pose {
+    pub(crate) fn pose(&self, joints: [f64; 6]) -> Pose {
         let frames = Frames::new().with_tool(self.tool).with_mounting(self.base);
         frames.pose(self.limits.model().forward(JointPosition(joints)))
     }
 }
 
-pub(super) fn frame(of: Pose) -> Frame {
+pub(crate) fn frame(of: Pose) -> Frame {
     pose(of.position_mm(), of.rotation_rad())
 }
 

@@ -1,0 +1,116 @@
+//! How joints may move.
+
+use super::error::GeneratorError;
+use crate::braking::JointLimits;
+use crate::limits::Limits;
+
+/// How joints may move: the speed, acceleration and jerk of each, in deg/s, deg/s² and deg/s³.
+///
+/// ```
+/// use jaka_motion::{Dynamics, Limits, Model};
+///
+/// let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+/// let gentle = Dynamics::of(&limits).with_speeds([30.0; 6])?.with_jerks([200.0; 6])?;
+/// assert_eq!((gentle.accelerations()[0], gentle.jerks()[0]), (72.0, 200.0));
+///
+/// let wrong = gentle.with_accelerations([60.0, 60.0, -1.0, 60.0, 60.0, 60.0]).unwrap_err();
+/// assert_eq!(wrong.to_string(), "acceleration of joint 3: -1 deg/s² is not at least 0.001 deg/s²");
+/// # Ok::<(), jaka_motion::GeneratorError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dynamics {
+    speeds: [f64; 6],
+    accelerations: [f64; 6],
+    jerks: [f64; 6],
+}
+
+/// In how many seconds a joint reaches its acceleration by default. Ours: no source has jerks of these arms.
+const ACCELERATION_REACHED_S: f64 = 0.1;
+/// The least speed, acceleration and jerk. A joint that is slower takes hours for a turn.
+pub(super) const LEAST: f64 = 1e-3;
+
+impl Dynamics {
+    /// Speeds and accelerations of the limits, and jerks with which a joint reaches its acceleration in 0.1 s.
+    ///
+    /// The jerks are **ours**, as are the accelerations unless the limits were given others: neither is published for these arms.
+    pub fn of(limits: &Limits) -> Self {
+        let accelerations = *limits.joint_accelerations();
+        let jerks = accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S);
+        Self { speeds: *limits.joint_speeds(), accelerations, jerks }
+    }
+
+    /// With these highest speeds of joints 1 to 6, in deg/s.
+    ///
+    /// # Errors
+    /// One is not a number of at least 0.001.
+    pub fn with_speeds(self, deg_s: [f64; 6]) -> Result<Self, GeneratorError> {
+        Ok(Self { speeds: enough("speed", "deg/s", deg_s)?, ..self })
+    }
+
+    /// With these highest accelerations of joints 1 to 6, in deg/s².
+    ///
+    /// # Errors
+    /// One is not a number of at least 0.001.
+    pub fn with_accelerations(self, deg_s2: [f64; 6]) -> Result<Self, GeneratorError> {
+        Ok(Self { accelerations: enough("acceleration", "deg/s²", deg_s2)?, ..self })
+    }
+
+    /// With these highest jerks of joints 1 to 6, in deg/s³.
+    ///
+    /// One above the acceleration divided by the period of the set-points limits nothing.
+    ///
+    /// # Errors
+    /// One is not a number of at least 0.001.
+    pub fn with_jerks(self, deg_s3: [f64; 6]) -> Result<Self, GeneratorError> {
+        Ok(Self { jerks: enough("jerk", "deg/s³", deg_s3)?, ..self })
+    }
+
+    /// The highest speed of each joint in deg/s.
+    pub fn speeds(&self) -> &[f64; 6] {
+        &self.speeds
+    }
+
+    /// The highest acceleration of each joint in deg/s².
+    pub fn accelerations(&self) -> &[f64; 6] {
+        &self.accelerations
+    }
+
+    /// The highest jerk of each joint in deg/s³.
+    pub fn jerks(&self) -> &[f64; 6] {
+        &self.jerks
+    }
+
+    /// Whether each is large enough, and speeds and accelerations are not beyond the limits.
+    pub(super) fn check(&self, limits: &Limits) -> Result<(), GeneratorError> {
+        enough("speed", "deg/s", self.speeds)?;
+        enough("acceleration", "deg/s²", self.accelerations)?;
+        enough("jerk", "deg/s³", self.jerks)?;
+        within("speed", "deg/s", &self.speeds, limits.joint_speeds())?;
+        within("acceleration", "deg/s²", &self.accelerations, limits.joint_accelerations())
+    }
+
+    /// What is computed with: a joint does not reach its speed, nor its acceleration, in less than a period.
+    pub(super) fn joint_limits(&self, period_s: f64) -> [JointLimits; 6] {
+        std::array::from_fn(|index| {
+            let speed = self.speeds[index];
+            let acceleration = self.accelerations[index].min(speed / period_s);
+            JointLimits { speed, acceleration, jerk: self.jerks[index].min(acceleration / period_s) }
+        })
+    }
+}
+
+fn enough(what: &'static str, unit: &'static str, values: [f64; 6]) -> Result<[f64; 6], GeneratorError> {
+    match (1..).zip(values).find(|(_, given)| !(given.is_finite() && *given >= LEAST)) {
+        Some((joint, given)) => Err(GeneratorError::TooLittle { what, unit, joint, given, least: LEAST }),
+        None => Ok(values),
+    }
+}
+
+fn within(what: &'static str, unit: &'static str, values: &[f64; 6], limits: &[f64; 6]) -> Result<(), GeneratorError> {
+    match (1..).zip(values.iter().zip(limits)).find(|(_, (given, limit))| given > limit) {
+        Some((joint, (given, limit))) => {
+            Err(GeneratorError::BeyondLimit { what, unit, joint, given: *given, limit: *limit })
+        }
+        None => Ok(()),
+    }
+}

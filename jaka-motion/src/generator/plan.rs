@@ -1,0 +1,169 @@
+//! The way to a goal as rsruckig computes it: a proposal, of which only the jerks are taken.
+
+use std::fmt;
+
+use rsruckig::calculator_target::TargetCalculator;
+use rsruckig::prelude::{
+    ControlInterface, DataArrayOrVec, InputParameter, Profile, RuckigError, RuckigErrorHandler, RuckigResult,
+    Synchronization, Trajectory,
+};
+
+use crate::braking::{JointLimits, JointState};
+
+/// A way to a goal, once it was computed.
+#[derive(Clone)]
+pub(super) struct Plan {
+    calculator: TargetCalculator<6>,
+    input: InputParameter<6>,
+    way: Trajectory<6>,
+    /// How many seconds of the way are behind the arm; none if there is no way.
+    elapsed: Option<f64>,
+}
+
+/// Of the limits, what the way may use: less, so that rounding is not beyond them.
+const USED: f64 = 0.999;
+/// For how long a joint that is to keep a speed is led on at most, in seconds.
+const HORIZON: f64 = 1000.0;
+/// A speed below which a joint is meant to rest, in deg/s.
+const NEXT_TO_NOTHING: f64 = 1e-6;
+
+/// Says by the result that there is no way.
+struct Quiet;
+
+impl RuckigErrorHandler for Quiet {
+    fn handle_validation_error(_: &str) -> Result<(), RuckigError> {
+        Ok(())
+    }
+
+    fn handle_calculator_error(_: &str) -> Result<(), RuckigError> {
+        Ok(())
+    }
+}
+
+impl Plan {
+    pub(super) fn new() -> Self {
+        let mut input = InputParameter::new(None);
+        input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Position; 6]));
+        let (calculator, way) = (TargetCalculator::new(None), Trajectory::new(None));
+        Self { calculator, input, way, elapsed: None }
+    }
+
+    pub(super) fn drop_way(&mut self) {
+        self.elapsed = None;
+    }
+
+    /// Whether there is a way, of which less than half of the horizon is behind the arm.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.elapsed.is_some_and(|elapsed| elapsed < 0.5 * HORIZON)
+    }
+
+    /// Whether the way is at its end, or there is none.
+    pub(super) fn is_done(&self) -> bool {
+        self.elapsed.is_none_or(|elapsed| elapsed >= self.way.duration)
+    }
+
+    /// To joint positions, which all joints reach at the same time.
+    pub(super) fn to_joints(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], target: &[f64; 6]) {
+        self.start(from, limits, Synchronization::Phase);
+        self.input.target_position = DataArrayOrVec::Stack(*target);
+        self.compute();
+    }
+
+    /// To speeds, which each joint reaches as soon as it can, and keeps until it has to stop at the end of its range.
+    pub(super) fn to_speeds(
+        &mut self,
+        from: &[JointState; 6],
+        limits: &[JointLimits; 6],
+        speeds: &[f64; 6],
+        ranges: [&[f64; 6]; 2],
+    ) {
+        self.start(from, limits, Synchronization::None);
+        let mut interfaces = [ControlInterface::Position; 6];
+        for (index, speed) in speeds.iter().enumerate() {
+            if speed.abs() < NEXT_TO_NOTHING {
+                interfaces[index] = ControlInterface::Velocity;
+                continue;
+            }
+            let far = from[index].position + speed * HORIZON;
+            self.input.target_position[index] = far.clamp(ranges[0][index], ranges[1][index]);
+            self.input.max_velocity[index] = speed.abs().min(self.input.max_velocity[index]);
+        }
+        self.input.per_dof_control_interface = Some(DataArrayOrVec::Stack(interfaces));
+        self.compute();
+    }
+
+    /// To speeds, which all joints reach at the same time.
+    pub(super) fn to_speeds_together(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], speeds: &[f64; 6]) {
+        self.start(from, limits, Synchronization::Time);
+        self.input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Velocity; 6]));
+        self.input.target_velocity = DataArrayOrVec::Stack(*speeds);
+        self.compute();
+    }
+
+    /// The states a period later: none if there is no way, or one that is beyond the limits.
+    pub(super) fn next(
+        &self,
+        from: &[JointState; 6],
+        limits: &[JointLimits; 6],
+        period_s: f64,
+    ) -> Option<[JointState; 6]> {
+        let elapsed = self.elapsed?;
+        let mut next = *from;
+        for (index, state) in next.iter_mut().enumerate() {
+            *state = led(&self.way.profiles[0][index], *state, limits[index], elapsed, period_s)?;
+        }
+        Some(next)
+    }
+
+    pub(super) fn pass(&mut self, period_s: f64) {
+        self.elapsed = self.elapsed.map(|elapsed| elapsed + period_s);
+    }
+
+    fn start(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], synchronization: Synchronization) {
+        let input = &mut self.input;
+        let each = |of: &dyn Fn(usize) -> f64| DataArrayOrVec::Stack(std::array::from_fn(of));
+        input.current_position = each(&|index| from[index].position);
+        input.current_velocity = each(&|index| from[index].speed);
+        input.current_acceleration = each(&|index| from[index].acceleration);
+        input.max_velocity = each(&|index| USED * limits[index].speed);
+        input.max_acceleration = each(&|index| USED * limits[index].acceleration);
+        input.max_jerk = each(&|index| USED * limits[index].jerk);
+        input.target_position = each(&|index| from[index].position);
+        input.target_velocity = DataArrayOrVec::Stack([0.0; 6]);
+        input.synchronization = synchronization;
+        input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Position; 6]));
+    }
+
+    fn compute(&mut self) {
+        let result = self.calculator.calculate::<Quiet>(&self.input, &mut self.way, 0.0);
+        let is_way = matches!(result, Ok(RuckigResult::Working));
+        self.elapsed = is_way.then_some(0.0);
+    }
+}
+
+/// A joint a period later, after so many seconds of its profile; none if it is beyond its limits on the way.
+fn led(profile: &Profile, from: JointState, limits: JointLimits, elapsed: f64, period_s: f64) -> Option<JointState> {
+    let brake = profile.brake.t.into_iter().zip(profile.brake.j);
+    let phases = brake.chain(profile.t.into_iter().zip(profile.j));
+    let (mut state, mut passed, mut left) = (from, elapsed, period_s);
+    for (duration, jerk) in phases {
+        let seconds = (duration - passed).clamp(0.0, left);
+        passed = (passed - duration).max(0.0);
+        if seconds > 0.0 {
+            let jerk = jerk.clamp(-limits.jerk, limits.jerk);
+            let next = state.after(seconds, jerk);
+            if !(next.is_within(limits) && state.speed_is_within(seconds, jerk, limits)) {
+                return None;
+            }
+            (state, left) = (next, left - seconds);
+        }
+    }
+    let state = state.after(left, 0.0);
+    state.is_within(limits).then_some(state)
+}
+
+impl fmt::Debug for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Plan").field("elapsed", &self.elapsed).finish_non_exhaustive()
+    }
+}

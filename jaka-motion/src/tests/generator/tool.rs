@@ -1,0 +1,116 @@
+//! Velocities of the tool, and poses.
+
+use jaka_proto::messages::types::Pose;
+
+use super::{CYCLE, ELBOW_UP, Watched, zu5};
+use crate::{Bound, Exceeded, Goal, Model, Region, Singularity, TcpVelocity, VelocityFrame};
+
+fn along(linear_mm_s: [f64; 3]) -> Goal {
+    let frame = VelocityFrame::ArmBase;
+    Goal::TcpVelocity(TcpVelocity { linear_mm_s, angular_deg_s: [0.0; 3], frame })
+}
+
+fn place(arm: &Watched) -> [f64; 3] {
+    Model::default().forward(arm.generator.joints()).position_mm()
+}
+
+fn minus(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| one[axis] - other[axis])
+}
+
+fn length(of: [f64; 3]) -> f64 {
+    of.iter().map(|part| part * part).sum::<f64>().sqrt()
+}
+
+#[test]
+fn the_tool_moves_as_it_is_told() {
+    let mut arm = Watched::new(zu5(), ELBOW_UP);
+    let goal = along([0.0, 60.0, -30.0]);
+    for _ in 0..100 {
+        arm.next(&goal);
+    }
+    let (before, turned) = (place(&arm), Model::default().forward(arm.generator.joints()));
+    for _ in 0..100 {
+        assert_eq!(arm.next(&goal).bound, None);
+    }
+    let moved = minus(place(&arm), before).map(|part| part / (100.0 * CYCLE));
+    assert!(length(minus(moved, [0.0, 60.0, -30.0])) < 0.5, "{moved:?}");
+    assert!(turned.angle_deg(&Model::default().forward(arm.generator.joints())) < 0.05);
+    // About its own axis, which leaves it where it is.
+    let turn = TcpVelocity { linear_mm_s: [0.0; 3], angular_deg_s: [0.0, 0.0, 20.0], frame: VelocityFrame::Tool };
+    arm.until_rest(&Goal::Rest, 500);
+    let (before, turned) = (place(&arm), Model::default().forward(arm.generator.joints()));
+    for _ in 0..200 {
+        arm.next(&Goal::TcpVelocity(turn));
+    }
+    assert!(length(minus(place(&arm), before)) < 0.01);
+    let turned = turned.angle_deg(&Model::default().forward(arm.generator.joints()));
+    assert!((28.0..32.0).contains(&turned), "{turned}");
+}
+
+/// Slowly along the plane would be allowed, but the direction is kept.
+#[test]
+fn all_axes_slow_down_in_front_of_a_region() {
+    let y = Model::default().forward(ELBOW_UP).position_mm()[1];
+    let wall = Region::half_space("wall", [0.0, y + 80.0, 0.0], [0.0, -1.0, 0.0]).expect("a plane");
+    let mut arm = Watched::new(zu5().with_region(wall).expect("the only one"), ELBOW_UP);
+    let (goal, start, mut last) = (along([-80.0, 80.0, 0.0]), place(&arm), None);
+    for _ in 0..1500 {
+        last = arm.next(&goal).bound;
+        let [x, y, z] = minus(place(&arm), start);
+        assert!(y < 80.1 && (x + y).abs() < 1.0 && z.abs() < 1.0, "{x} {y} {z}");
+    }
+    let moved = minus(place(&arm), start);
+    assert!((79.0..80.00001).contains(&moved[1]), "{moved:?}");
+    let Some(Bound::Limit(beyond)) = last else { panic!("it is held") };
+    assert!(matches!(beyond.exceeded, Exceeded::Region { .. } | Exceeded::LandingRegion { .. }), "{beyond}");
+    // Away from it, at once at full speed.
+    for _ in 0..100 {
+        arm.next(&along([0.0, -80.0, 0.0]));
+    }
+    let before = place(&arm);
+    arm.next(&along([0.0, -80.0, 0.0]));
+    assert!((before[1] - place(&arm)[1] - 80.0 * CYCLE).abs() < 0.02);
+}
+
+#[test]
+fn the_arm_slows_down_in_front_of_a_singularity_and_comes_back() {
+    let mut arm = Watched::new(zu5(), ELBOW_UP);
+    let elbow = |arm: &Watched| Model::default().singularity_distance(arm.generator.joints()).elbow;
+    let (out, mut last) = (along([150.0, 0.0, 0.0]), None);
+    for _ in 0..3000 {
+        last = arm.next(&out).bound;
+    }
+    let Some(Bound::Limit(beyond)) = last else { panic!("it is held: {:?}", arm.generator) };
+    assert!(matches!(beyond.exceeded, Exceeded::Singularity { which: Singularity::Elbow, .. }), "{beyond}");
+    assert!(arm.generator.velocity().iter().all(|speed| speed.abs() < 0.1), "{:?}", arm.generator);
+    assert!((0.0..0.1).contains(&elbow(&arm)), "{}", elbow(&arm));
+    let there = place(&arm);
+    for _ in 0..300 {
+        arm.next(&along([-150.0, 0.0, 0.0]));
+    }
+    assert!(there[0] - place(&arm)[0] > 100.0, "{:?}", arm.generator);
+}
+
+#[test]
+fn a_pose_is_reached_on_the_branch_of_the_session() {
+    let arm = Watched::new(zu5(), ELBOW_UP);
+    let model = Model::default();
+    let there = [30.0, 45.0, -60.0, 170.0, -70.0, 15.0];
+    let pose: Pose = model.forward(there).into();
+    assert!(arm.generator.joints_for(pose).expect("within reach").max_distance(&there.into()) < 1e-6);
+    let far = arm.generator.joints_for(Pose { x: 3000.0, ..pose }).expect_err("out of reach");
+    assert!(matches!(far.exceeded, Exceeded::OutOfReach { .. }), "{far}");
+    // The wrist turned over is as near in some poses; here its range is closed.
+    let odd = arm.generator.joints_for(Pose { x: f64::NAN, ..pose }).expect_err("not a pose");
+    assert!(matches!(odd.exceeded, Exceeded::NotFinite), "{odd}");
+}
+
+#[test]
+fn a_pose_that_takes_another_branch_is_refused() {
+    let limits = zu5().with_joint_range(5, -170.0, -60.0).expect("tighter").with_joint_range(6, -20.0, 30.0);
+    let arm = Watched::new(limits.expect("tighter"), ELBOW_UP);
+    let flipped = [10.0, 60.0, -80.0, 190.0, 90.0, 5.0];
+    let found = arm.generator.joints_for(Model::default().forward(flipped).into()).expect_err("another branch");
+    assert!(matches!(found.exceeded, Exceeded::JointRange { .. } | Exceeded::Singularity { .. }), "{found}");
+}

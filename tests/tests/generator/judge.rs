@@ -1,0 +1,96 @@
+//! The witness: set-points out of the bytes, their differences by index, and where they put the arm.
+
+use jaka_tests::witness::way::Bounds;
+
+/// How joints may move: speeds, accelerations, jerks.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moves {
+    pub(super) limits: [[f64; 6]; 3],
+    pub(super) period: f64,
+}
+
+pub(super) struct Judge {
+    bounds: Bounds,
+    moves: Moves,
+    /// The last three set-points, the last one last.
+    last: [[f64; 6]; 3],
+    tool: [f64; 3],
+}
+
+/// What rounding may add to a limit, as a share of it.
+const SHARE: f64 = 2e-9;
+/// What rounding may add to a difference, in degrees: positions of some hundred degrees have steps of 6e-14.
+const DEGREES: f64 = 3e-12;
+/// By how many degrees a joint's range may be exceeded: rounding.
+const RANGE: f64 = 2e-5;
+/// By how many mm a region may be exceeded.
+const REGION: f64 = 0.11;
+const NAMES: [&str; 3] = ["speed", "acceleration", "jerk"];
+
+impl Judge {
+    pub(super) fn new(bounds: Bounds, moves: Moves, start: [f64; 6]) -> Self {
+        let tool = bounds.tcp(start).map(|row| row[3]);
+        Self { bounds, moves, last: [start; 3], tool }
+    }
+
+    /// What comes next starts from standstill.
+    pub(super) fn paused(&mut self) {
+        self.last = [self.last[2]; 3];
+    }
+
+    pub(super) fn set_point(&mut self, here: [f64; 6]) -> Result<(), String> {
+        let [third, second, first] = self.last;
+        for joint in 0..6 {
+            let by = [
+                here[joint] - first[joint],
+                here[joint] - 2.0 * first[joint] + second[joint],
+                here[joint] - 3.0 * first[joint] + 3.0 * second[joint] - third[joint],
+            ];
+            let mut duration = 1.0;
+            for (kind, by) in by.into_iter().enumerate() {
+                duration *= self.moves.period;
+                let most = self.moves.limits[kind][joint] * duration * (1.0 + SHARE) + DEGREES;
+                if by.is_nan() || by.abs() > most {
+                    let (value, limit) = (by / duration, self.moves.limits[kind][joint]);
+                    return Err(format!("{} of joint {}: {value}, limit {limit}", NAMES[kind], joint + 1));
+                }
+            }
+        }
+        self.last = [second, first, here];
+        let place = self.bounds.place(here);
+        if place.degrees > RANGE || place.millimetres > REGION {
+            return Err(format!("{place:?} at {here:?}"));
+        }
+        let tool = self.bounds.tcp(here).map(|row| row[3]);
+        let moved = (0..3).map(|axis| (tool[axis] - self.tool[axis]).powi(2)).sum::<f64>().sqrt();
+        self.tool = tool;
+        if moved / self.moves.period > self.bounds.tcp_speed * (1.0 + 1e-6) {
+            return Err(format!(
+                "the tool moves at {} mm/s, limit {}",
+                moved / self.moves.period,
+                self.bounds.tcp_speed
+            ));
+        }
+        Ok(())
+    }
+
+    /// Whether the arm is there, and within all zones.
+    pub(super) fn is_at(&self, there: [f64; 6]) -> Result<(), String> {
+        let off = (0..6).map(|joint| (self.last[2][joint] - there[joint]).abs()).fold(0.0, f64::max);
+        let place = self.bounds.place(there);
+        if off > 1e-6 || place.millimetres > 1e-3 {
+            return Err(format!("at rest {off} degrees from {there:?}: {place:?}"));
+        }
+        Ok(())
+    }
+}
+
+/// The six numbers between the first brackets of a request.
+pub(super) fn joints_in(request: &str) -> [f64; 6] {
+    let (_, from) = request.split_once('[').expect("a list");
+    let (list, _) = from.split_once(']').expect("its end");
+    let mut numbers = list.split(',').map(|number| number.trim().parse().expect("a number"));
+    let joints = std::array::from_fn(|_| numbers.next().expect("six"));
+    assert_eq!(numbers.next(), None);
+    joints
+}
