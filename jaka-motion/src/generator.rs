@@ -80,6 +80,8 @@ pub struct Generator {
 const PERIODS: std::ops::RangeInclusive<f64> = 0.001..=1.0;
 /// Joint positions nearer to the goal than this, in degrees, are there.
 const THERE: f64 = 1e-6;
+/// The most of a velocity of the tool that is scaled down, in mm/s and deg/s.
+const MOST: f64 = 1e6;
 
 impl Generator {
     /// For an arm at rest at `start`, with a set-point each so many seconds.
@@ -122,7 +124,8 @@ impl Generator {
 
     /// The set-point a period after the last one, on the way to a goal.
     ///
-    /// A goal that [`check_goal`](Self::check_goal) refuses is approached as far as the limits allow; one with a number that is not finite means rest.
+    /// A goal that [`check_goal`](Self::check_goal) refuses is approached as far as the limits allow; one with a number that is not finite, or with a velocity of the
+    /// tool above 1e6 mm/s or deg/s, means rest.
     pub fn next(&mut self, goal: &Goal) -> Step {
         if *goal != self.goal {
             self.goal = *goal;
@@ -204,7 +207,7 @@ impl Generator {
                     return (None, None);
                 }
                 if self.plan.is_done() {
-                    self.plan.to_joints(&self.state, &self.limits, &target);
+                    self.plan.lead_to_joints(&self.state, &self.limits, &target);
                 }
                 None
             }
@@ -212,13 +215,13 @@ impl Generator {
                 if !self.plan.is_fresh() {
                     let limits = self.checker.limits();
                     let ranges = [limits.joint_min(), limits.joint_max()];
-                    self.plan.to_speeds(&self.state, &self.limits, &speeds, ranges);
+                    self.plan.lead_to_speeds(&self.state, &self.limits, &speeds, ranges);
                 }
                 self.held_in_range(&speeds)
             }
-            Goal::TcpVelocity(velocity) if finite(velocity.numbers()) => {
+            Goal::TcpVelocity(velocity) if velocity.numbers().all(|number| number.abs() <= MOST) => {
                 let (speeds, exceeded) = self.speeds_for(&velocity);
-                self.plan.to_speeds_together(&self.state, &self.limits, &speeds);
+                self.plan.lead_to_speeds_together(&self.state, &self.limits, &speeds);
                 exceeded
             }
             _ => return (None, None),

@@ -9,12 +9,12 @@ const PERIODS_ROUNDING: f64 = 1e-6;
 impl Checker {
     /// Joint ranges and regions on the way to a stop, straight on in joint space.
     pub(super) fn landing(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> Result<(), Found> {
-        let periods = self.periods_of_landing(last, target, period_s);
-        if periods <= 1.0 {
+        let count = self.periods_of_landing(last, target, period_s);
+        if count <= 1.0 {
             return Ok(());
         }
         // The steps are those of the set-point times 1 - k/N, for k from 1 to N.
-        let steps = 0.5 * (periods - 1.0);
+        let steps = 0.5 * (count - 1.0);
         let end = std::array::from_fn(|index| target[index] + steps * (target[index] - last[index]));
         self.within_ranges(&end, target).map_err(|exceeded| (as_landing(exceeded), 1.0))?;
         self.regions_on_joint_way(target, &end)
@@ -24,8 +24,8 @@ impl Checker {
     /// In how many periods the joints stop where the one that takes the longest slows down as much as it may, and the others in proportion.
     fn periods_of_landing(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> f64 {
         let limits = self.limits.joint_accelerations();
-        let periods = |index: usize| (target[index] - last[index]).abs() / period_s / period_s / limits[index];
-        ((0..6).map(periods).fold(0.0, f64::max) - PERIODS_ROUNDING).ceil()
+        let needed = |index: usize| (target[index] - last[index]).abs() / period_s / period_s / limits[index];
+        ((0..6).map(needed).fold(0.0, f64::max) - PERIODS_ROUNDING).ceil()
     }
 
     /// With how far beyond the region the point is at the end, if that is further than where it was noticed.

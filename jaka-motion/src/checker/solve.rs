@@ -40,7 +40,7 @@ impl Checker {
     pub(super) fn solved(&self, tool: &Isometry3<f64>, guess: &[f64; 6]) -> Option<Solved> {
         let (mut joints, mut before) = (*guess, f64::INFINITY);
         for round in 1..=STEPS {
-            let here = self.solved_at(&joints, self.limits.model().links.frames(&joints));
+            let here = self.solved_at(&joints, &self.limits.model().links.frames(&joints));
             let off = off(&(here.frames[5] * self.tool), tool);
             let error = off.norm();
             if error < EXACT || (error < ACCEPTED && (error >= before || round == STEPS)) {
@@ -57,10 +57,10 @@ impl Checker {
     }
 
     /// Joint positions as they are, with their frames.
-    pub(super) fn solved_at(&self, joints: &[f64; 6], frames: [Isometry3<f64>; 6]) -> Solved {
-        let mut jacobian = jacobian(&frames, &(frames[5] * self.tool).translation.vector);
+    pub(super) fn solved_at(&self, joints: &[f64; 6], frames: &[Isometry3<f64>; 6]) -> Solved {
+        let mut jacobian = jacobian(frames, &(frames[5] * self.tool).translation.vector);
         jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
-        Solved { joints: *joints, frames, jacobian }
+        Solved { joints: *joints, frames: *frames, jacobian }
     }
 
     /// The joint positions nearest to others, within their ranges or not.

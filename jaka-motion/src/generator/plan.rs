@@ -63,14 +63,14 @@ impl Plan {
     }
 
     /// To joint positions, which all joints reach at the same time.
-    pub(super) fn to_joints(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], target: &[f64; 6]) {
+    pub(super) fn lead_to_joints(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], target: &[f64; 6]) {
         self.start(from, limits, Synchronization::Phase);
         self.input.target_position = DataArrayOrVec::Stack(*target);
         self.compute();
     }
 
     /// To speeds, which each joint reaches as soon as it can, and keeps until it has to stop at the end of its range.
-    pub(super) fn to_speeds(
+    pub(super) fn lead_to_speeds(
         &mut self,
         from: &[JointState; 6],
         limits: &[JointLimits; 6],
@@ -93,7 +93,12 @@ impl Plan {
     }
 
     /// To speeds, which all joints reach at the same time.
-    pub(super) fn to_speeds_together(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], speeds: &[f64; 6]) {
+    pub(super) fn lead_to_speeds_together(
+        &mut self,
+        from: &[JointState; 6],
+        limits: &[JointLimits; 6],
+        speeds: &[f64; 6],
+    ) {
         self.start(from, limits, Synchronization::Time);
         self.input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Velocity; 6]));
         self.input.target_velocity = DataArrayOrVec::Stack(*speeds);

@@ -20,7 +20,7 @@ impl Generator {
         let here = self.joints().0;
         let twist = self.checker.twist_in_base(velocity, &here);
         let (rates, near) = self.checker.rates(&here, &twist);
-        let Some(rates) = rates else { return ([0.0; 6], Some(near)) };
+        let Some(rates) = rates.filter(|rates| finite(*rates)) else { return ([0.0; 6], Some(near)) };
         let (full, too_fast) = self.full_share(velocity, &rates, near);
         let room = self.checker.room_along(&here, &rates, self.length_to_stop(&rates, full));
         let allowed = room.as_ref().map_or(full, |(length, _)| full.min(self.share_for(&rates, *length)));

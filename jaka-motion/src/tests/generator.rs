@@ -28,11 +28,11 @@ struct Watched {
 impl Watched {
     fn new(limits: Limits, start: [f64; 6]) -> Self {
         let dynamics = Dynamics::of(&limits);
-        Self::with(Checker::new(limits, Frames::new()), dynamics, start, CYCLE)
+        Self::with(&Checker::new(limits, Frames::new()), dynamics, start, CYCLE)
     }
 
-    fn with(checker: Checker, dynamics: Dynamics, start: [f64; 6], period_s: f64) -> Self {
-        let generator = Generator::new(&checker, dynamics, start.into(), period_s).expect("within its limits");
+    fn with(checker: &Checker, dynamics: Dynamics, start: [f64; 6], period_s: f64) -> Self {
+        let generator = Generator::new(checker, dynamics, start.into(), period_s).expect("within its limits");
         Self { generator, dynamics, last: [start; 3] }
     }
 

@@ -59,7 +59,7 @@ fn rest_is_where_and_when_it_was_said() {
         let periods = f64::from(arm.until_rest(&Goal::Rest, 1000));
         assert!((periods * CYCLE - landing.time_s) < CYCLE + 1e-9, "{periods} for {landing:?}");
         assert!(arm.generator.joints().max_distance(&landing.joints) < 1e-8);
-        assert_eq!(arm.generator.landing().time_s, 0.0);
+        assert!(arm.generator.landing().time_s < 1e-12);
     }
 }
 

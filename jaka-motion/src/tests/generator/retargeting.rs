@@ -23,9 +23,12 @@ fn differences_are_within_the_dynamics_whatever_the_goals_are() {
     let (mut set_points, mut rejections) = (0_u32, 0);
     for round in 0..40 {
         let model = &Model::published()[round % Model::published().len()];
-        let mut one = |low: f64, high: f64| [10_f64.powf(random.between(low, high)); 6];
-        let limits = Limits::of(model).with_joint_accelerations(one(0.5, 4.0)).expect("above 0");
-        let dynamics = Dynamics::of(&limits).with_jerks(one(1.0, 5.5)).expect("above 0");
+        let mut each = |low: f64, high: f64| [0.0; 6].map(|_: f64| 10_f64.powf(random.between(low, high)));
+        let (shares, accelerations, jerks) = (each(-1.5, 0.0), each(0.7, 4.5), each(1.0, 6.0));
+        let limits = Limits::of(model).with_joint_accelerations(accelerations).expect("above 0");
+        let speeds = std::array::from_fn(|joint| limits.joint_speeds()[joint] * shares[joint]);
+        let dynamics = Dynamics::of(&limits).with_speeds(speeds).and_then(|dynamics| dynamics.with_jerks(jerks));
+        let dynamics = dynamics.expect("above 0");
         let period_s = f64::from(u32::try_from(random.below(12)).expect("few") + 1) * 0.008;
         let start = loop {
             let start = random.joints(model);
@@ -33,7 +36,7 @@ fn differences_are_within_the_dynamics_whatever_the_goals_are() {
                 break start;
             }
         };
-        let mut arm = Watched::with(Checker::new(limits.clone(), Frames::new()), dynamics, start, period_s);
+        let mut arm = Watched::with(&Checker::new(limits.clone(), Frames::new()), dynamics, start, period_s);
         for _ in 0..40 {
             let goal = some_goal(&mut random, &limits, arm.generator.joints().0);
             for _ in 0..=random.below(20) {
