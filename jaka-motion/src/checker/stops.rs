@@ -8,6 +8,9 @@ use crate::beyond::{Beyond, Exceeded, Found, Way};
 use crate::braking::Stop;
 use crate::limits::Point;
 
+/// The most periods of a way to rest in which the speed of the tool centre point is compared.
+const MOST_PERIODS: f64 = 4096.0;
+
 impl Checker {
     /// Checks the way from one set-point to the next and from there to rest: joint ranges, regions, and the speed of the tool centre point as mean over
     /// each period. Where an arm has rested, if it has, counts as within regions.
@@ -62,6 +65,9 @@ impl Checker {
     fn tcp_speed_on_stops(&self, last: &[f64; 6], stops: &[Stop; 6], period_s: f64) -> Result<(), Exceeded> {
         let Some(limit_mm_s) = self.limits.tcp_speed() else { return Ok(()) };
         let (seconds, mut done) = (longest(stops), 0.0);
+        if seconds > MOST_PERIODS * period_s {
+            return Err(Exceeded::TooLong);
+        }
         let mut before = self.point(Point::Tcp, last);
         loop {
             let here = self.point(Point::Tcp, &stops.map(|stop| stop.at(done).position));

@@ -11,6 +11,8 @@ const USED: f64 = 0.99;
 const COUNTED_ON: f64 = 0.5;
 /// In how many periods what is left of the way in front of a limit is done at most.
 const CREEP_PERIODS: f64 = 10.0;
+/// A joint is fast near a singularity where its distance is below this.
+const NEAR: f64 = 0.1;
 /// A share of the speeds below which the motion counts as slowed.
 const SLOWED: f64 = 0.98;
 
@@ -44,9 +46,21 @@ impl Generator {
         let tcp = USED * tcp_speed / length(velocity.linear_mm_s);
         match (least < 1.0, tcp < least) {
             (_, true) => (tcp, self.tcp_velocity_beyond(velocity)),
-            (true, false) => (least, Some(near)),
+            (true, false) => (least, Some(self.too_fast(rates, near))),
             (false, false) => (1.0, None),
         }
+    }
+
+    /// The joint that is the fastest compared with its limit, and the singularity that is near, if one is.
+    fn too_fast(&self, rates: &[f64; 6], near: Exceeded) -> Exceeded {
+        let over = |index: usize| rates[index].abs() / self.limits[index].speed;
+        let index = (0..6).fold(0, |worst, index| if over(index) > over(worst) { index } else { worst });
+        let near = match near {
+            Exceeded::Singularity { which, distance, .. } if distance < NEAR => Some(which),
+            _ => None,
+        };
+        let (speed_deg_s, limit_deg_s) = (rates[index].abs(), self.limits[index].speed);
+        Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near }
     }
 
     /// How much of a second of these rates a stop takes, from a share of them.

@@ -47,6 +47,13 @@ fn huge_and_tiny_goals_do_no_harm() {
     }
 }
 
+/// It is for a thread of its own.
+#[test]
+fn a_generator_can_be_sent_to_another_thread() {
+    fn is_sent<T: Send + 'static>(_: T) {}
+    is_sent(Watched::new(zu5(), ELBOW_UP).generator);
+}
+
 #[test]
 fn dynamics_beyond_limits_and_odd_starts_are_refused() {
     let checker = Checker::new(zu5(), Frames::new());
