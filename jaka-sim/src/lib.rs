@@ -25,6 +25,8 @@ mod spec_index;
 mod state;
 mod status_packet;
 mod status_port;
+mod trips;
+mod underrun;
 mod world;
 
 pub use builder::{Builder, Takeover};
@@ -47,3 +49,5 @@ pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };
+pub use trips::{Trip, TripError};
+pub use underrun::{Underrun, UnderrunError};

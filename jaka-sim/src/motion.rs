@@ -1,9 +1,10 @@
 //! The arm in motion, cycle by cycle.
 //!
 //! Planned motions wait in a queue, and each follows its path under a trapezoidal speed profile. Jogs and servo set-points
-//! move the arm without the queue.
+//! move the arm without the queue. All this is what the joints are commanded to do; the drives follow.
 
 mod blend;
+mod drives;
 mod jog;
 mod path;
 mod profile;
@@ -17,12 +18,13 @@ use jaka_motion::Model;
 
 use self::blend::Leaving;
 pub(crate) use self::blend::Zone;
+pub(crate) use self::drives::Drives;
 pub(crate) use self::jog::{Jogging, Reference, small};
 pub(crate) use self::path::{Joints, Path};
 pub(crate) use self::profile::Profile;
 pub(crate) use self::running::Planned;
 use self::running::Running;
-pub(crate) use self::servo::Servo;
+pub(crate) use self::servo::{Servo, ServoOptions, SetPoint, Space, can_follow};
 use crate::clock::CYCLE;
 
 /// How many cycles ahead of the arm its commanded position can be.
@@ -40,11 +42,10 @@ pub(crate) struct Engine {
     /// For how long it still does.
     resting: Duration,
     pub(crate) jog: Option<Jogging>,
-    pub(crate) servo: Servo,
+    /// Servo mode, where it is on.
+    pub(crate) servo: Option<Servo>,
     /// Where the last motion of the queue ends; none if no motion waits or runs.
     tail: Option<Joints>,
-    /// For how long the arm has been moving without a rest.
-    busy: Duration,
 }
 
 impl Engine {
@@ -73,7 +74,7 @@ impl Engine {
     pub(crate) fn stop(&mut self, joints: Joints, model: &Model) {
         self.queue.clear();
         self.jog = None;
-        self.servo.clear();
+        self.servo.iter_mut().for_each(Servo::stop);
         self.resting = Duration::ZERO;
         let offset = self.leaving.as_mut().map_or([0.0; 6], |leaving| leaving.brake(model));
         self.tail = self.running.as_mut().map(|running| {
@@ -87,19 +88,14 @@ impl Engine {
         *self = Self::new(self.pause);
     }
 
-    /// True while the arm moves or has motions to run.
+    /// True while the arm is commanded to move or has motions to run.
     pub(crate) fn is_busy(&self) -> bool {
-        self.pending() > 0 || self.jog.is_some() || self.servo.is_moving()
+        self.pending() > 0 || self.jog.is_some() || self.servo.as_ref().is_some_and(Servo::is_moving)
     }
 
     /// True while the arm rests between two motions.
     pub(crate) fn is_resting(&self) -> bool {
         !self.resting.is_zero()
-    }
-
-    /// For how long the arm has been moving without a rest.
-    pub(crate) fn busy(&self) -> Duration {
-        self.busy
     }
 
     /// Where the arm will be this much later, in whole cycles, if nothing is commanded meanwhile.
@@ -112,15 +108,10 @@ impl Engine {
         (0..cycles.min(MOST_AHEAD)).fold(joints, |joints, _| engine.cycle(joints, rate, model))
     }
 
-    /// One controller cycle: where the arm is at its end.
+    /// One controller cycle: where the arm is to be at its end.
     pub(crate) fn cycle(&mut self, joints: Joints, rate: f64, model: &Model) -> Joints {
-        if !self.is_busy() {
-            self.busy = Duration::ZERO;
-            return joints;
-        }
-        self.busy += CYCLE;
-        if self.servo.is_moving() {
-            return self.servo.cycle(joints);
+        if let Some(servo) = self.servo.as_mut().filter(|servo| servo.is_moving()) {
+            return servo.cycle(model);
         }
         if let Some(jog) = &mut self.jog {
             let (next, goes_on) = jog.cycle(joints, rate, model);

@@ -60,14 +60,14 @@ pub struct State {
     /// Whether the arm is at rest: it does not move, and nothing waits to move it. Follows from the motion, at once where
     /// `in_position` takes its time.
     pub at_rest: bool,
-    /// Positions of the six joints as commanded, in degrees: ahead of `joint_position` by [`Habit::Lead`](crate::Habit::Lead), and
-    /// equal without. Follows from the motion.
+    /// Positions of the six joints as commanded, in degrees: ahead of `joint_position` by [`Builder::lag`](crate::Builder::lag) and
+    /// [`Habit::Lead`](crate::Habit::Lead), and equal without. Follows from the motion.
     pub joint_commanded_position: JointPosition,
     /// Pose as commanded, which belongs to `joint_commanded_position`.
     pub tcp_commanded_pose: Pose,
     /// Whether the robot is in servo mode. Only where it is enabled and in no protective stop.
     pub servo_mode: bool,
-    /// The filter of servo mode, as last set.
+    /// The filter of servo mode, as last set. It acts from when servo mode is entered.
     pub servo_filter: SetServoMoveFilter,
     /// Whether the arm is in drag mode. Only where it is enabled.
     pub drag_mode: bool,

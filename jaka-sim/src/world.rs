@@ -16,9 +16,11 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use self::events::Reported;
 pub(crate) use self::events::collide;
 use crate::clock::CYCLE;
-use crate::motion::{Engine, Joints};
+use crate::motion::{Drives, Engine, Joints, Servo, ServoOptions};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
+use crate::trips::{self, Observed, Trip};
+use crate::underrun::Underrun;
 use crate::{Builder, Delays, Habits, State};
 
 /// The state, and what changes it as time goes on.
@@ -27,6 +29,11 @@ pub(crate) struct World {
     pub(crate) state: State,
     pub(crate) model: Model,
     pub(crate) engine: Engine,
+    pub(crate) drives: Drives,
+    trips: Vec<Trip>,
+    underrun: Underrun,
+    /// For how long the arm has been moving without a rest.
+    busy: Duration,
     pub(crate) programs: HashMap<String, Program>,
     pub(crate) runner: Option<Runner>,
     pub(crate) recorder: TrajectoryRecorder,
@@ -69,8 +76,13 @@ pub(crate) struct TrajectoryRecorder {
 impl World {
     pub(crate) fn new(options: &Builder, spec_index: &SpecIndex) -> io::Result<Self> {
         let model = options.model.clone();
+        let state = State::initial(spec_index, &model)?;
         let mut world = Self {
-            state: State::initial(spec_index, &model)?,
+            drives: Drives::new(options.lag, state.joint_position.0),
+            trips: options.trips.clone(),
+            underrun: options.underrun,
+            busy: Duration::ZERO,
+            state,
             model,
             engine: Engine::new(options.usual_habits().pause.unwrap_or_default()),
             programs: options.programs()?,
@@ -110,12 +122,17 @@ impl World {
     }
 
     fn is_idle(&self) -> bool {
-        self.changes.is_empty() && !self.engine.is_busy() && self.runner.is_none() && self.engine.busy().is_zero()
+        self.changes.is_empty() && self.is_at_rest() && self.busy.is_zero()
+    }
+
+    /// True while the arm moves or has motions to run.
+    pub(crate) fn is_moving(&self) -> bool {
+        self.engine.is_busy() || !self.drives.is_settled()
     }
 
     /// True where the arm does not move, and nothing waits for it to do so.
     pub(crate) fn is_at_rest(&self) -> bool {
-        !self.engine.is_busy() && self.runner.is_none()
+        !self.is_moving() && self.runner.is_none()
     }
 
     /// True if there is nothing left to wait for.
@@ -129,10 +146,12 @@ impl World {
     fn cycle(&mut self) {
         self.run_changes();
         self.run_program();
-        let joints = self.state.joint_position.0;
+        self.busy = if self.is_moving() { self.busy + CYCLE } else { Duration::ZERO };
         let rate = self.rate();
-        let before = self.tool_at(joints);
-        let after = self.engine.cycle(joints, rate, &self.model);
+        let before = self.tool_at(self.drives.actual());
+        let commanded = self.engine.cycle(self.drives.commanded(), rate, &self.model);
+        self.drives.follow(commanded);
+        let after = self.drives.actual();
         self.state.joint_position = JointPosition(after);
         let moved = self.tool_at(after).distance_mm(&before);
         self.state.tcp_speed = moved / CYCLE.as_secs_f64();
@@ -140,7 +159,41 @@ impl World {
         if self.identifying && self.engine.pending() == 0 {
             self.identified();
         }
-        self.update();
+        match self.error() {
+            Some(code) => self.trip(code),
+            None => self.update(),
+        }
+    }
+
+    /// What has gone wrong with the motion in this cycle.
+    fn error(&mut self) -> Option<u32> {
+        let drives = &self.drives;
+        let observed = Observed {
+            deviation: drives.deviation(),
+            speed: drives.speed(),
+            speed_deviation: drives.speed_deviation(),
+        };
+        let of_servo = self.engine.servo.as_mut().and_then(Servo::take_error);
+        of_servo.or_else(|| trips::of_motion(&self.trips, &observed))
+    }
+
+    /// Stops with an error, as the drives do.
+    fn trip(&mut self, code: u32) {
+        events::report(&mut self.state, code);
+        self.state.servo_mode = false;
+        self.halt();
+        self.make_consistent();
+    }
+
+    /// Stands still at once, and gives up all that moves the arm.
+    fn halt(&mut self) {
+        self.engine.halt();
+        self.drives.place(self.state.joint_position.0);
+        self.busy = Duration::ZERO;
+        self.end_program();
+        if std::mem::take(&mut self.identifying) {
+            self.state.torque_sensor.identify_status = IdentifyStatus::Failed;
+        }
     }
 
     /// Makes a change after a delay, or at once if there is none.
@@ -178,39 +231,49 @@ impl World {
     /// Ends what cannot be in this state. Follows each change.
     pub(crate) fn make_consistent(&mut self) {
         self.state.make_consistent();
+        if self.state.joint_position != JointPosition(self.drives.actual()) {
+            self.drives.place(self.state.joint_position.0);
+            self.engine.servo = None;
+        }
         if !self.state.can_move() {
-            self.engine.halt();
-            self.end_program();
-            if std::mem::take(&mut self.identifying) {
-                self.state.torque_sensor.identify_status = IdentifyStatus::Failed;
-            }
+            self.halt();
         }
         if !self.state.servo_mode {
-            self.engine.servo.clear();
+            self.engine.servo = None;
+        } else if self.engine.servo.is_none() {
+            self.engine.servo = Some(self.servo());
         }
         self.update();
+    }
+
+    /// Servo mode, with the filter that is set.
+    fn servo(&self) -> Servo {
+        let filter = &self.state.servo_filter;
+        let options = ServoOptions { filter, tool: self.tool(), underrun: self.underrun, trips: &self.trips };
+        Servo::new(self.drives.commanded(), options, &self.model)
     }
 
     /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.
     fn update(&mut self) {
         self.report_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
-        let is_busy = self.engine.is_busy();
+        let is_moving = self.is_moving();
+        let is_resting = self.engine.is_resting() && self.drives.is_settled();
         self.state.at_rest = self.is_at_rest();
-        self.state.in_position = !is_busy || self.engine.is_resting() || self.engine.busy() < self.delays.in_position;
+        self.state.in_position = !is_moving || is_resting || self.busy < self.delays.in_position;
         self.update_commanded();
-        if !is_busy {
+        if !is_moving {
             self.state.tcp_speed = 0.0;
         }
     }
 
     /// Where the arm is commanded to be: where it will be, where it is a habit to say so.
     fn update_commanded(&mut self) {
-        let joints = self.state.joint_position.0;
+        let joints = self.drives.commanded();
         let lead = self.habits.lead.filter(|_| self.engine.is_busy()).unwrap_or_default();
         let ahead = self.engine.ahead(joints, lead, self.rate(), &self.model);
         self.state.joint_commanded_position = ahead.into();
-        self.state.tcp_commanded_pose = if lead.is_zero() { self.state.tcp_pose } else { self.pose(ahead) };
+        self.state.tcp_commanded_pose = self.pose(ahead);
     }
 
     /// The rate by which motions are scaled; none goes on in a pause.
@@ -220,7 +283,7 @@ impl World {
 
     /// Brakes, and forgets all motions that wait.
     pub(crate) fn stop(&mut self) {
-        self.engine.stop(self.state.joint_position.0, &self.model);
+        self.engine.stop(self.drives.commanded(), &self.model);
     }
 
     fn tool_at(&self, joints: Joints) -> Transform {

@@ -59,7 +59,7 @@ fn servo_mode_decides_what_moves() {
     let mut peer = Peer::commands(&controller);
     let servo_j = r#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[0.5,0,0,0,0,-0.5],"stepNum":1}"#;
     let joint_move = r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,10,20,30,40,50],"speed":20}"#;
-    let filter = r#"{"cmdName":"set_servo_move_filter","filter_type":1,"lpf_cf":0.5}"#;
+    let filter = r#"{"cmdName":"set_servo_move_filter","filter_type":0}"#;
     let reason = "servoj command can only be excuted in servo move mode";
     let refused = json(&format!(r#"{{"errorCode":"-1","errorMsg":"{reason}","cmdName":"servo_j"}}"#));
     assert_eq!(peer.ask(servo_j), refused);

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, fresh, json, ready};
+use crate::common::{LIMIT, Peer, fresh, json, stepped};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader, Typed, Value};
 use jaka_sim::Controller;
@@ -73,7 +73,7 @@ fn a_packet_looks_like_the_documents_sample() {
 
 #[test]
 fn a_packet_shows_the_state() {
-    let controller = ready();
+    let controller = stepped();
     let mut commands = Peer::commands(&controller);
     let requests = [
         r#"{"cmdName":"set_digital_output","type":0,"index":143,"value":1}"#,

@@ -13,6 +13,8 @@ mod lost_connections;
 mod real_packets;
 mod reply_style;
 mod sequels;
+mod servo_arm;
+mod servo_filters;
 mod status;
 mod status_faults;
 mod stops;

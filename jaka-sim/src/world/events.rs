@@ -56,7 +56,8 @@ pub(crate) fn collide(state: &mut State) {
     report(state, COLLISION);
 }
 
-fn report(state: &mut State, code: u32) {
+/// Puts an event into the error code.
+pub(super) fn report(state: &mut State, code: u32) {
     state.error_code = format!("{code:#x}");
     let meaning = ControllerEvent::new(code).and_then(ControllerEvent::meaning);
     meaning.unwrap_or_default().clone_into(&mut state.error_message);

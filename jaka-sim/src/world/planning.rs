@@ -30,7 +30,7 @@ impl World {
 
     /// Where the next motion starts.
     pub(crate) fn tail(&self) -> Joints {
-        self.engine.tail(self.state.joint_position.0)
+        self.engine.tail(self.drives.commanded())
     }
 
     /// The way of all joints to a target.

@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test file uses its share of it")]
 
+pub(crate) mod servo;
+
 use std::io::{ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::time::Duration;
@@ -122,7 +124,7 @@ pub(crate) fn json(text: &str) -> Value {
 
 /// Options of a controller that changes its state at once and writes as the document does: whole numbers without a fraction, which
 /// compare with those of a test.
-fn document() -> Builder {
+pub(crate) fn document() -> Builder {
     Controller::builder().delays(Delays::NONE).firmware(Firmware::Document)
 }
 

@@ -1,0 +1,207 @@
+//! Following a place that moves within limits of speed, acceleration and jerk.
+
+use crate::clock::CYCLE;
+
+/// What is nearer than this to the place that it follows is there: degrees or millimetres.
+const NEAR: f64 = 1e-7;
+
+/// How many cycles of braking are looked at.
+const MOST_CYCLES: u32 = 2000;
+
+/// Limits of change in a cycle: of place, of speed, of acceleration.
+#[derive(Debug, Clone, Copy)]
+struct Limits {
+    speed: f64,
+    acceleration: f64,
+    jerk: f64,
+}
+
+/// Follows a place of `N` coordinates within limits.
+///
+/// A place that itself moves within the limits is followed exactly. After one that does not, each coordinate comes back to it as fast as
+/// its share of the limits allows and without passing it, unless the place itself stops or turns back faster than the limits
+/// allow.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tracker<const N: usize> {
+    limits: Limits,
+    speed: [f64; N],
+    acceleration: [f64; N],
+}
+
+/// What a tracker does in a cycle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step<const N: usize> {
+    /// How far it goes.
+    pub(super) by: [f64; N],
+    /// True where it is then at the place that it follows.
+    pub(super) arrives: bool,
+}
+
+impl<const N: usize> Tracker<N> {
+    /// A tracker at rest, with limits for each second, each second squared and cubed.
+    pub(super) fn new(speed: f64, acceleration: f64, jerk: f64) -> Self {
+        let cycle = CYCLE.as_secs_f64();
+        let limits =
+            Limits { speed: speed * cycle, acceleration: acceleration * cycle.powi(2), jerk: jerk * cycle.powi(3) };
+        Self { limits, speed: [0.0; N], acceleration: [0.0; N] }
+    }
+
+    /// Comes to rest at once.
+    pub(super) fn halt(&mut self) {
+        (self.speed, self.acceleration) = ([0.0; N], [0.0; N]);
+    }
+
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.speed.iter().all(|speed| speed.abs() < NEAR)
+    }
+
+    /// One cycle. `off` is how far it is from the place that it follows, `way` how far that goes in this cycle.
+    pub(super) fn next(&mut self, off: [f64; N], way: [f64; N]) -> Step<N> {
+        let exact = std::array::from_fn(|i| way[i] - off[i]);
+        let arrives = off.iter().all(|off| off.abs() < NEAR) && self.allows(exact);
+        let by = if arrives { exact } else { self.nearer(off, way) };
+        self.acceleration = std::array::from_fn(|i| by[i] - self.speed[i]);
+        self.speed = by;
+        Step { by, arrives }
+    }
+
+    fn allows(&self, speed: [f64; N]) -> bool {
+        let acceleration: [f64; N] = std::array::from_fn(|i| speed[i] - self.speed[i]);
+        let jerk = std::array::from_fn(|i| acceleration[i] - self.acceleration[i]);
+        let Limits { speed: most_speed, acceleration: most_acceleration, jerk: most_jerk } = self.limits;
+        [(speed, most_speed), (acceleration, most_acceleration), (jerk, most_jerk)]
+            .iter()
+            .all(|(values, most)| length(values) <= most * (1.0 + 1e-9) + 1e-12)
+    }
+
+    fn nearer(&self, off: [f64; N], way: [f64; N]) -> [f64; N] {
+        // Together, the coordinates are within the limits.
+        #[expect(clippy::cast_precision_loss, reason = "there are one or three")]
+        let share = 1.0 / (N as f64).sqrt();
+        let Limits { speed, acceleration, jerk } = self.limits;
+        let limits = Limits { speed: speed * share, acceleration: acceleration * share, jerk: jerk * share };
+        std::array::from_fn(|i| self.speed[i] + limits.toward(off[i], way[i], self.speed[i], self.acceleration[i]))
+    }
+}
+
+impl Limits {
+    /// The acceleration of a coordinate that brings it to a place that goes on at its speed, and not beyond.
+    fn toward(self, off: f64, way: f64, speed: f64, acceleration: f64) -> f64 {
+        let stop = |acceleration: f64| {
+            let relative = speed + acceleration - way;
+            self.stop(off + relative, relative, acceleration)
+        };
+        let (mut low, mut high) = (acceleration - self.jerk, acceleration + self.jerk);
+        let wanted = if stop(high) <= 0.0 {
+            high
+        } else if stop(low) >= 0.0 {
+            low
+        } else {
+            for _ in 0..40 {
+                let middle = f64::midpoint(low, high);
+                *(if stop(middle) <= 0.0 { &mut low } else { &mut high }) = middle;
+            }
+            low
+        };
+        // The speed is at its limit when the acceleration has gone.
+        let wanted =
+            wanted.min(reducible(self.speed - speed, self.jerk)).max(-reducible(self.speed + speed, self.jerk));
+        let wanted = wanted.clamp(-self.acceleration, self.acceleration);
+        wanted.clamp(acceleration - self.jerk, acceleration + self.jerk)
+    }
+
+    /// How far from the place it is when its speed has come to that of the place.
+    fn stop(self, mut off: f64, mut speed: f64, mut acceleration: f64) -> f64 {
+        for _ in 0..MOST_CYCLES {
+            if speed.abs() < 1e-12 && acceleration.abs() <= self.jerk {
+                break;
+            }
+            let wanted = -reducible(speed, self.jerk).clamp(-self.acceleration, self.acceleration);
+            acceleration = wanted.clamp(acceleration - self.jerk, acceleration + self.jerk);
+            speed += acceleration;
+            off += speed;
+        }
+        off
+    }
+}
+
+/// The greatest value that, reduced by `decrease` each cycle to nothing, sums up to no more than `sum`; with the sign of `sum`.
+fn reducible(sum: f64, decrease: f64) -> f64 {
+    if decrease <= 0.0 {
+        return 0.0;
+    }
+    let cycles = (((1.0 + 8.0 * sum.abs() / decrease).sqrt() - 1.0) / 2.0).floor();
+    ((sum.abs() + decrease * cycles * (cycles + 1.0) / 2.0) / (cycles + 1.0)).copysign(sum)
+}
+
+fn length(values: &[f64]) -> f64 {
+    values.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The places of a tracker along a course.
+    fn follow(limits: [f64; 3], course: impl Iterator<Item = f64>) -> Vec<f64> {
+        let mut tracker = Tracker::<1>::new(limits[0], limits[1], limits[2]);
+        let (mut at, mut before) = (0.0, 0.0);
+        let step = |place: f64| {
+            let step = tracker.next([at - before], [place - before]);
+            before = place;
+            at = if step.arrives { place } else { at + step.by[0] };
+            at
+        };
+        course.map(step).collect()
+    }
+
+    /// The greatest speed, acceleration and jerk, by differences.
+    fn greatest(places: &[f64]) -> [f64; 3] {
+        let mut values = [vec![0.0; 3], places.to_vec()].concat();
+        [(); 3].map(|()| {
+            values = values.windows(2).map(|pair| (pair[1] - pair[0]) / CYCLE.as_secs_f64()).collect();
+            values.iter().map(|value: &f64| value.abs()).fold(0.0, f64::max)
+        })
+    }
+
+    fn assert_within(places: &[f64], limits: [f64; 3]) {
+        for (value, limit) in greatest(places).into_iter().zip(limits) {
+            assert!(value <= limit * (1.0 + 1e-6), "{value} of {limit}");
+        }
+    }
+
+    #[test]
+    fn a_jump_is_followed_within_the_limits_and_without_overshoot() {
+        for limits in [[180.0, 720.0, 10_000.0], [2.0, 2.0, 4.0], [1000.0, 500.0, 2000.0], [90.0, 1e5, 1e9]] {
+            for to in [0.05, 0.7, -30.0, 100.0] {
+                let places = follow(limits, std::iter::repeat_n(to, 10_000));
+                assert_within(&places, limits);
+                assert!((places[9999] - to).abs() < 1e-12, "{limits:?}, {to}: {}", places[9999]);
+                let beyond = places.iter().map(|at| (at / to - 1.0) * to.abs()).fold(0.0, f64::max);
+                assert!(beyond < 1e-6, "{limits:?}, {to}: {beyond}");
+                // In this order, with each limit where it counts.
+                assert!(to.abs() < 100.0 || greatest(&places)[0] > limits[0].min(100.0) * 0.99, "{limits:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_course_within_the_limits_is_followed_exactly() {
+        let cycles = |time: f64| time * CYCLE.as_secs_f64();
+        let course: Vec<_> = (0..1000).map(|n| 10.0 * (1.0 - cycles(f64::from(n)).cos())).collect();
+        let places = follow([20.0, 20.0, 2000.0], course.iter().copied());
+        assert_eq!(places, course);
+    }
+
+    #[test]
+    fn a_course_that_stops_dead_is_passed_no_further_than_the_limits_ask() {
+        let limits = [100.0, 500.0, 20_000.0];
+        let ramp = (1..=100).map(|n| f64::from(n) * 0.4);
+        let places = follow(limits, ramp.chain(std::iter::repeat_n(40.0, 200)));
+        assert_within(&places, limits);
+        let furthest = places.iter().copied().fold(0.0, f64::max) - 40.0;
+        // 50 deg/s at 500 deg/s² are 2.5 deg, and some for the jerk.
+        assert!((2.4..4.5).contains(&furthest), "{furthest}");
+        assert!((places[299] - 40.0).abs() < 1e-12);
+    }
+}

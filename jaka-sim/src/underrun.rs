@@ -1,0 +1,98 @@
+//! What the arm does when set-points stop.
+
+use std::error::Error;
+use std::fmt;
+use std::str::FromStr;
+use std::time::Duration;
+
+use crate::fault::read_time;
+
+/// What the arm does in servo mode when no set-point is there in its cycle, and the last one had speed.
+///
+/// What real controllers do, no source says: each of these is a guess, and a program has to be safe with each. After a set-point
+/// that repeats the one before there is no speed, and nothing happens.
+///
+/// It has a text form, as `jaka sim --underrun` takes it: `hold`, `fault 40ms`, `run-out 300`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Underrun {
+    /// The arm is held at the last set-point. `hold` as a text.
+    #[default]
+    Hold,
+    /// The arm is held at the last set-point, and if none comes for so long, an error event ends servo mode: `0x1n8614` of the
+    /// fastest joint. `fault 40ms` as a text, `fault` for at once.
+    Fault(Duration),
+    /// The arm goes on at the last speed, and the fastest joint brakes with this deceleration, in deg/s². `run-out 300` as a text.
+    ///
+    /// At the end of a joint's range it stops. A set-point that comes meanwhile is followed from where the arm is.
+    RunOut(f64),
+}
+
+/// The text is not that of an [`Underrun`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnderrunError {
+    text: String,
+}
+
+impl fmt::Display for UnderrunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`", self.text)
+    }
+}
+
+impl Error for UnderrunError {}
+
+impl fmt::Display for Underrun {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Hold => f.write_str("hold"),
+            Self::Fault(after) if after.is_zero() => f.write_str("fault"),
+            Self::Fault(after) => write!(f, "fault {after:?}"),
+            Self::RunOut(deceleration) => write!(f, "run-out {deceleration}"),
+        }
+    }
+}
+
+impl FromStr for Underrun {
+    type Err = UnderrunError;
+
+    /// Reads the text form.
+    ///
+    /// # Errors
+    /// It is none of these, the time is not one, or the deceleration is not a number greater than 0.
+    fn from_str(text: &str) -> Result<Self, UnderrunError> {
+        let words: Vec<_> = text.split_whitespace().collect();
+        let read = match *words {
+            ["hold"] => Some(Self::Hold),
+            ["fault"] => Some(Self::Fault(Duration::ZERO)),
+            ["fault", after] => read_time(after).map(Self::Fault),
+            ["run-out", number] => {
+                number.parse().ok().filter(|number: &f64| *number > 0.0 && number.is_finite()).map(Self::RunOut)
+            }
+            _ => None,
+        };
+        read.ok_or_else(|| UnderrunError { text: text.to_owned() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_has_a_text() {
+        let forty = Duration::from_millis(40);
+        for underrun in
+            [Underrun::Hold, Underrun::Fault(Duration::ZERO), Underrun::Fault(forty), Underrun::RunOut(300.0)]
+        {
+            assert_eq!(underrun.to_string().parse(), Ok(underrun));
+        }
+        for text in ["", "holds", "hold 1s", "fault 3", "fault 1s 2s", "run-out", "run-out 0", "run-out inf"] {
+            assert!(text.parse::<Underrun>().is_err(), "{text}");
+        }
+        assert_eq!(
+            "run-out".parse::<Underrun>().expect_err("a number is missing").to_string(),
+            "`run-out` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`"
+        );
+    }
+}
