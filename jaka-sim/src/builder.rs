@@ -1,7 +1,7 @@
 //! The options of a controller.
 
 use std::collections::HashMap;
-use std::io;
+use std::io::{self, ErrorKind};
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,6 +11,7 @@ use jaka_motion::Model;
 use jaka_proto::Request;
 use jaka_proto::recording::Recording;
 
+use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
 use crate::{Delays, FaultPlan, Firmware, Habits, Replay, ReplayTiming, ReplyStyle, Trip, Underrun};
@@ -28,6 +29,7 @@ pub struct Builder {
     pub(crate) trips: Vec<Trip>,
     pub(crate) underrun: Underrun,
     pub(crate) stepped: bool,
+    pub(crate) time_scale: f64,
     folders: Vec<PathBuf>,
     pub(crate) packs: Vec<PathBuf>,
     programs: HashMap<String, Program>,
@@ -53,6 +55,7 @@ impl Builder {
             trips: Vec::new(),
             underrun: Underrun::Hold,
             stepped: false,
+            time_scale: 1.0,
             folders: Vec::new(),
             packs: Vec::new(),
             programs: programs::built_in(),
@@ -146,6 +149,18 @@ impl Builder {
     #[must_use]
     pub fn stepped_clock(mut self) -> Self {
         self.stepped = true;
+        self
+    }
+
+    /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: once as fast if not set.
+    ///
+    /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps real time: the
+    /// times of faults, replays, and clients with their timeouts and servo periods. The controller does not start with any other number.
+    ///
+    /// A stepped clock is not affected.
+    #[must_use]
+    pub fn time_scale(mut self, scale: f64) -> Self {
+        self.time_scale = scale;
         self
     }
 
@@ -264,6 +279,20 @@ impl Builder {
     /// The time between two status packets.
     pub(crate) fn period(&self) -> Duration {
         self.status_period.unwrap_or_else(|| self.firmware.status_period())
+    }
+
+    /// The real time between two status packets.
+    pub(crate) fn real_period(&self) -> Duration {
+        scaled(self.period(), self.time_scale.recip())
+    }
+
+    /// What keeps a controller from starting.
+    pub(crate) fn check(&self) -> io::Result<()> {
+        if (0.001..=1000.0).contains(&self.time_scale) {
+            return Ok(());
+        }
+        let text = format!("a time scale is from 0.001 to 1000, and not {}", self.time_scale);
+        Err(io::Error::new(ErrorKind::InvalidInput, text))
     }
 
     /// What the controller does that no document describes.

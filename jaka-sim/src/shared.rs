@@ -51,6 +51,7 @@ struct Steps {
 
 impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
+        options.check()?;
         let spec_index = SpecIndex::open(&options.packs)?;
         Ok(Self {
             command_listener: Listener::bind(options.address, options.command_port)?,
@@ -65,7 +66,7 @@ impl Shared {
             spec_index,
             replies: Mutex::default(),
             status_values: Mutex::default(),
-            clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now()) },
+            clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now(), options.time_scale) },
             faults: Mutex::new(options.faults.clone()),
             steps: Mutex::default(),
             options,

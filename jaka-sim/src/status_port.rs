@@ -32,7 +32,7 @@ fn admit(stream: TcpStream, shared: &Arc<Shared>) -> io::Result<()> {
         });
     }
     // With a stepped clock, packets go out as it is stepped.
-    let period = Some(host.options.period()).filter(|_| !host.options.stepped);
+    let period = Some(host.options.real_period()).filter(|_| !host.options.stepped);
     let run = move |reader: &Reader| reader.run(period, || host.packet());
     shared.readers.add(stream, &shared.links, run)
 }

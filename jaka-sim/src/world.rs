@@ -3,6 +3,7 @@
 mod events;
 mod planning;
 mod program;
+mod servo;
 
 use std::collections::HashMap;
 use std::io;
@@ -16,10 +17,10 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use self::events::Reported;
 pub(crate) use self::events::collide;
 use crate::clock::CYCLE;
-use crate::motion::{Drives, Engine, Joints, Servo, ServoOptions};
+use crate::motion::{Drives, Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
-use crate::trips::{self, Observed, Trip};
+use crate::trips::Trip;
 use crate::underrun::Underrun;
 use crate::{Builder, Delays, Habits, State};
 
@@ -165,26 +166,6 @@ impl World {
         }
     }
 
-    /// What has gone wrong with the motion in this cycle.
-    fn error(&mut self) -> Option<u32> {
-        let drives = &self.drives;
-        let observed = Observed {
-            deviation: drives.deviation(),
-            speed: drives.speed(),
-            speed_deviation: drives.speed_deviation(),
-        };
-        let of_servo = self.engine.servo.as_mut().and_then(Servo::take_error);
-        of_servo.or_else(|| trips::of_motion(&self.trips, &observed))
-    }
-
-    /// Stops with an error, as the drives do.
-    fn trip(&mut self, code: u32) {
-        events::report(&mut self.state, code);
-        self.state.servo_mode = false;
-        self.halt();
-        self.make_consistent();
-    }
-
     /// Stands still at once, and gives up all that moves the arm.
     fn halt(&mut self) {
         self.engine.halt();
@@ -244,13 +225,6 @@ impl World {
             self.engine.servo = Some(self.servo());
         }
         self.update();
-    }
-
-    /// Servo mode, with the filter that is set.
-    fn servo(&self) -> Servo {
-        let filter = &self.state.servo_filter;
-        let options = ServoOptions { filter, tool: self.tool(), underrun: self.underrun, trips: &self.trips };
-        Servo::new(self.drives.commanded(), options, &self.model)
     }
 
     /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.

@@ -19,3 +19,4 @@ mod status;
 mod status_faults;
 mod stops;
 mod stream;
+mod time_scale;

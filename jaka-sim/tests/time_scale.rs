@@ -1,0 +1,40 @@
+//! Time that passes faster than real time.
+
+use std::io::ErrorKind;
+use std::time::{Duration, Instant};
+
+use crate::common::{LIMIT, Peer, assert_accepted, document};
+use jaka_sim::{Delays, Habit};
+
+/// Longer than the peers wait.
+const LONG: Duration = Duration::from_secs(1000);
+
+#[test]
+fn delays_motions_and_packets_pass_as_fast_as_the_time() {
+    let mut delays = Delays::NONE;
+    delays.power_on = LONG;
+    let builder = document().delays(delays).habits(Habit::LatePower).status_period(LONG).time_scale(1000.0);
+    let controller = builder.start().expect("loopback has ports");
+    let mut reader = Peer::status(&controller);
+    let mut peer = Peer::commands(&controller);
+    // All of this within the time limits of the peers, of 10 s.
+    assert_accepted(&peer.call("power_on"), "power_on");
+    assert!(controller.elapsed() >= LONG && controller.state().powered);
+    reader.receive();
+    reader.receive();
+    controller.set_state(|state| state.enabled = true);
+    let turn = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[100,0,0,0,0,0],"speed":1,"accel":1}"#;
+    let start = Instant::now();
+    assert_accepted(&peer.ask(turn), "joint_move");
+    assert_eq!(peer.call("wait_complete")["errorCode"], "0");
+    assert!((controller.state().joint_position.0[0] - 100.0).abs() < 1e-9);
+    assert!(start.elapsed() < LIMIT, "100 s have passed");
+}
+
+#[test]
+fn a_scale_that_is_none_is_an_error() {
+    for scale in [0.0, -1.0, 1001.0, f64::NAN, f64::INFINITY] {
+        let error = document().time_scale(scale).start().expect_err("there is no such scale");
+        assert_eq!(error.kind(), ErrorKind::InvalidInput, "{error}");
+    }
+}
