@@ -11,8 +11,9 @@ use crate::common::{failure, jaka, output};
 
 #[test]
 fn a_simulated_controller_serves_other_programs() {
-    let mut sim =
-        jaka(&["sim", "--commands", "0", "--status", "0", "--model", "zu3"]).stdout(Stdio::piped()).spawn().unwrap();
+    let arm = ["--lag", "16", "--trips", "deviation 1.5, command-acceleration 2000", "--underrun", "run-out 300"];
+    let options = [&["sim", "--commands", "0", "--status", "0", "--model", "zu3"], &arm[..]].concat();
+    let mut sim = jaka(&options).stdout(Stdio::piped()).spawn().unwrap();
     let mut line = String::new();
     BufReader::new(sim.stdout.take().unwrap()).read_line(&mut line).unwrap();
     let port = line.trim_end().rsplit(':').next().unwrap();
@@ -36,6 +37,16 @@ fn what_the_simulated_controller_does_not_know_is_named() {
         For more information, try '--help'.
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--faults", "drip"])));
+    expect![[r#"
+        jaka: invalid value ' sped 3' for '--trips <LIST>': `sped 3` is not a trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, `command-speed 1`, `command-acceleration 1`
+
+        For more information, try '--help'.
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--trips", "deviation 1, sped 3"])));
+    expect![[r#"
+        jaka: invalid value 'stop' for '--underrun <TEXT>': `stop` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`
+
+        For more information, try '--help'.
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--underrun", "stop"])));
     expect![[r#"
         jaka: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--model", "zu99"])));

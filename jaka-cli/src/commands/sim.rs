@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use clap::Args;
-use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model};
+use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Trip, Underrun};
 
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
@@ -43,6 +43,18 @@ pub(crate) struct Sim {
     /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the firmware's]
     #[arg(long, value_name = "LIST")]
     habits: Option<Habits>,
+    /// Milliseconds by which the arm lags behind its commanded positions
+    #[arg(long, value_name = "MS", default_value_t)]
+    lag: u64,
+    /// Thresholds at which the drives stop the arm with an error, such as `deviation 1.5, command-acceleration 2000`, in deg, deg/s and deg/s²
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    trips: Vec<Trip>,
+    /// What the arm does when set-points stop while it has speed: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
+    #[arg(long, value_name = "TEXT", default_value_t)]
+    underrun: Underrun,
+    /// How many times as fast as real time the controller's time passes: motions, delays and status packets
+    #[arg(long, value_name = "NUMBER", default_value_t = 1.0)]
+    time_scale: f64,
     /// Switch power and enable at once, instead of after some seconds
     #[arg(long)]
     fast: bool,
@@ -78,6 +90,9 @@ impl Sim {
         if let Some(ms) = self.period {
             builder = builder.status_period(Duration::from_millis(ms));
         }
+        builder = builder.time_scale(self.time_scale);
+        builder =
+            builder.lag(Duration::from_millis(self.lag)).trips(self.trips.iter().copied()).underrun(self.underrun);
         builder = self.programs.iter().fold(builder, Builder::programs_from);
         if let Some(plan) = &self.faults {
             builder = builder.faults(plan.clone());
