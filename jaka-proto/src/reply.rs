@@ -68,15 +68,21 @@ pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Resul
 fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
     let mut reader = Reader::capturing(text, take_envelope);
     let payload = R::read_fields(&mut reader).ok()?;
+    let envelope = accepted_envelope(&mut reader)?;
+    Some(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) })
+}
+
+/// The envelope of a reply that was read to its end, if it accepts the command.
+// Not generic, or each type of a reply would compile a copy.
+fn accepted_envelope<'a>(reader: &mut Reader<'a>) -> Option<Envelope<'a>> {
     reader.end().ok()?;
     let [code, message, command] = reader.captured();
     let is_accepted = code.is_some_and(|raw| raw == SUCCESS || self::code(raw).is_ok_and(ErrorCode::is_success));
-    let envelope = is_accepted.then(|| Envelope {
+    is_accepted.then(|| Envelope {
         command: command.map(|command| command.trim().into()),
         code: Ok(ErrorCode(0)),
         message: message.unwrap_or_default().into(),
-    })?;
-    Some(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) })
+    })
 }
 
 /// The code of nearly all replies.

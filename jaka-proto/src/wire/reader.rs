@@ -387,9 +387,14 @@ impl<'a> Reader<'a> {
 pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
     let mut reader = Reader::tolerant(text);
     let message = T::read_fields(&mut reader)?;
+    finish(reader).map(|()| message)
+}
+
+// Not generic, or each type of a message would compile a copy.
+fn finish(mut reader: Reader<'_>) -> Result<(), DecodeError> {
     reader.end()?;
     // Otherwise nothing would report what is left out of a reply that has the keys of a status packet.
-    reader.left_out.into_iter().next().map_or(Ok(message), Err)
+    reader.left_out.into_iter().next().map_or(Ok(()), Err)
 }
 
 /// The text without the blanks around it.
