@@ -11,7 +11,9 @@ pub mod shapes {
     #[non_exhaustive]
     pub struct Stop {}
     impl wire::Fields for Stop {
+        #[inline]
         fn write_fields(&self, _out: &mut wire::Writer) {}
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -28,6 +30,7 @@ pub mod shapes {
     }
     impl check::Validate for Stop {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -82,6 +85,7 @@ pub mod shapes {
         pub tolerance: Option<f64>,
     }
     impl wire::Fields for MoveTo {
+        #[inline]
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"relFlag\":");
             wire::Encode::encode(&self.mode, out);
@@ -102,6 +106,7 @@ pub mod shapes {
                 wire::Encode::encode(value, out);
             }
         }
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -200,6 +205,7 @@ pub mod shapes {
     }
     impl check::Validate for MoveTo {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -303,10 +309,12 @@ pub mod shapes {
         pub name: String,
     }
     impl wire::Fields for SetName {
+        #[inline]
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"name\":");
             wire::Encode::encode(&self.name, out);
         }
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -333,6 +341,7 @@ pub mod shapes {
     }
     impl check::Validate for SetName {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -376,6 +385,7 @@ pub mod shapes {
         },
     }
     impl wire::Fields for SetFilter {
+        #[inline]
         fn write_fields(&self, out: &mut wire::Writer) {
             match self {
                 Self::Off {} => {
@@ -388,6 +398,7 @@ pub mod shapes {
                 }
             }
         }
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -444,6 +455,7 @@ pub mod shapes {
     }
     impl check::Validate for SetFilter {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -482,7 +494,9 @@ pub mod shapes {
     #[non_exhaustive]
     pub struct GetState {}
     impl wire::Fields for GetState {
+        #[inline]
         fn write_fields(&self, _out: &mut wire::Writer) {}
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -499,6 +513,7 @@ pub mod shapes {
     }
     impl check::Validate for GetState {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -533,6 +548,7 @@ pub mod shapes {
         pub inputs: Vec<bool>,
     }
     impl wire::Fields for GetStateReply {
+        #[inline]
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"enabled status\":");
             out.choose(*&self.enabled, "\"off\"", "\"on\"");
@@ -555,6 +571,7 @@ pub mod shapes {
                 },
             );
         }
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -597,7 +614,9 @@ pub mod shapes {
     #[non_exhaustive]
     pub struct GetData {}
     impl wire::Fields for GetData {
+        #[inline]
         fn write_fields(&self, _out: &mut wire::Writer) {}
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -614,6 +633,7 @@ pub mod shapes {
     }
     impl check::Validate for GetData {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -638,7 +658,9 @@ pub mod shapes {
     #[non_exhaustive]
     pub struct GetModules {}
     impl wire::Fields for GetModules {
+        #[inline]
         fn write_fields(&self, _out: &mut wire::Writer) {}
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -655,6 +677,7 @@ pub mod shapes {
     }
     impl check::Validate for GetModules {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -681,12 +704,14 @@ pub mod shapes {
         pub modules: Vec<Module>,
     }
     impl wire::Fields for GetModulesReply {
+        #[inline]
         fn write_fields(&self, out: &mut wire::Writer) {
             out.key("\"modules\":");
             out.python(|out| {
                 wire::Encode::encode(&self.modules, out);
             });
         }
+        #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
@@ -736,6 +761,7 @@ pub mod shapes {
     }
     /// The value in words; one that the spec does not list as its number.
     impl ::core::fmt::Display for Mode {
+        #[inline]
         fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
             match self {
                 Self::Absolute => f.pad("absolute"),
@@ -747,6 +773,7 @@ pub mod shapes {
     proto::__int_enum_impls!(Mode);
     impl check::Validate for Mode {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -791,6 +818,7 @@ pub mod shapes {
     }
     /// The value as on the wire.
     impl ::core::fmt::Display for State {
+        #[inline]
         fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
             f.pad(self.as_ref())
         }
@@ -798,6 +826,7 @@ pub mod shapes {
     proto::__text_enum_impls!(State);
     impl check::Validate for State {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -824,6 +853,7 @@ pub mod shapes {
         }
     }
     impl wire::Encode for Joints {
+        #[inline]
         fn encode(&self, out: &mut wire::Writer) {
             wire::Encode::encode(&self.0, out);
         }
@@ -836,6 +866,7 @@ pub mod shapes {
     proto::__serde_impls!(Joints);
     impl check::Validate for Joints {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -857,6 +888,7 @@ pub mod shapes {
         pub y: f64,
     }
     impl wire::Encode for Point {
+        #[inline]
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
             wire::Encode::encode(&self.x, out);
@@ -889,6 +921,7 @@ pub mod shapes {
     }
     impl check::Validate for Point {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -917,6 +950,7 @@ pub mod shapes {
         pub label: Option<String>,
     }
     impl wire::Encode for Module {
+        #[inline]
         fn encode(&self, out: &mut wire::Writer) {
             out.raw("[");
             wire::Encode::encode(&self.setup, out);
@@ -950,6 +984,7 @@ pub mod shapes {
     proto::__serde_impls!(Module);
     impl check::Validate for Module {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -980,6 +1015,7 @@ pub mod shapes {
         Other(wire::Value),
     }
     impl wire::Encode for Setup {
+        #[inline]
         fn encode(&self, out: &mut wire::Writer) {
             match self {
                 Self::Serial { baud_rate } => {
@@ -1045,6 +1081,7 @@ pub mod shapes {
     proto::__serde_impls!(Setup);
     impl check::Validate for Setup {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -1073,6 +1110,7 @@ pub mod shapes {
         pub event: Option<String>,
     }
     impl wire::Fields for RobotStatus {
+        #[inline]
         fn write_fields(&self, out: &mut wire::Writer) {
             if let Some(value) = &self.point {
                 out.key("\"point\":");
@@ -1110,6 +1148,7 @@ pub mod shapes {
     proto::__object_impls!(RobotStatus, in_place);
     impl check::Validate for RobotStatus {
         #[allow(unused_variables)]
+        #[inline]
         fn validate(
             &self,
             place: &check::Place<'_>,
@@ -1231,6 +1270,7 @@ impl Request {
         }
     }
     /// Reads the request `name` from its JSON; `None` if the spec has no such command.
+    #[inline]
     pub(crate) fn read_named(
         name: &str,
         reader: &mut ::jaka_proto::wire::Reader<'_>,
@@ -1358,6 +1398,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
+    #[inline]
     pub fn stop(&mut self) -> Result<(), Error> {
         self.call(&self::shapes::Stop::new())
     }
@@ -1380,6 +1421,7 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     #[doc(alias = "moveTo")]
+    #[inline]
     pub fn move_to(&mut self, request: &self::shapes::MoveTo) -> Result<(), Error> {
         self.call(request)
     }
@@ -1389,6 +1431,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
+    #[inline]
     pub fn set_name(&mut self, name: impl Into<String>) -> Result<(), Error> {
         self.call(&self::shapes::SetName::new(name))
     }
@@ -1398,6 +1441,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
+    #[inline]
     pub fn set_filter(
         &mut self,
         request: &self::shapes::SetFilter,
@@ -1410,6 +1454,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
+    #[inline]
     pub fn get_state(&mut self) -> Result<self::shapes::GetStateReply, Error> {
         self.call(&self::shapes::GetState::new())
     }
@@ -1419,6 +1464,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
+    #[inline]
     pub fn get_data(&mut self) -> Result<self::shapes::RobotStatus, Error> {
         self.call(&self::shapes::GetData::new())
     }
@@ -1428,6 +1474,7 @@ impl Client {
     ///
     /// # Errors
     /// As [`call`](Self::call).
+    #[inline]
     pub fn get_modules(&mut self) -> Result<self::shapes::GetModulesReply, Error> {
         self.call(&self::shapes::GetModules::new())
     }

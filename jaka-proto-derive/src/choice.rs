@@ -49,6 +49,7 @@ pub(crate) fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: 
         }
 
         impl wire::Encode for #name {
+            #[inline]
             fn encode(&self, out: &mut wire::Writer) {
                 match self {
                     #(#write)*
@@ -102,10 +103,12 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice:
         pub enum #name { #variants }
 
         impl wire::Fields for #name {
+            #[inline]
             fn write_fields(&self, out: &mut wire::Writer) {
                 match self { #(#write)* }
             }
 
+            #[inline]
             fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 match reader.tag(#tag_key, #tag_key)? {
                     #(#read)*

@@ -50,6 +50,7 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
             quote! {
                 #docs
                 #head
+                #[inline]
                 pub fn #name(&mut self #parameter) -> Result<#reply, Error> {
                     self.call(#argument)
                 }

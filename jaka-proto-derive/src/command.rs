@@ -50,8 +50,10 @@ fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
         pub struct #name {}
 
         impl wire::Fields for #name {
+            #[inline]
             fn write_fields(&self, _out: &mut wire::Writer) {}
 
+            #[inline]
             fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 reader.skip().map(|()| Self {})
             }

@@ -43,6 +43,7 @@ pub(crate) fn int(place: Docs<'_>, name: &Ident, docs: &TokenStream, values: &[E
 
         /// The value in words; one that the spec does not list as its number.
         impl ::core::fmt::Display for #name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 match self {
                     #(Self::#names => f.pad(#phrases),)*
@@ -90,6 +91,7 @@ pub(crate) fn text(place: Docs<'_>, name: &Ident, docs: &TokenStream, values: &[
 
         /// The value as on the wire.
         impl ::core::fmt::Display for #name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 f.pad(self.as_ref())
             }

@@ -83,6 +83,7 @@ doc = "Whether it is quiet."
     expect![[r#"
         impl check::Validate for SetFan {
             #[allow(unused_variables)]
+            #[inline]
             fn validate(
                 &self,
                 place: &check::Place<'_>,
@@ -116,6 +117,7 @@ doc = "Whether it is quiet."
         }
         impl check::Validate for FanCurve {
             #[allow(unused_variables)]
+            #[inline]
             fn validate(
                 &self,
                 place: &check::Place<'_>,

@@ -37,6 +37,7 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
             }
 
             /// Reads the request `name` from its JSON; `None` if the spec has no such command.
+            #[inline]
             pub(crate) fn read_named(
                 name: &str,
                 reader: &mut ::jaka_proto::wire::Reader<'_>,

@@ -49,16 +49,10 @@ fn derives(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
     quote!(#[derive(Debug, Clone, #copy PartialEq, #default)])
 }
 
-/// A struct whose fields stand in a JSON object, and its codec.
+/// A request or reply: a struct whose fields stand in a JSON object, and its codec.
 pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
-    object_with(
-        scope,
-        name,
-        docs,
-        fields,
-        &read_fields(fields, Manner::Strict),
-        &quote!(proto::__object_impls!(#name);),
-    )
+    let read = read_fields(fields, Manner::Strict);
+    object_with(scope, name, docs, fields, &quote!(#[inline] #read), &quote!(proto::__object_impls!(#name);))
 }
 
 /// The same for a named type. It is read in place too if that is possible and some of its fields own memory, to use that again.
@@ -116,6 +110,7 @@ fn object_with(
         pub struct #name { #declared }
 
         impl wire::Fields for #name {
+            #[inline]
             fn write_fields(&self, out: &mut wire::Writer) { #write }
 
             #read
@@ -144,6 +139,7 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
         pub struct #name { #declared }
 
         impl wire::Encode for #name {
+            #[inline]
             fn encode(&self, out: &mut wire::Writer) {
                 out.raw("[");
                 #write
@@ -209,6 +205,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
         }
 
         impl wire::Encode for #name {
+            #[inline]
             fn encode(&self, out: &mut wire::Writer) { #write }
         }
 

@@ -46,6 +46,7 @@ fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
     quote! {
         impl check::Validate for #name {
             #[allow(unused_variables)]
+            #[inline]
             fn validate(
                 &self,
                 place: &check::Place<'_>,

@@ -12,6 +12,7 @@ impl Request {
     ///
     /// # Errors
     /// The text is not a JSON object, names no command or one that the spec does not know, or a field does not fit.
+    #[inline]
     pub fn read(json: &str) -> Result<Self, RequestError> {
         let name = name(json).map_err(RequestError::Malformed)?.ok_or(RequestError::Nameless)?;
         let Some(request) = Self::read_named(&name, &mut Reader::new(json)) else {
@@ -29,6 +30,7 @@ impl Request {
     }
 
     /// What the spec says about the command.
+    #[inline]
     pub fn info(&self) -> &'static CommandInfo {
         struct Info;
         impl Visit for Info {
@@ -42,6 +44,7 @@ impl Request {
     }
 
     /// Writes the request as it goes over the wire.
+    #[inline]
     pub fn write(&self, out: &mut Writer) {
         struct Write<'w>(&'w mut Writer);
         impl Visit for Write<'_> {
@@ -58,6 +61,7 @@ impl Request {
     ///
     /// # Errors
     /// As [`Command::check`].
+    #[inline]
     pub fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
         struct Check(Rules);
         impl Visit for Check {

@@ -5,7 +5,7 @@ use quote::ToTokens;
 use syn::{Attribute, Fields, File, ImplItem, Item, ItemImpl, TraitItem, Visibility, parse_quote};
 
 /// The public items, with empty bodies. Left out: what is hidden, the codec, the checks of requests, which reply is whose (the
-/// methods tell), aliases (the docs tell), and `#[must_use]`, which all constructors and setters have.
+/// methods tell), aliases (the docs tell), `#[inline]`, and `#[must_use]`, which all constructors and setters have.
 pub(super) fn interface(tokens: TokenStream) -> String {
     interface_without(tokens, "", &[])
 }
@@ -45,7 +45,7 @@ fn parsed(tokens: TokenStream) -> File {
 fn printed(file: &File) -> String {
     let text = prettyplease::unparse(file);
     let lines = text.split_inclusive('\n');
-    let is_left_out = |line: &str| line.starts_with("#[doc(alias = ") || line == "#[must_use]";
+    let is_left_out = |line: &str| line.starts_with("#[doc(alias = ") || matches!(line, "#[must_use]" | "#[inline]");
     lines.filter(|line| !is_left_out(line.trim())).collect()
 }
 

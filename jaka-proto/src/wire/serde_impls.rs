@@ -65,6 +65,7 @@ macro_rules! __object_impls {
     };
     (@impls $type:ident { $($in_place:tt)* }) => {
         impl $crate::wire::Encode for $type {
+            #[inline]
             fn encode(&self, out: &mut $crate::wire::Writer) {
                 out.raw("{");
                 $crate::wire::Fields::write_fields(self, out);
@@ -73,6 +74,7 @@ macro_rules! __object_impls {
         }
 
         impl $crate::wire::Decode for $type {
+            #[inline]
             fn decode(
                 reader: &mut $crate::wire::Reader<'_>,
             ) -> ::core::result::Result<Self, $crate::wire::DecodeError> {
@@ -99,6 +101,7 @@ macro_rules! __int_enum_impls {
         }
 
         impl $crate::wire::Decode for $type {
+            #[inline]
             fn decode(
                 reader: &mut $crate::wire::Reader<'_>,
             ) -> ::core::result::Result<Self, $crate::wire::DecodeError> {
@@ -116,12 +119,14 @@ macro_rules! __int_enum_impls {
 macro_rules! __text_enum_impls {
     ($type:ident) => {
         impl $crate::wire::Encode for $type {
+            #[inline]
             fn encode(&self, out: &mut $crate::wire::Writer) {
                 out.text(self.as_ref());
             }
         }
 
         impl $crate::wire::Decode for $type {
+            #[inline]
             fn decode(
                 reader: &mut $crate::wire::Reader<'_>,
             ) -> ::core::result::Result<Self, $crate::wire::DecodeError> {
