@@ -152,10 +152,10 @@ impl Builder {
         self
     }
 
-    /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: once as fast if not set.
+    /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: 1 if not set.
     ///
     /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps real time: the
-    /// times of faults, replays, and clients with their timeouts and servo periods. The controller does not start with any other number.
+    /// times of faults, replays, and clients with their timeouts and servo periods. With any other number the controller does not start.
     ///
     /// A stepped clock is not affected.
     #[must_use]

@@ -208,7 +208,7 @@ impl Builder {
     ///
     /// # Errors
     /// A port cannot be opened, a thread cannot be started, a program or a pack cannot be read, or the
-    /// [`time_scale`](Self::time_scale) is none.
+    /// [`time_scale`](Self::time_scale) is out of range.
     pub fn start(self) -> io::Result<Controller> {
         let shared = Arc::new(Shared::new(self)?);
         // If the second thread cannot be started, dropping this ends the first.

@@ -32,9 +32,9 @@ fn delays_motions_and_packets_pass_as_fast_as_the_time() {
 }
 
 #[test]
-fn a_scale_that_is_none_is_an_error() {
+fn a_scale_out_of_range_is_an_error() {
     for scale in [0.0, -1.0, 1001.0, f64::NAN, f64::INFINITY] {
-        let error = document().time_scale(scale).start().expect_err("there is no such scale");
+        let error = document().time_scale(scale).start().expect_err("it is out of range");
         assert_eq!(error.kind(), ErrorKind::InvalidInput, "{error}");
     }
 }

@@ -43,7 +43,7 @@ pub(crate) struct Servo {
     /// Where the joints are commanded to be.
     commanded: Joints,
     underrun: Underrun,
-    /// For how long no set-point has been there while there was speed.
+    /// For how long set-points have been missing while there was speed.
     dry: Duration,
     trips: Vec<Trip>,
     /// When the last set-point came.

@@ -14,7 +14,7 @@ use super::{Reference, Space};
 use crate::clock::CYCLE;
 use crate::motion::Joints;
 
-/// What fewer buffered points than this do is fail (vendor's texts).
+/// Fewer buffered points than this fail (vendor's texts).
 const FEWEST_POINTS: i64 = 3;
 
 /// The widest window, which is 8 s.
