@@ -28,7 +28,7 @@ pub(crate) enum Command {
     Call(call::Call),
     Check(check::Check),
     Probe(probe::Probe),
-    Sim(sim::Sim),
+    Sim(Box<sim::Sim>),
     Record(record::Record),
     Replay(replay::Replay),
     Spec(spec::Spec),
