@@ -71,6 +71,8 @@ pub struct Generator {
     limits: [JointLimits; 6],
     period_s: f64,
     state: [JointState; 6],
+    /// That of the set-point before.
+    before: [JointState; 6],
     goal: Goal,
     plan: Plan,
     rejections: u64,
@@ -105,6 +107,7 @@ impl Generator {
             limits: dynamics.joint_limits(period_s),
             period_s,
             state: start.0.map(JointState::at_rest),
+            before: start.0.map(JointState::at_rest),
             goal: Goal::Rest,
             plan: Plan::new(),
             rejections: 0,
@@ -153,6 +156,12 @@ impl Generator {
     /// No set-point has come when one was due: what comes next starts from standstill at the last one.
     pub fn paused(&mut self) {
         self.state = self.state.map(|state| JointState::at_rest(state.position));
+        self.plan.drop_way();
+    }
+
+    /// The last set-point was not sent: what comes next follows the one before. Once after each [`next`](Self::next).
+    pub fn take_back(&mut self) {
+        self.state = self.before;
         self.plan.drop_way();
     }
 
@@ -236,7 +245,7 @@ impl Generator {
     }
 
     fn take(&mut self, next: [JointState; 6], bound: Option<Bound>) -> Step {
-        self.state = next;
+        self.before = std::mem::replace(&mut self.state, next);
         Step { joints: self.joints(), bound }
     }
 

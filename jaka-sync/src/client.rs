@@ -41,6 +41,8 @@ pub struct Client {
     /// The firmware that requests are checked against, if any.
     firmware: Option<FirmwareVersion>,
     reply: String,
+    /// True for the client that was connected, which closes the connection when it is dropped.
+    owns_link: bool,
 }
 
 impl Client {
@@ -55,7 +57,19 @@ impl Client {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = connection::connect(address, Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
-        Ok(Self { link, config: config.clone(), firmware: None, reply: String::new() })
+        Ok(Self { link, config: config.clone(), firmware: None, reply: String::new(), owns_link: true })
+    }
+
+    /// Another client of the same connection, for a thread that this one outlives.
+    #[cfg(feature = "stream")]
+    pub(crate) fn lent(&self) -> Self {
+        Self {
+            link: Arc::clone(&self.link),
+            config: self.config.clone(),
+            firmware: self.firmware,
+            reply: String::new(),
+            owns_link: false,
+        }
     }
 
     /// Sends a command and waits for its reply.
@@ -280,7 +294,9 @@ impl Client {
 /// Closes the connection, so that another client can be served. Stop handles then fail, and say why.
 impl Drop for Client {
     fn drop(&mut self) {
-        self.link.close();
+        if self.owns_link {
+            self.link.close();
+        }
     }
 }
 

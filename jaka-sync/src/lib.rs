@@ -20,6 +20,8 @@ mod servo_session;
 mod status_stream;
 mod status_subset;
 mod stop;
+#[cfg(feature = "stream")]
+mod stream;
 mod sync;
 
 pub use call::Call;
@@ -57,6 +59,8 @@ pub use robot::{LimitPolicy, Unchecked};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
+#[cfg(feature = "stream")]
+pub use stream::{Stream, StreamConfig, StreamHandle};
 
 /// The port on which a controller takes commands.
 pub const COMMAND_PORT: u16 = 10001;

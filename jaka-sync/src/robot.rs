@@ -281,6 +281,24 @@ impl<S: MotionStatus> Robot<S> {
         ServoSession::enter(self, config)
     }
 
+    /// The same robot for another thread, which this one outlives: on the same connections, with what keeps motions back.
+    #[cfg(feature = "stream")]
+    pub(crate) fn lent(&mut self) -> Self {
+        Self {
+            client: self.client.lent(),
+            latch: self.latch.clone(),
+            monitor: Arc::clone(&self.monitor),
+            grace: self.grace,
+            silence: self.silence,
+            moves_without_status: self.moves_without_status,
+            batch: self.batch.clone(),
+            checks: self.checks.lent(),
+            frame_changes: self.frame_changes,
+            query: self.query.take(),
+            rests: std::mem::take(&mut self.rests),
+        }
+    }
+
     /// True if motions were accepted that have not been waited for.
     pub(crate) fn has_motions(&self) -> bool {
         self.batch.is_some()

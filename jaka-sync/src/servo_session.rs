@@ -2,6 +2,8 @@
 
 mod course;
 mod enter;
+#[cfg(feature = "stream")]
+mod generated;
 mod land;
 mod leave;
 mod pace;
@@ -15,9 +17,13 @@ use std::time::Duration;
 
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
+#[cfg(feature = "stream")]
+pub(crate) use self::generated::Cycle;
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;
+#[cfg(feature = "stream")]
+pub(crate) use self::set_point::SetPoint;
 
 /// How a [`ServoSession`] runs.
 #[derive(Debug, Clone, PartialEq)]

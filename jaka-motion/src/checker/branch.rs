@@ -9,10 +9,13 @@ use crate::model::Singularity;
 use crate::transform::Transform;
 
 impl Checker {
-    /// The joint positions for a pose that are nearest to others and on the same sides of the singularities.
-    pub(crate) fn place_on_branch(&self, near: &[f64; 6], pose: Pose) -> Result<JointPosition, Beyond> {
-        self.all_finite(&[], &[pose])
-            .and_then(|()| self.on_branch(near, pose))
+    /// The joint positions that bring the tool to a pose, nearest to others and on the same sides of the singularities as these.
+    ///
+    /// # Errors
+    /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's range or a region.
+    pub fn joints_on_branch(&self, near: JointPosition, pose: Pose) -> Result<JointPosition, Beyond> {
+        self.all_finite(&[near], &[pose])
+            .and_then(|()| self.on_branch(&near.0, pose))
             .and_then(|joints| self.place(&joints).map(|()| JointPosition(joints)))
             .map_err(|exceeded| self.beyond_of(Way::Place, exceeded))
     }

@@ -11,6 +11,6 @@ impl Generator {
     /// # Errors
     /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's range or a region.
     pub fn joints_for(&self, pose: Pose) -> Result<JointPosition, Beyond> {
-        self.checker.place_on_branch(&self.joints().0, pose)
+        self.checker.joints_on_branch(self.joints(), pose)
     }
 }

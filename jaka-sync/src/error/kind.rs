@@ -126,6 +126,28 @@ pub enum ErrorKind {
         /// How far they differ.
         source: jaka_motion::FitError,
     },
+    /// A joint does not follow the set-points of a stream, which has landed. Find out what holds it. Needs the feature `stream`.
+    #[cfg(feature = "stream")]
+    Departed {
+        /// The joint, 1 to 6.
+        joint: usize,
+        /// Where a packet shows it, in degrees.
+        at_deg: f64,
+        /// How far that is from all its set-points of the last half second, in degrees.
+        off_deg: f64,
+    },
+    /// A set-point of a stream was due too long ago: the machine was too busy for it. The stream has ended. Needs the feature `stream`.
+    #[cfg(feature = "stream")]
+    SetPointLate {
+        /// How long ago.
+        late: Duration,
+    },
+    /// The system has no thread for a stream. Nothing was sent. Needs the feature `stream`.
+    #[cfg(feature = "stream")]
+    Thread {
+        /// Why not, in the system's words.
+        source: io::Error,
+    },
     /// Too many set-points of a servo session have no reply. The session has ended.
     SetPointsUnanswered {
         /// How many.
@@ -210,6 +232,8 @@ impl ErrorKind {
             | Self::UnexpectedStatus { .. } => Group::Other,
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } | Self::SetPointLate { .. } | Self::Thread { .. } => Group::Other,
         }
     }
 
@@ -237,6 +261,8 @@ impl ErrorKind {
             | Self::UnexpectedStatus { .. } => false,
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => false,
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } | Self::SetPointLate { .. } | Self::Thread { .. } => false,
         }
     }
 
@@ -254,6 +280,10 @@ impl ErrorKind {
             Self::ModelMismatch { source } => Some(source),
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } => None,
+            #[cfg(feature = "stream")]
+            Self::Thread { source } => Some(source),
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } | Self::SetPointLate { .. } => None,
             Self::InvalidArgument(_)
             | Self::NotInFirmware(_)
             | Self::PortInAddress { .. }
@@ -329,6 +359,17 @@ impl fmt::Display for ErrorKind {
             }
             Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
+            #[cfg(feature = "stream")]
+            Self::Departed { joint, at_deg, off_deg } => write!(
+                f,
+                "joint {joint} does not follow its set-points: it is at {at_deg:.2} deg, {off_deg:.2} deg from all of the last half second"
+            ),
+            #[cfg(feature = "stream")]
+            Self::SetPointLate { late } => {
+                write!(f, "a set-point is {late:.1?} late: the machine was too busy to send it in time")
+            }
+            #[cfg(feature = "stream")]
+            Self::Thread { .. } => f.write_str("the system has no thread for the stream"),
             #[cfg(feature = "motion")]
             Self::BeyondLimit { command, beyond } => write!(f, "`{command}` was not sent: {beyond}"),
             #[cfg(feature = "motion")]

@@ -50,6 +50,17 @@ struct Limited {
 const AGREES: Tolerance = Tolerance { position_mm: 1.0, angle_deg: 0.1 };
 
 impl Checks {
+    /// The same for another thread.
+    #[cfg(feature = "stream")]
+    pub(super) fn lent(&self) -> Self {
+        let lent = |limited: &Limited| {
+            let checker = limited.checker.clone();
+            let (planned, warning) = (None, None);
+            Box::new(Limited { checker, planned, warning, ..*limited })
+        };
+        Self(self.0.as_deref().map(lent))
+    }
+
     /// Where the arm is when it has done the last motion is no longer known.
     pub(super) fn forget_plan(&mut self) {
         if let Some(limited) = &mut self.0 {

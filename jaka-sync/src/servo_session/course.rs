@@ -6,7 +6,7 @@ use super::set_point::{SetPoint, Step};
 
 /// The last set-points, in joints and in poses, as far as they are known.
 #[derive(Debug, Clone)]
-pub(super) struct Course {
+pub(crate) struct Course {
     joints: LastTwo<JointPosition>,
     poses: LastTwo<Pose>,
     /// The last one; none while nothing was sent.

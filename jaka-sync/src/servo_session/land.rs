@@ -6,6 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 
 use super::ServoSession;
+use super::course::Course;
 use super::set_point::SetPoint;
 use crate::robot::Rest;
 use crate::{Error, ErrorKind, MotionStatus, Outcome};
@@ -14,26 +15,34 @@ use crate::{Error, ErrorKind, MotionStatus, Outcome};
 /// by then.
 const BLIND: Duration = Duration::from_millis(200);
 
+/// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
+pub(crate) type Braking<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
+
 impl<S: MotionStatus> ServoSession<'_, S> {
-    /// Brakes the arm from where the last set-points have led it, and holds it until the status shows it at rest.
+    /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at rest.
     ///
     /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
-        let came = if self.course.has_begun() { self.brake().and_then(|()| self.hold()) } else { Ok(()) };
+        let step = self.course.step();
+        let count = step.map_or(0, |step| self.config.rates.periods_to_brake(&step, self.config.period()));
+        let mut factors = (1..count).rev().map(|left| f64::from(left) / f64::from(count));
+        self.come_to_rest_by(&mut |course| course.after(&step?.scaled(factors.next()?)))
+    }
+
+    /// Brakes the arm, and holds it until the status shows it at rest.
+    pub(super) fn come_to_rest_by(&mut self, braking: Braking<'_>) -> Result<(), Error> {
+        let came = if self.course.has_begun() { self.brake(braking).and_then(|()| self.hold()) } else { Ok(()) };
         self.robot.expect_set_point(None);
         came
     }
 
-    /// Straight on, by a step that becomes smaller evenly. Where the last set-point is so long ago that the arm has none, it stands.
-    fn brake(&mut self) -> Result<(), Error> {
+    /// Where the last set-point is so long ago that the arm has none, it stands.
+    fn brake(&mut self, braking: Braking<'_>) -> Result<(), Error> {
         if self.pace.late() >= self.config.gap() {
             self.course.paused();
+            return Ok(());
         }
-        let Some(step) = self.course.step() else { return Ok(()) };
-        let count = self.config.rates.periods_to_brake(&step, self.config.period());
-        for left in (1..count).rev() {
-            let factor = f64::from(left) / f64::from(count);
-            let Some(next) = self.course.after(&step.scaled(factor)) else { return Ok(()) };
+        while let Some(next) = braking(&self.course) {
             let gate = self.robot.braking_gate();
             let came_after_gap = self.send_landing(next, &gate)?;
             self.robot.expect_set_point(Some(self.config.gap() * 2));
@@ -118,6 +127,8 @@ pub(super) fn lets_land(error: &Error) -> bool {
         | ErrorKind::StatusUnknown { .. } => true,
         #[cfg(feature = "motion")]
         ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
+        #[cfg(feature = "stream")]
+        ErrorKind::Departed { .. } | ErrorKind::SetPointLate { .. } => true,
         _ => false,
     }
 }

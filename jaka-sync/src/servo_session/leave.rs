@@ -7,6 +7,8 @@ use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 
+#[cfg(feature = "stream")]
+use super::land::Braking;
 use super::land::{lets_land, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
@@ -29,6 +31,17 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
         let landed = self.come_to_rest();
+        self.report_landing(landed)
+    }
+
+    /// The same, braked in another way.
+    #[cfg(feature = "stream")]
+    pub(crate) fn land_by(mut self, braking: Braking<'_>) -> Result<ServoReport, Error> {
+        let landed = self.come_to_rest_by(braking);
+        self.report_landing(landed)
+    }
+
+    fn report_landing(mut self, landed: Result<(), Error>) -> Result<ServoReport, Error> {
         let answers = self.last_answers();
         let left = self.leave();
         let first = answers.err().or(self.refusal.take()).or(landed.err());
@@ -57,6 +70,17 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Ends the session because of an error: by a landing, where set-points are still followed, and servo mode is left.
     pub(super) fn end(&mut self, first: Error) -> Error {
         let landed = if self.is_open && lets_land(&first) { self.come_to_rest() } else { Ok(()) };
+        self.end_landed(first, landed)
+    }
+
+    /// The same, braked in another way.
+    #[cfg(feature = "stream")]
+    pub(crate) fn end_by(&mut self, first: Error, braking: Braking<'_>) -> Error {
+        let landed = if self.is_open && lets_land(&first) { self.come_to_rest_by(braking) } else { Ok(()) };
+        self.end_landed(first, landed)
+    }
+
+    fn end_landed(&mut self, first: Error, landed: Result<(), Error>) -> Error {
         let left = if self.is_open { self.leave() } else { Ok(()) };
         let error = match (landed, left) {
             (Ok(()), Ok(())) => first,

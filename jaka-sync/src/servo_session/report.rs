@@ -13,7 +13,7 @@ pub struct ServoReport {
     pub cycles: u64,
     /// Set-points sent more than half a period late.
     pub late_cycles: u64,
-    /// Set-points that were late by a period or more: the controller had none when one was due.
+    /// How often a set-point was late by three periods or more: the arm is taken to have stood then.
     pub gaps: u64,
     /// Set-points of the landing: those that braked the arm, and those that held it.
     pub landing_cycles: u64,
@@ -32,7 +32,6 @@ impl ServoReport {
     pub(super) fn late(&mut self, late: Duration, period: Duration) {
         self.cycles += 1;
         self.late_cycles += u64::from(late > period / 2);
-        self.gaps += u64::from(late >= period);
         if self.lateness.len() < SAMPLES {
             self.lateness.push(u32::try_from(late.as_micros()).unwrap_or(u32::MAX));
         }

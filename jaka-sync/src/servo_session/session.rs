@@ -153,14 +153,21 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         if let Some(because) = self.ended.clone() {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
-        let late = self.pace.wait();
-        if late >= self.config.gap() {
-            self.course.paused();
-        }
+        let late = self.wait_for_cycle();
         let sent = self.check(&set_point).and_then(|joints| self.send_checked(set_point, joints));
         sent.map_err(|error| self.end(error))?;
         self.report.late(late, self.config.period());
         Ok(())
+    }
+
+    /// Waits for the next cycle, and returns how late it is.
+    pub(super) fn wait_for_cycle(&mut self) -> Duration {
+        let late = self.pace.wait();
+        if late >= self.config.gap() {
+            self.course.paused();
+            self.report.gaps += 1;
+        }
+        late
     }
 
     /// Where the joints are at the set-point, if that is known.
@@ -179,7 +186,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
-    fn send_checked(&mut self, set_point: SetPoint, joints: Option<JointPosition>) -> Result<(), Error> {
+    pub(super) fn send_checked(&mut self, set_point: SetPoint, joints: Option<JointPosition>) -> Result<(), Error> {
         // After the wait: a stop may have come meanwhile.
         self.take_answers(ServoJ::INFO.name)?;
         if let Some(refusal) = self.refusal.take() {

@@ -6,7 +6,7 @@ use super::turn::Turn;
 
 /// A set-point of one of the four kinds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum SetPoint {
+pub(crate) enum SetPoint {
     Joints(JointPosition),
     JointOffset(JointPosition),
     Pose(Pose),
@@ -15,7 +15,7 @@ pub(super) enum SetPoint {
 
 /// How far a set-point is from the one before.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Step {
+pub(crate) enum Step {
     /// In degrees.
     Joints([f64; 6]),
     /// In millimetres, and a turn.

@@ -5,7 +5,7 @@ use jaka_proto::messages::types::Pose;
 
 /// A turn about an axis that is fixed in the reference frame: the axis, as long as the angle in degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Turn([f64; 3]);
+pub(crate) struct Turn([f64; 3]);
 
 impl Turn {
     pub(super) fn of(degrees: [f64; 3]) -> Self {

@@ -18,6 +18,8 @@ pub enum Unchecked {
     Frames,
     /// A motion before it has not been waited for, and a frame was changed since. Wait for its end.
     FramesInQueue,
+    /// The robot has no limits, by which a stream knows the arm: see [`Robot::with_limits`](crate::Robot::with_limits).
+    NoLimits,
 }
 
 impl fmt::Display for Unchecked {
@@ -28,6 +30,9 @@ impl fmt::Display for Unchecked {
             Self::Path => "the request does not say on which way the arm goes",
             Self::Frames => {
                 "the arm's pose does not fit its joint positions: a frame is changing, or the arm moves; try again"
+            }
+            Self::NoLimits => {
+                "the robot has none, and a stream knows the arm by them; give it limits with `Robot::with_limits`"
             }
             Self::FramesInQueue => "a frame was changed after a motion that has not ended; wait for its end first",
         })

@@ -1,0 +1,187 @@
+//! Smooth motions to targets and velocities that any thread gives at any time.
+
+mod cycle;
+mod departure;
+mod handle;
+mod target;
+
+use std::marker::PhantomData;
+use std::sync::Arc;
+use std::sync::mpsc;
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use jaka_motion::{Dynamics, Generator};
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::status::RobotStatus;
+
+pub use self::handle::StreamHandle;
+use self::target::Targets;
+use crate::{Error, ErrorKind, MotionStatus, Robot, ServoConfig, ServoReport};
+
+/// How a [`Stream`] runs.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use = "a configuration does nothing until a stream is begun with it"]
+pub struct StreamConfig {
+    servo: ServoConfig,
+    dynamics: Option<Dynamics>,
+    max_departure_deg: f64,
+    max_gap: Duration,
+}
+
+impl Default for StreamConfig {
+    fn default() -> Self {
+        Self { servo: ServoConfig::new(), dynamics: None, max_departure_deg: 5.0, max_gap: Duration::from_millis(100) }
+    }
+}
+
+impl StreamConfig {
+    /// The defaults: a set-point each 8 ms, and the speeds and accelerations of the robot's limits.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets how the servo session runs in which set-points go out: their period, the filter, how long entering may take, and more. What it says
+    /// of speeds and accelerations does not matter, since set-points are generated within those of the stream.
+    pub fn servo(mut self, servo: ServoConfig) -> Self {
+        self.servo = servo;
+        self
+    }
+
+    /// Sets how fast joints may move: by default with the speeds and accelerations of the robot's limits, and jerks with which a joint reaches its acceleration
+    /// in 0.1 s, which is ours ([`Dynamics::of`]).
+    pub fn dynamics(mut self, dynamics: Dynamics) -> Self {
+        self.dynamics = Some(dynamics);
+        self
+    }
+
+    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the
+    /// stream lands, and ends with [`ErrorKind::Departed`].
+    pub fn max_departure(mut self, degrees: f64) -> Self {
+        self.max_departure_deg = degrees;
+        self
+    }
+
+    /// Sets how late a set-point may be: 100 ms by default. Beyond that the stream ends with [`ErrorKind::SetPointLate`]. After one that is late by three periods
+    /// or more the motion begins again from standstill.
+    pub fn max_gap(mut self, time: Duration) -> Self {
+        self.max_gap = time;
+        self
+    }
+
+    fn check(&self) -> Result<(), InvalidArgument> {
+        let degrees = self.max_departure_deg;
+        if degrees.is_finite() && degrees > 0.0 {
+            return Ok(());
+        }
+        let (name, allowed) = (ServoJ::INFO.name, "a number above 0 deg".to_owned());
+        Err(InvalidArgument::new(name, "max_departure", degrees.to_string(), allowed, false))
+    }
+}
+
+/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from [`Robot::stream`].
+///
+/// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of [`StreamConfig::dynamics`] and the robot's
+/// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`] tells what is promised of them.
+///
+/// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known,
+/// joints that do not follow their set-points, set-points that are too late. What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm
+/// is braked within the jerks, too. If this thread is held up, the stream goes on: a velocity ends after the time for which it was given.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_sync::jaka_motion::{Limits, Model};
+/// use jaka_sync::{Robot, StreamConfig};
+///
+/// let arm = Model::named("Zu 5").expect("a published arm");
+/// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm))?;
+/// let stream = robot.stream(&StreamConfig::new())?;
+/// let start = stream.joints();
+/// stream.set_joints([start[0] + 5.0, start[1], start[2], start[3], start[4], start[5]])?;
+/// stream.wait_for_rest(Duration::from_secs(10))?;
+/// stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 10.0], Duration::from_millis(500))?;
+/// let report = stream.land()?;
+/// println!("{} set-points", report.cycles);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use = "dropping a stream ends it; `land` does so, too, and reports"]
+#[derive(Debug)]
+pub struct Stream<'r, S: MotionStatus = RobotStatus> {
+    handle: StreamHandle,
+    /// None once it has been waited for.
+    thread: Option<JoinHandle<Result<ServoReport, Error>>>,
+    robot: PhantomData<&'r mut Robot<S>>,
+}
+
+/// Streams need the feature `stream`.
+impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
+    ///
+    /// It begins at rest, where the controller's own answer says that the joints are to be.
+    ///
+    /// # Errors
+    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
+    /// [`ErrorKind::BeyondLimit`] if the arm is beyond one, and [`ErrorKind::InvalidArgument`] if the dynamics are beyond the limits.
+    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_, S>, Error> {
+        config.check()?;
+        let (robot, config) = (self.lent(), config.clone());
+        let (ready, begun) = mpsc::sync_channel::<Result<(Arc<Targets>, Generator), Error>>(1);
+        let spawned = thread::Builder::new().name("jaka stream".to_owned()).spawn(move || {
+            let mut robot = robot;
+            cycle::run(&mut robot, &config, &ready)
+        });
+        let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
+        match begun.recv() {
+            Ok(Ok((targets, generator))) => {
+                Ok(Stream { handle: StreamHandle::new(targets, generator), thread: Some(thread), robot: PhantomData })
+            }
+            Ok(Err(error)) => Err(error),
+            Err(mpsc::RecvError) => match joined(thread) {
+                Err(error) => Err(error),
+                Ok(_) => Err(ErrorKind::SessionEnded { because: "it did not begin".to_owned() }.into()),
+            },
+        }
+    }
+}
+
+impl<S: MotionStatus> Stream<'_, S> {
+    /// A handle for another thread, which gives targets, too.
+    pub fn handle(&self) -> StreamHandle {
+        self.handle.clone()
+    }
+
+    /// Brakes the arm, holds it until the status shows it at rest, and leaves servo mode.
+    ///
+    /// # Errors
+    /// As [`ServoSession::land`](crate::ServoSession::land); or the error with which the stream has ended before.
+    pub fn land(mut self) -> Result<ServoReport, Error> {
+        self.handle.targets().land();
+        self.thread.take().map_or_else(|| Ok(ServoReport::default()), joined)
+    }
+}
+
+/// What the handle does, the stream does, too.
+impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
+    type Target = StreamHandle;
+
+    fn deref(&self) -> &StreamHandle {
+        &self.handle
+    }
+}
+
+impl<S: MotionStatus> Drop for Stream<'_, S> {
+    fn drop(&mut self) {
+        let Some(thread) = self.thread.take() else { return };
+        self.handle.targets().land();
+        if let Err(error) = joined(thread) {
+            log::warn!(target: "jaka_sync", "the stream that was dropped did not end at rest: {error}");
+        }
+    }
+}
+
+fn joined(thread: JoinHandle<Result<ServoReport, Error>>) -> Result<ServoReport, Error> {
+    let panicked = |_| Err(ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into());
+    thread.join().unwrap_or_else(panicked)
+}

@@ -1,0 +1,113 @@
+//! Targets and velocities from any thread.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_motion::{Beyond, Generator, Goal, TcpVelocity};
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::types::{JointPosition, Pose};
+
+use super::target::Targets;
+use crate::{Error, ErrorKind};
+
+/// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
+#[derive(Debug, Clone)]
+pub struct StreamHandle {
+    targets: Arc<Targets>,
+    /// What goals are checked by; it makes no set-points.
+    desk: Arc<Generator>,
+}
+
+/// For how long a velocity may be given.
+const LONGEST: Duration = Duration::from_millis(500);
+
+impl StreamHandle {
+    pub(super) fn new(targets: Arc<Targets>, desk: Generator) -> Self {
+        Self { targets, desk: Arc::new(desk) }
+    }
+
+    pub(super) fn targets(&self) -> &Targets {
+        &self.targets
+    }
+
+    /// Goes to these joint positions, which all joints reach at the same time, and stays there. In degrees.
+    ///
+    /// # Errors
+    /// [`ErrorKind::BeyondLimit`] if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`] if the stream has ended.
+    pub fn set_joints(&self, target: impl Into<JointPosition>) -> Result<(), Error> {
+        self.give(Goal::Joints(target.into()), None)
+    }
+
+    /// Goes to a pose of the tool centre point, and stays there. The arm moves in joints, on its present branch: the tool does **not** move on a straight line.
+    ///
+    /// Poses are in the tool and user frame that were selected when the stream began.
+    ///
+    /// # Errors
+    /// As [`set_joints`](Self::set_joints); also where the pose can be reached only by another branch.
+    pub fn set_pose(&self, target: impl Into<Pose>) -> Result<(), Error> {
+        let found = self.desk.checker().joints_on_branch(self.joints(), target.into());
+        self.give(Goal::Joints(found.map_err(beyond)?), None)
+    }
+
+    /// Moves the joints with these speeds, in deg/s, for a time of at most 500 ms, and brakes then unless another goal was given.
+    ///
+    /// A joint stops at the end of its range. Give the velocity again for as long as it is wanted.
+    ///
+    /// # Errors
+    /// [`ErrorKind::BeyondLimit`] if a joint may not be as fast, [`ErrorKind::InvalidArgument`] for a longer time, [`ErrorKind::SessionEnded`].
+    pub fn set_joint_velocity(&self, deg_s: [f64; 6], for_at_most: Duration) -> Result<(), Error> {
+        self.give(Goal::Velocity(deg_s), Some(for_at_most))
+    }
+
+    /// Moves the tool centre point with a velocity, for a time of at most 500 ms, and brakes then unless another goal was given.
+    ///
+    /// Near limits, regions and singularities all of it is scaled down together, to zero if need be: the tool slows down and keeps its direction.
+    ///
+    /// # Errors
+    /// As [`set_joint_velocity`](Self::set_joint_velocity).
+    pub fn set_tcp_velocity(&self, velocity: TcpVelocity, for_at_most: Duration) -> Result<(), Error> {
+        self.give(Goal::TcpVelocity(velocity), Some(for_at_most))
+    }
+
+    /// Brakes the arm, and holds it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::SessionEnded`] if the stream has ended.
+    pub fn rest(&self) -> Result<(), Error> {
+        self.give(Goal::Rest, None)
+    }
+
+    /// Where the joints are to be at the last set-point: the arm lags behind it.
+    pub fn joints(&self) -> JointPosition {
+        self.targets.joints()
+    }
+
+    /// Waits until the set-points have reached the last target, or come to rest after a velocity, and says whether they have within `timeout`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::SessionEnded`] if the stream has ended.
+    pub fn wait_for_rest(&self, timeout: Duration) -> Result<bool, Error> {
+        self.targets.wait_for_rest(timeout).map_err(ended)
+    }
+
+    fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), Error> {
+        if let Some(time) = for_at_most.filter(|time| *time > LONGEST) {
+            let allowed = format!("at most {LONGEST:?}: give the velocity again for as long as it is wanted");
+            return Err(
+                InvalidArgument::new(ServoJ::INFO.name, "for_at_most", format!("{time:?}"), allowed, false).into()
+            );
+        }
+        self.desk.check_goal(&goal).map_err(beyond)?;
+        self.targets.give(goal, for_at_most).map_err(ended)
+    }
+}
+
+fn beyond(beyond: Beyond) -> Error {
+    ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into()
+}
+
+fn ended(because: String) -> Error {
+    ErrorKind::SessionEnded { because }.into()
+}
