@@ -46,8 +46,8 @@ pub fn goal(number: u32) -> Goal {
         }
         1 => Goal::Velocity(six(60.0)),
         _ => {
-            let [x, y, z, a, b, c] = six(1.0);
-            let (linear_mm_s, angular_deg_s) = ([200.0 * x, 200.0 * y, 200.0 * z], [20.0 * a, 20.0 * b, 20.0 * c]);
+            let (linear_mm_s, angular_deg_s) =
+                ([0, 1, 2].map(|axis| 200.0 * wave(axis)), [3, 4, 5].map(|axis| 20.0 * wave(axis)));
             Goal::TcpVelocity(TcpVelocity { linear_mm_s, angular_deg_s, frame: VelocityFrame::ArmBase })
         }
     }

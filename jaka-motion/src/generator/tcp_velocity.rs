@@ -23,7 +23,7 @@ impl Generator {
         let twist = self.checker.twist_in_base(velocity, &here);
         let (rates, near) = self.checker.rates(&here, &twist);
         let Some(rates) = rates.filter(|rates| finite(*rates)) else { return ([0.0; 6], Some(near)) };
-        let (full, too_fast) = self.full_share(velocity, &rates, near);
+        let (full, too_fast) = self.full_share(velocity, &rates, &near);
         let room = self.checker.room_along(&here, &rates, self.length_to_stop(&rates, full));
         let allowed = room.as_ref().map_or(full, |(length, _)| full.min(self.share_for(&rates, *length)));
         let bound = if allowed < SLOWED * full { room.map(|(_, exceeded)| exceeded) } else { too_fast };
@@ -39,7 +39,7 @@ impl Generator {
     }
 
     /// The share of the velocity that speeds allow, and what allows no more.
-    fn full_share(&self, velocity: &TcpVelocity, rates: &[f64; 6], near: Exceeded) -> (f64, Option<Exceeded>) {
+    fn full_share(&self, velocity: &TcpVelocity, rates: &[f64; 6], near: &Exceeded) -> (f64, Option<Exceeded>) {
         let share = |index: usize| USED * self.limits[index].speed / rates[index].abs();
         let least = (0..6).map(share).fold(1.0, f64::min);
         let tcp_speed = self.checker.limits().tcp_speed().unwrap_or(f64::INFINITY);
@@ -52,11 +52,11 @@ impl Generator {
     }
 
     /// The joint that is the fastest compared with its limit, and the singularity that is near, if one is.
-    fn too_fast(&self, rates: &[f64; 6], near: Exceeded) -> Exceeded {
+    fn too_fast(&self, rates: &[f64; 6], near: &Exceeded) -> Exceeded {
         let over = |index: usize| rates[index].abs() / self.limits[index].speed;
         let index = (0..6).fold(0, |worst, index| if over(index) > over(worst) { index } else { worst });
         let near = match near {
-            Exceeded::Singularity { which, distance, .. } if distance < NEAR => Some(which),
+            Exceeded::Singularity { which, distance, .. } if *distance < NEAR => Some(*which),
             _ => None,
         };
         let (speed_deg_s, limit_deg_s) = (rates[index].abs(), self.limits[index].speed);
