@@ -40,3 +40,4 @@ mod spec_mutations;
 mod stalls;
 mod status;
 mod strange;
+mod stream;
