@@ -56,7 +56,7 @@ impl Checks {
         let lent = |limited: &Limited| {
             let checker = limited.checker.clone();
             let (planned, warning) = (None, None);
-            Box::new(Limited { checker, planned, warning, ..*limited })
+            Box::new(Limited { checker, warning, planned, ..*limited })
         };
         Self(self.0.as_deref().map(lent))
     }

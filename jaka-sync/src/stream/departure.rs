@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::types::JointPosition;
 
-use crate::ErrorKind;
+use crate::{Error, ErrorKind};
 
 /// The set-points of the last half second: the arm lags, and packets are late.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ impl Departure {
     }
 
     /// Compares the joints of a packet.
-    pub(super) fn check(&mut self, number: u64, joints: JointPosition) -> Result<(), ErrorKind> {
+    pub(super) fn check(&mut self, number: u64, joints: JointPosition) -> Result<(), Error> {
         self.packet = number;
         for joint in 0..6 {
             let at = joints.0[joint];
@@ -44,7 +44,7 @@ impl Departure {
             });
             let off_deg = (at - most).max(least - at);
             if off_deg > self.most_deg {
-                return Err(ErrorKind::Departed { joint: joint + 1, at_deg: at, off_deg });
+                return Err(ErrorKind::Departed { joint: joint + 1, at_deg: at, off_deg }.into());
             }
         }
         Ok(())
@@ -62,8 +62,8 @@ mod tests {
         (1..=62).for_each(|n| departure.sent(at(f64::from(n))));
         // 0 and 1 to 62 in half a second of 63 set-points.
         assert!(departure.check(1, at(-2.0)).is_ok() && departure.check(2, at(64.0)).is_ok());
-        let Err(ErrorKind::Departed { joint, off_deg, .. }) = departure.check(3, at(-2.5)) else { panic!("it is off") };
-        assert_eq!((joint, off_deg), (2, 2.5));
+        let error = departure.check(3, at(-2.5)).expect_err("it is off");
+        assert!(matches!(error.kind(), ErrorKind::Departed { joint: 2, off_deg: 2.5, .. }), "{error:?}");
         departure.sent(at(63.0));
         assert!(departure.check(4, at(-2.0)).is_err(), "the start is older than half a second");
     }
