@@ -61,8 +61,9 @@ use crate::checker::{Checker, longest};
 ///   singularity, all axes together, so that the direction is kept but for what joints still have of an earlier motion. A singularity is not passed; to lead the arm away from one
 ///   whose distance is nearly zero takes a goal in joints.
 /// - Distances from singularities count for velocities of the tool alone.
-/// - On its way between two places that are computed, a point may be beyond a region by 0.1 mm. It does not come to rest there, unless that is where the session
-///   paused; it then leads on as a motion that starts beyond a limit.
+/// - On its way between two places that are computed, a point may be beyond a region by 0.1 mm, and by 0.6 mm at an edge of a box to be kept outside of: within
+///   [`Checker::AMOUNT_MM`]. It does not come to rest there, unless that is where the session paused; it then leads on as a motion that starts beyond a
+///   limit.
 ///
 /// Nothing is allocated but in `new`, and where rsruckig finds no way, which then says so in a text that is dropped. No input makes it panic.
 #[derive(Debug, Clone)]
