@@ -53,6 +53,8 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "firmware",
     "into",
     "last_reply",
+    "limit_warning",
+    "limits",
     "monitor",
     "peer_addr",
     "pipeline",
@@ -63,11 +65,15 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "set_firmware",
     "start",
     "stop_handle",
+    "stream",
     "try_into",
     "unacknowledged",
     "wait",
+    "with_limit_policy",
+    "with_limits",
     "with_start_grace",
     "with_status_silence",
+    "without_limits",
 ];
 
 /// Names of Rust's own crates and types, which the module of a pack would hide from the user's code.
