@@ -98,11 +98,11 @@ impl Way {
             session.send_joint_offset([0.0; 6])?;
             late.push((due, micros(start.elapsed()) - micros(due)));
         }
-        let run_time = session.time();
+        let run_time = start.elapsed();
         self.ran(start, cpu, &late);
         let report = session.land()?;
         self.late.extend(lateness(&report));
-        self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())? - report.cycles;
+        self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())?.saturating_sub(report.cycles);
         self.most_outstanding = self.most_outstanding.max(report.most_outstanding);
         Ok(())
     }

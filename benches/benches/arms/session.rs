@@ -1,7 +1,7 @@
 //! An arm as a user of this SDK has it: a robot with its monitor, and a servo session.
 
 use std::sync::Barrier;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_benches::system::child::Addresses;
 use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
@@ -30,10 +30,11 @@ fn connect(robot: Addresses) -> Result<Robot, jaka_sync::Error> {
 
 fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
     let mut session = robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
-    while session.time() < time {
+    let since = Instant::now();
+    while since.elapsed() < time {
         session.send_joint_offset([0.0; 6])?;
     }
-    let due = session.time().as_nanos() / PERIOD.as_nanos();
+    let due = since.elapsed().as_nanos() / PERIOD.as_nanos();
     let report = session.land()?;
     Ok(Tally {
         cycles: report.cycles,

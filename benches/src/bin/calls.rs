@@ -43,8 +43,9 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
 fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
     let monitor: Monitor = Config::new().connect_monitor(status)?;
     let mut robot = Robot::new(Client::connect(commands)?, monitor).allow_motion_without_status();
-    // It spins, so that it is not asleep when the cycle is due.
+    // It spins, so that it is not asleep when the cycle is due; and the arm is not held at the end, so that all set-points are counted.
     let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));
+    let config = config.rest_timeout(Duration::ZERO);
     let mut session = robot.enter_servo_mode(&config)?;
     for _ in 0..count {
         session.send_joint_offset([0.0; 6])?;

@@ -19,6 +19,8 @@ pub const SET_POINT: &[u8] =
 /// The answer to a set-point.
 pub const SET_POINT_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "servo_j"}"#;
 
+const POSE_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_tcp_pos", "tcp_pos": [-458.6, 13.9, 443.8, 179.4, 1.2, 96.8]}"#;
+
 const SERVO_MODE_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "servo_move"}"#;
 
 const IN_SERVO_MODE_REPLY: &[u8] =
@@ -97,6 +99,7 @@ impl Answers {
         }
         self.out.extend_from_slice(match name {
             b"get_joint_pos" => JOINTS_REPLY,
+            b"get_tcp_pos" => POSE_REPLY,
             b"servo_move" => SERVO_MODE_REPLY,
             b"is_in_servomove" if self.in_servo_mode => IN_SERVO_MODE_REPLY,
             b"is_in_servomove" => NOT_IN_SERVO_MODE_REPLY,
