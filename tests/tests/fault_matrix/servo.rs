@@ -88,7 +88,7 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
     let is_to_succeed = expected == Outcome::Ok;
     // The bound is for what is to reach it alone: others may be slow.
     let is_to_gather = expected == Outcome::Broken(Cause::Reset);
-    let config = ServoConfig::new().unchecked();
+    let config = ServoConfig::new().unchecked().rest_timeout(LIMIT);
     let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
     let sent = cell.received(ServoJ::INFO.name);
     let mut session = robot.enter_servo_mode(&config)?;
