@@ -79,6 +79,13 @@ impl ServoConfig {
         self
     }
 
+    /// Sets the controller's own filter of joint speeds, accelerations and jerks (filter 2 of 4.60), in deg/s, deg/s² and deg/s³.
+    ///
+    /// It is a second net under what this program checks, and never the only one: sources disagree about its keys.
+    pub fn joint_filter(self, max_speed: f64, max_acceleration: f64, max_jerk: f64) -> Self {
+        self.filter(SetServoMoveFilter::joint_nonlinear(max_speed, max_acceleration, max_jerk))
+    }
+
     /// Sets how long the controller may take to enter servo mode. 5 s by default.
     pub fn enter_timeout(mut self, timeout: Duration) -> Self {
         self.enter_timeout = timeout;
@@ -102,7 +109,7 @@ impl ServoConfig {
 
     /// Sets how fast the speed of a joint may change from one set-point to the next, and with which acceleration the arm is braked when the
     /// session ends, in deg/s²: 720 by default, which the document advises at most (4.7). More than 0. If the robot has limits, it is braked with
-    /// their accelerations.
+    /// their accelerations. From 100 deg/s a landing takes 0.14 s with 720 deg/s², and 10 s with 10.
     pub fn max_joint_acceleration(mut self, acceleration_deg_s2: f64) -> Self {
         self.rates.joint_acceleration = [acceleration_deg_s2; 6];
         self
