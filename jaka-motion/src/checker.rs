@@ -33,7 +33,9 @@ use crate::transform::Transform;
 ///
 /// # What is promised
 /// What is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM), [`AMOUNT_DEG`](Self::AMOUNT_DEG),
-/// [`AMOUNT_SPEED`](Self::AMOUNT_SPEED), [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on the way is refused, however short the time for which it is. What is within all limits is not refused.
+/// [`AMOUNT_SPEED`](Self::AMOUNT_SPEED), [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on the way is refused, however short the time for
+/// which it is. What is within all limits is not refused, unless it comes nearer to a singularity than the least distance and
+/// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY) more: there the joints may turn so fast that they are not found.
 /// The speeds of a set-point are means over its period.
 ///
 /// # A start beyond a limit
