@@ -17,8 +17,6 @@ use std::time::Duration;
 
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
-#[cfg(feature = "stream")]
-pub(crate) use self::generated::Cycle;
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;

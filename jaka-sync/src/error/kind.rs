@@ -179,13 +179,20 @@ pub enum ErrorKind {
         /// Why servo mode could not be left.
         leaving: Error,
     },
-    /// A servo session has braked the arm and held it, but no status packet has shown it at rest there; servo mode was left. The arm may not
-    /// have followed: look at it before you go on.
+    /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last set-point; servo mode was left. The arm
+    /// may not have followed: look at it before you go on.
     RestNotSeen {
         /// What ended the session; none where it was to land.
         first: Option<Error>,
-        /// How long the arm was held.
+        /// How long the last set-point was held.
         after: Duration,
+    },
+    /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before you go on.
+    NotLanded {
+        /// What ended the session.
+        first: Error,
+        /// What ended the landing.
+        landing: Error,
     },
     /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
     UnexpectedStatus {
@@ -229,6 +236,7 @@ impl ErrorKind {
             | Self::SessionEnded { .. }
             | Self::NotAcknowledged { .. }
             | Self::RestNotSeen { .. }
+            | Self::NotLanded { .. }
             | Self::UnexpectedStatus { .. } => Group::Other,
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
@@ -244,6 +252,7 @@ impl ErrorKind {
             | Self::UnexpectedReply { .. }
             | Self::SetPointsUnanswered { .. }
             | Self::RestNotSeen { .. }
+            | Self::NotLanded { .. }
             | Self::ServoModeNotLeft { .. } => true,
             Self::Disconnected { sent, .. } => *sent,
             Self::InvalidArgument(_)
@@ -274,6 +283,7 @@ impl ErrorKind {
             Self::Disconnected { cause, .. } => Some(&**cause),
             Self::ServoModeNotLeft { leaving, .. } => leaving.source(),
             Self::RestNotSeen { first, .. } => first.as_ref().and_then(|first| first.source()),
+            Self::NotLanded { first, .. } => first.source(),
             Self::StatusUnknown { problem } => problem.source(),
             Self::NotAcknowledged { outcome } => outcome.cause(),
             #[cfg(feature = "motion")]
@@ -339,8 +349,9 @@ impl fmt::Display for ErrorKind {
             }
             Self::RestNotSeen { first, after } => {
                 first.as_ref().map_or(Ok(()), |first| write!(f, "{first}; and "))?;
-                write!(f, "the arm was braked and held for {after:?}, but no status packet has shown it at rest there")
+                write!(f, "no status packet has shown the arm at rest at its last set-point within {after:?}")
             }
+            Self::NotLanded { first, landing } => write!(f, "{first}; and the arm was not braked to rest: {landing}"),
             Self::StateTimeout { after, packets, says } => {
                 write!(f, "the robot was not in the expected state within {after:?} ({packets} status packets came)")?;
                 says.as_ref().map_or(Ok(()), |says| write!(f, "; the last one says: {says}"))

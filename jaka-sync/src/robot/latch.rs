@@ -64,6 +64,11 @@ impl Latch {
         &self.stops
     }
 
+    /// True if a stop has gone out, or is about to, that has not been reported to the program.
+    pub(super) fn has_sent_stop(&self) -> bool {
+        self.stops.sent() > self.reported
+    }
+
     /// True if the controller has accepted a stop that has not been reported to the program.
     pub(super) fn has_unreported_stop(&self) -> bool {
         self.stops.taken() > self.reported

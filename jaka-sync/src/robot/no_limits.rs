@@ -43,6 +43,10 @@ impl<S: MotionStatus> Robot<S> {
         Ok(())
     }
 
+    pub(crate) fn refuses_beyond_limits(&self) -> bool {
+        false
+    }
+
     pub(crate) fn joint_accelerations(&self) -> Option<[f64; 6]> {
         None
     }

@@ -110,8 +110,8 @@ impl<S: MotionStatus> Robot<S> {
 }
 
 impl<S: MotionStatus> Robot<S> {
-    /// Lets set-points pass that brake the arm, also where the status is no longer known, and before a stop of the program's own: nothing
-    /// but a protective or an emergency stop blocks them.
+    /// Lets set-points pass that brake the arm, also where the status is no longer known, and before a stop of the program's own goes out: only that and
+    /// a protective or an emergency stop block them.
     pub(crate) fn braking_gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {
         let (latch, monitor) = (self.latch.clone(), Arc::clone(&self.monitor));
         move || {
@@ -119,7 +119,8 @@ impl<S: MotionStatus> Robot<S> {
                 check_stops(&newest)?;
             }
             match latch.unacknowledged() {
-                None | Some(Outcome::Stopped) => Ok(()),
+                None => Ok(()),
+                Some(Outcome::Stopped) if !latch.has_sent_stop() => Ok(()),
                 Some(outcome) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
             }
         }

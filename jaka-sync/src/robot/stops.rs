@@ -15,6 +15,8 @@ pub(super) struct Stops {
     begun: AtomicU64,
     /// The latest that the controller has accepted.
     taken: AtomicU64,
+    /// The latest that goes out, or has gone out: before that a servo session may brake.
+    sent: AtomicU64,
     /// How many are on their way to the controller.
     under_way: AtomicU64,
     /// Until when a servo session that moves the arm sends its next set-point; none where none moves it. Locked alone.
@@ -24,12 +26,17 @@ pub(super) struct Stops {
 }
 
 /// How long a stop waits at most for a servo session to brake.
-const LONGEST_BRAKING: Duration = Duration::from_secs(2);
+const LONGEST_BRAKING: Duration = Duration::from_secs(3);
 
 impl Stops {
     /// The number of the latest stop that the controller has accepted.
     pub(super) fn taken(&self) -> u64 {
         self.taken.load(Ordering::SeqCst)
+    }
+
+    /// The number of the latest stop that has gone out or is about to.
+    pub(super) fn sent(&self) -> u64 {
+        self.sent.load(Ordering::SeqCst)
     }
 
     /// The number of the latest stop that was asked for.
@@ -118,7 +125,8 @@ impl RobotStop {
     /// Sends `stop_program` (4.23), waits until the controller has accepted it, and ends the wait.
     ///
     /// A [`ServoSession`](crate::ServoSession) that moves the arm brakes it first, with its next set-points: no source says that `stop_program` alone
-    /// ends servo motion. The stop waits for that for 2 s at most, and not at all where the session's next set-point is overdue.
+    /// ends servo motion. The stop waits for that for 3 s at most, and no longer than until the session's next set-point is overdue by three periods. From the session's own
+    /// thread it cannot brake; from an observer of the monitor no packet is seen meanwhile.
     ///
     /// # Errors
     /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the
@@ -127,6 +135,7 @@ impl RobotStop {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
         self.stops.wait_until_braked();
+        self.stops.sent.fetch_max(number, Ordering::SeqCst);
         if let Err(error) = self.handle.stop() {
             // A program that learned of it, or acknowledged it, did not know that it would fail.
             self.stops.begun.fetch_add(1, Ordering::SeqCst);

@@ -107,6 +107,13 @@ impl Course {
         self.sent = Some(set_point);
     }
 
+    /// The next set-points are in joints, where these are known.
+    pub(super) fn go_on_in_joints(&mut self) {
+        if let (Some(SetPoint::Pose(_)), Some([before, last])) = (self.sent, self.joints.both()) {
+            (self.sent, self.step) = (Some(SetPoint::Joints(last)), Some(Step::between_joints(before, last)));
+        }
+    }
+
     /// No set-point came when one was due: the arm stands at the last one.
     pub(super) fn paused(&mut self) {
         self.joints = LastTwo::at(self.joints.last);

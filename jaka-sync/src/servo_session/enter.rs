@@ -27,6 +27,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             course: Course::unknown(),
             report: ServoReport::default(),
             refusal: None,
+            begun: None,
             is_open: true,
             ended: None,
         };

@@ -23,7 +23,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     ///
     /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
-        let step = self.course.step();
+        if self.robot.joint_accelerations().is_some() {
+            // The way on in joints was checked, not that along the line of the poses.
+            self.course.go_on_in_joints();
+        }
+        // A set-point that no arm reaches in a period is not a speed.
+        let step = self.course.step().filter(|step| self.config.rates.is_reachable(step, self.config.period()));
         let count = step.map_or(0, |step| self.config.rates.periods_to_brake(&step, self.config.period()));
         let mut factors = (1..count).rev().map(|left| f64::from(left) / f64::from(count));
         self.come_to_rest_by(&mut |course| course.after(&step?.scaled(factors.next()?)))
@@ -31,31 +36,36 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Brakes the arm, and holds it until the status shows it at rest.
     pub(super) fn come_to_rest_by(&mut self, braking: Braking<'_>) -> Result<(), Error> {
-        let came = if self.course.has_begun() { self.brake(braking).and_then(|()| self.hold()) } else { Ok(()) };
+        let came = if self.course.has_begun() {
+            // Set-points that were sent before may be refused yet.
+            let outstanding = u64::try_from(self.robot.client().link().outstanding()).unwrap_or(u64::MAX);
+            let refused = self.report.refused.saturating_add(outstanding);
+            self.brake(braking, refused).and_then(|()| self.hold(refused))
+        } else {
+            Ok(())
+        };
         self.robot.expect_set_point(None);
         came
     }
 
     /// Where the last set-point is so long ago that the arm has none, it stands.
-    fn brake(&mut self, braking: Braking<'_>) -> Result<(), Error> {
-        if self.pace.late() >= self.config.gap() {
+    fn brake(&mut self, braking: Braking<'_>, refused: u64) -> Result<(), Error> {
+        if self.begun.unwrap_or_else(|| self.pace.late()) >= self.config.gap() {
             self.course.paused();
             return Ok(());
         }
         while let Some(next) = braking(&self.course) {
             let gate = self.robot.braking_gate();
-            let came_after_gap = self.send_landing(next, &gate)?;
-            self.robot.expect_set_point(Some(self.config.gap() * 2));
-            if came_after_gap {
-                // The controller had no set-point: the arm stands.
+            if !self.send_landing(next, &gate, refused)? {
                 return Ok(());
             }
+            self.robot.expect_set_point(Some(self.config.gap() * 2));
         }
         Ok(())
     }
 
     /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
-    fn hold(&mut self) -> Result<(), Error> {
+    fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
         self.robot.expect_set_point(None);
         let since = Instant::now();
@@ -79,15 +89,15 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                     Err(ErrorKind::RestNotSeen { first: None, after: patience }.into())
                 };
             }
-            self.hold_once()?;
+            self.hold_once(refused)?;
         }
     }
 
-    fn hold_once(&mut self) -> Result<(), Error> {
+    fn hold_once(&mut self, refused: u64) -> Result<(), Error> {
         match (self.robot.unacknowledged(), self.course.hold()) {
             (None, Some(set_point)) => {
                 let gate = self.robot.holding_gate();
-                match self.send_landing(set_point, &gate) {
+                match self.send_landing(set_point, &gate, refused) {
                     // A stop has come between.
                     Err(error) if lets_land(&error) && !error.is_refused() => Ok(()),
                     sent => sent.map(drop),
@@ -102,18 +112,28 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
-    /// Sends a set-point in the next cycle, and says whether it came after a gap.
-    fn send_landing(&mut self, set_point: SetPoint, gate: &dyn Fn() -> Result<(), Error>) -> Result<bool, Error> {
-        let late = self.pace.wait();
+    /// Sends a set-point in the cycle that has begun, or the next one: not where that comes after a gap, since the arm stands then. Fails
+    /// where more are refused than this.
+    fn send_landing(
+        &mut self,
+        set_point: SetPoint,
+        gate: &dyn Fn() -> Result<(), Error>,
+        refused: u64,
+    ) -> Result<bool, Error> {
+        let late = self.begun.take().unwrap_or_else(|| self.pace.wait());
+        if late >= self.config.gap() {
+            self.course.paused();
+            return Ok(false);
+        }
         self.take_answers(ServoJ::INFO.name)?;
-        if let Some(refusal) = self.refusal.take() {
+        if let Some(refusal) = self.refusal.take().filter(|_| self.report.refused > refused) {
             return Err(refusal);
         }
         self.check_unanswered()?;
         self.post(&set_point, gate)?;
         self.course.sent(set_point, self.course.joints_at(&set_point));
         self.report.landing_cycles += 1;
-        Ok(late >= self.config.gap())
+        Ok(true)
     }
 }
 
@@ -124,6 +144,7 @@ pub(super) fn lets_land(error: &Error) -> bool {
         ErrorKind::InvalidArgument(_)
         | ErrorKind::NotInFirmware(_)
         | ErrorKind::Refused { .. }
+        | ErrorKind::UnexpectedReply { .. }
         | ErrorKind::StatusUnknown { .. } => true,
         #[cfg(feature = "motion")]
         ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
@@ -140,7 +161,7 @@ pub(super) fn not_seen(first: Error, landing: Error) -> Error {
         ErrorKind::RestNotSeen { after, .. } if !matches!(first.kind(), ErrorKind::StatusUnknown { .. }) => {
             ErrorKind::RestNotSeen { first: Some(first), after }.into()
         }
-        // What ended the landing, ended the session, too.
-        _ => first,
+        ErrorKind::RestNotSeen { .. } => first,
+        landing => ErrorKind::NotLanded { first, landing: landing.into() }.into(),
     }
 }

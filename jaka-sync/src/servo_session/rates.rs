@@ -6,7 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
 
-use super::set_point::Step;
+use super::set_point::{SetPoint, Step};
 
 /// How fast set-points may be, and how fast that may change: so the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,9 +42,9 @@ impl Default for Rates {
 }
 
 impl Rates {
-    /// Checks a step, and how it differs from the one before, where that is known. Each set-point is judged by its nominal period, as the
+    /// Checks a step, and how it differs from the one before. Each set-point is judged by its nominal period, as the
     /// controller does (4.15).
-    pub(super) fn check(&self, step: &Step, before: Option<&Step>, period: Duration) -> Result<(), InvalidArgument> {
+    pub(super) fn check(&self, step: &Step, before: &Step, period: Duration) -> Result<(), InvalidArgument> {
         if !self.are_checked {
             return Ok(());
         }
@@ -56,15 +56,35 @@ impl Rates {
             let allowed = format!("a step of at most {most:.3} {unit} each {period:?} ({} {unit}/s)", speeds[index]);
             return Err(refused(step, index, value, allowed));
         }
-        let Some(change) = before.and_then(|before| step.change_from(before)) else { return Ok(()) };
+        let Some(change) = step.change_from(before) else { return Ok(()) };
         let most = accelerations.map(|acceleration| acceleration * time * time);
         let Some((index, size, most)) = first_beyond(&sizes(&change), &most) else { return Ok(()) };
         let unit = unit(step, index);
-        let from = if before.is_some_and(Step::is_none) { "standstill" } else { "the step before" };
+        let from = if before.is_none() { "standstill" } else { "the step before" };
         let value = format!("a step that differs by {size:.3} {unit} from {from}");
         let allowed =
             format!("a change of at most {most:.3} {unit} each {period:?} ({} {unit}/s²)", accelerations[index]);
         Err(refused(step, index, value, allowed))
+    }
+
+    /// Refuses a set-point of which it is not known how far it is from the one before.
+    pub(super) fn check_unknown(&self, set_point: &SetPoint) -> Result<(), InvalidArgument> {
+        if !self.are_checked {
+            return Ok(());
+        }
+        let (command, field) = match set_point {
+            SetPoint::Joints(_) | SetPoint::JointOffset(_) => (ServoJ::INFO.name, "joint_position"),
+            SetPoint::Pose(_) | SetPoint::PoseOffset(_) => (ServoP::INFO.name, "pose"),
+        };
+        let value = "a set-point whose distance from the one before is not known".to_owned();
+        let allowed = "one of the same kind as before; or enter servo mode again".to_owned();
+        Err(InvalidArgument::new(command, field, value, allowed, false))
+    }
+
+    /// Whether the arm can be as fast as a step asks.
+    pub(super) fn is_reachable(&self, step: &Step, period: Duration) -> bool {
+        let (speeds, _) = self.of(step);
+        first_beyond(&sizes(step), &speeds.map(|speed| speed * period.as_secs_f64())).is_none()
     }
 
     /// Checks that these are numbers above zero.

@@ -32,8 +32,9 @@ use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 /// # Set-points
 /// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be faster than 180 deg/s, and
 /// [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with each other. The first step is from standstill, and
-/// so is one after a gap, before a set-point that is late by three periods or more: the controller had none when one was due. A
-/// late set-point delays all later ones, and none comes sooner to catch up. [`ServoConfig::unchecked`] turns these checks off.
+/// so is one after a gap, before a set-point that is late by three periods or more: the controller had none when one was due. One
+/// that is late by a period or more delays all later ones, and none is skipped. From poses to absolute joint positions there is no way without limits, since
+/// it is not known how far it is. [`ServoConfig::unchecked`] turns these checks off.
 ///
 /// # Landing
 /// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at once: the last set-point
@@ -72,6 +73,8 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) course: Course,
     pub(super) report: ServoReport,
     pub(super) refusal: Option<Error>,
+    /// How late the cycle is that has begun, if its set-point has not gone out.
+    pub(super) begun: Option<Duration>,
     /// True while servo mode is to be left.
     pub(super) is_open: bool,
     /// Why no more set-points go out, if so.
@@ -167,6 +170,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             self.course.paused();
             self.report.gaps += 1;
         }
+        self.begun = Some(late);
         late
     }
 
@@ -174,9 +178,15 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
         let period = self.config.period();
         // Limits say more of a pose: what the joints do.
-        let is_limits_to_check = set_point.is_pose() && self.robot.joint_accelerations().is_some();
-        if let Some(step) = self.course.step_to(set_point).filter(|_| !is_limits_to_check) {
-            self.config.rates.check(&step, self.course.last_step(&step).as_ref(), period)?;
+        if !(set_point.is_pose() && self.robot.refuses_beyond_limits()) {
+            let step = self.course.step_to(set_point);
+            let before = step.as_ref().and_then(|step| self.course.last_step(step));
+            match (step, before) {
+                (Some(step), Some(before)) => self.config.rates.check(&step, &before, period)?,
+                // Only where the pose at the start is not known.
+                _ if !self.course.has_begun() => {}
+                _ => self.config.rates.check_unknown(set_point)?,
+            }
         }
         let (before, joints) = (self.course.last_joints(), self.course.joints_at(set_point));
         match *set_point {
@@ -211,6 +221,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             SetPoint::Pose(target) => client.post(gate, &[ServoP::absolute(target).step_count(steps)]),
             SetPoint::PoseOffset(offset) => client.post(gate, &[ServoP::relative(offset).step_count(steps)]),
         }?;
+        self.begun = None;
         self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
         Ok(())
     }

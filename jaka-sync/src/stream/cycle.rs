@@ -11,7 +11,7 @@ use jaka_proto::messages::servo::ServoJ;
 use super::StreamConfig;
 use super::departure::Departure;
 use super::target::{Order, Targets};
-use crate::servo_session::{Cycle, SetPoint};
+use crate::servo_session::SetPoint;
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
 
 type Ready = SyncSender<Result<(Arc<Targets>, Generator), Error>>;
@@ -87,32 +87,31 @@ fn go<S: MotionStatus>(
     config: &StreamConfig,
 ) -> Result<(), Error> {
     let mut departure = Departure::new(generator.joints(), generator.period_s(), config.max_departure_deg);
-    let mut last = (Order::Go(Goal::Rest), 0);
+    let mut order: Option<Order> = None;
     loop {
         let cycle = session.begin_cycle();
-        last = targets.order().unwrap_or(last);
-        let (Order::Go(goal), number) = last else { return Ok(()) };
+        if cycle.follows_gap {
+            generator.paused();
+        }
+        if targets.is_landing() {
+            return Ok(());
+        }
+        order = targets.order().or(order);
+        let Some(order) = order else { continue };
         if cycle.late > config.max_gap {
             return Err(ErrorKind::SetPointLate { late: cycle.late }.into());
         }
         if let Some((number, joints)) = session.actual_joints_after(departure.packet()) {
             departure.check(number, joints)?;
         }
-        step(session, generator, &goal, &cycle)?;
-        departure.sent(generator.joints());
-        targets.sent(generator.joints(), number, generator.is_at_rest());
+        let goal = order.goal();
+        let joints = generator.next(&goal).joints;
+        session.send_generated(joints, &cycle).inspect_err(|_| generator.take_back())?;
+        departure.sent(joints);
+        let is_there = !matches!(goal, Goal::Joints(target) if target.max_distance(&joints) > THERE_DEG);
+        targets.sent(joints, &order, is_there && generator.is_at_rest());
     }
 }
 
-fn step<S: MotionStatus>(
-    session: &mut ServoSession<'_, S>,
-    generator: &mut Generator,
-    goal: &Goal,
-    cycle: &Cycle,
-) -> Result<(), Error> {
-    if cycle.follows_gap {
-        generator.paused();
-    }
-    let joints = generator.next(goal).joints;
-    session.send_generated(joints, cycle).inspect_err(|_| generator.take_back())
-}
+/// How far from its target a joint may be that has reached it, in degrees.
+const THERE_DEG: f64 = 1e-4;

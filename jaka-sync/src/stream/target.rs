@@ -1,5 +1,6 @@
 //! What the arm is to do next, shared by the handles and the cycle's thread.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
@@ -11,45 +12,50 @@ use jaka_proto::messages::types::JointPosition;
 pub(super) struct Targets {
     /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it.
     state: Mutex<State>,
+    is_landing: AtomicBool,
     /// Signalled when the arm has come to rest, and when the stream has ended.
     rested: Condvar,
 }
 
-/// What the cycle's thread is to do.
+/// What the arm is to do, until when, and the number of that.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Order {
-    Go(Goal),
-    Land,
+pub(super) struct Order {
+    goal: Goal,
+    until: Option<Instant>,
+    pub(super) number: u64,
+}
+
+impl Order {
+    /// Rest, after a velocity that has ended.
+    pub(super) fn goal(&self) -> Goal {
+        if self.has_ended() { Goal::Rest } else { self.goal }
+    }
+
+    /// True if nothing more is to come: a target stays, a velocity ends.
+    fn is_final(&self) -> bool {
+        self.until.is_none() || self.has_ended()
+    }
+
+    fn has_ended(&self) -> bool {
+        self.until.is_some_and(|until| Instant::now() >= until)
+    }
 }
 
 #[derive(Debug)]
 struct State {
-    goal: Goal,
-    /// Until when it holds; a velocity ends.
-    until: Option<Instant>,
-    is_landing: bool,
-    /// How many goals were given.
-    given: u64,
-    /// Where the joints are to be, the number of the last goal that counted for it, and whether they rest.
+    /// Numbered by how many were given.
+    order: Order,
+    /// Where the joints are to be, and whether that is where the last order leads.
     joints: JointPosition,
-    reached: u64,
     is_at_rest: bool,
     ended: Option<String>,
 }
 
 impl Targets {
     pub(super) fn new(start: JointPosition) -> Self {
-        let state = State {
-            goal: Goal::Rest,
-            until: None,
-            is_landing: false,
-            given: 0,
-            joints: start,
-            reached: 0,
-            is_at_rest: true,
-            ended: None,
-        };
-        Self { state: Mutex::new(state), rested: Condvar::new() }
+        let order = Order { goal: Goal::Rest, until: None, number: 0 };
+        let state = State { order, joints: start, is_at_rest: true, ended: None };
+        Self { state: Mutex::new(state), is_landing: AtomicBool::new(false), rested: Condvar::new() }
     }
 
     /// Gives another goal; fails with why the stream has ended, if it has.
@@ -58,10 +64,9 @@ impl Targets {
         let mut state = self.lock();
         match &state.ended {
             Some(because) => Err(because.clone()),
-            None if state.is_landing => Err("it lands".to_owned()),
+            None if self.is_landing() => Err("it lands".to_owned()),
             None => {
-                (state.goal, state.until) = (goal, until);
-                state.given += 1;
+                state.order = Order { goal, until, number: state.order.number + 1 };
                 state.is_at_rest = false;
                 Ok(())
             }
@@ -69,7 +74,11 @@ impl Targets {
     }
 
     pub(super) fn land(&self) {
-        self.lock().is_landing = true;
+        self.is_landing.store(true, Ordering::SeqCst);
+    }
+
+    pub(super) fn is_landing(&self) -> bool {
+        self.is_landing.load(Ordering::SeqCst)
     }
 
     /// Where the joints are to be at the last set-point.
@@ -96,30 +105,20 @@ impl Targets {
         }
     }
 
-    /// What to do in this cycle, with the number of the goal; none while a handle changes it: then as in the cycle before.
-    pub(super) fn order(&self) -> Option<(Order, u64)> {
-        let mut state = match self.state.try_lock() {
-            Ok(state) => state,
-            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
-            Err(TryLockError::WouldBlock) => return None,
-        };
-        if state.is_landing {
-            return Some((Order::Land, state.given));
+    /// What to do in this cycle; none while a handle changes it: then as in the cycle before.
+    pub(super) fn order(&self) -> Option<Order> {
+        match self.state.try_lock() {
+            Ok(state) => Some(state.order),
+            Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner().order),
+            Err(TryLockError::WouldBlock) => None,
         }
-        if state.until.is_some_and(|until| Instant::now() >= until) {
-            (state.goal, state.until) = (Goal::Rest, None);
-        }
-        Some((Order::Go(state.goal), state.given))
     }
 
-    /// A set-point was sent on the way to the goal of this number.
-    pub(super) fn sent(&self, joints: JointPosition, number: u64, is_at_rest: bool) {
+    /// A set-point was sent by this order; the joints rest where it leads, or move on.
+    pub(super) fn sent(&self, joints: JointPosition, order: &Order, rests_there: bool) {
         let Ok(mut state) = self.state.try_lock() else { return };
         state.joints = joints;
-        state.reached = number;
-        // A velocity that still holds is not at its end where the arm rests, at a limit.
-        let is_over = state.until.is_none();
-        let rests = is_at_rest && is_over && number == state.given;
+        let rests = rests_there && order.is_final() && order.number == state.order.number;
         if rests && !state.is_at_rest {
             self.rested.notify_all();
         }

@@ -6,7 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::Unchecked;
+use super::{LimitPolicy, Unchecked};
 use crate::{Error, MotionStatus, Robot};
 
 impl<S: MotionStatus> Robot<S> {
@@ -30,6 +30,11 @@ impl<S: MotionStatus> Robot<S> {
     /// The greatest accelerations of the joints, in deg/s², if the robot has limits.
     pub(crate) fn joint_accelerations(&self) -> Option<[f64; 6]> {
         self.limits().map(|checker| *checker.limits().joint_accelerations())
+    }
+
+    /// True if the robot has limits, and sends nothing that is beyond them.
+    pub(crate) fn refuses_beyond_limits(&self) -> bool {
+        self.checks.0.as_ref().is_some_and(|limited| limited.policy == LimitPolicy::Refuse)
     }
 
     /// Checks a set-point of the joints, after the last two.
