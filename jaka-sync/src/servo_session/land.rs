@@ -162,6 +162,8 @@ pub(super) fn not_seen(first: Error, landing: Error) -> Error {
             ErrorKind::RestNotSeen { first: Some(first), after }.into()
         }
         ErrorKind::RestNotSeen { .. } => first,
+        // A controller that has refused one follows none.
+        ErrorKind::Refused { .. } if first.is_refused() => first,
         landing => ErrorKind::NotLanded { first, landing: landing.into() }.into(),
     }
 }
