@@ -27,6 +27,8 @@ mod pipeline;
 mod preflight;
 mod properties;
 mod readme;
+#[cfg(target_os = "linux")]
+mod realtime;
 mod recording;
 mod reference;
 mod reference_pages;

@@ -148,6 +148,14 @@ pub enum ErrorKind {
         /// Why not, in the system's words.
         source: io::Error,
     },
+    /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs the feature `realtime`.
+    #[cfg(feature = "realtime")]
+    RealtimePriority {
+        /// The priority that was asked for.
+        priority: u8,
+        /// Why not, in the system's words.
+        source: io::Error,
+    },
     /// Too many set-points of a servo session have no reply. The session has ended.
     SetPointsUnanswered {
         /// How many.
@@ -242,6 +250,8 @@ impl ErrorKind {
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
             #[cfg(feature = "stream")]
             Self::Departed { .. } | Self::SetPointLate { .. } | Self::Thread { .. } => Group::Other,
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { .. } => Group::Other,
         }
     }
 
@@ -272,6 +282,8 @@ impl ErrorKind {
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => false,
             #[cfg(feature = "stream")]
             Self::Departed { .. } | Self::SetPointLate { .. } | Self::Thread { .. } => false,
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { .. } => false,
         }
     }
 
@@ -292,6 +304,8 @@ impl ErrorKind {
             Self::BeyondLimit { .. } | Self::NotChecked { .. } => None,
             #[cfg(feature = "stream")]
             Self::Thread { source } => Some(source),
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { source, .. } => Some(source),
             #[cfg(feature = "stream")]
             Self::Departed { .. } | Self::SetPointLate { .. } => None,
             Self::InvalidArgument(_)
@@ -381,6 +395,17 @@ impl fmt::Display for ErrorKind {
             }
             #[cfg(feature = "stream")]
             Self::Thread { .. } => f.write_str("the system has no thread for the stream"),
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { priority, source } if source.kind() == io::ErrorKind::PermissionDenied => write!(
+                f,
+                "the system does not allow this thread the real-time priority {priority}: set `rtprio` to {priority} or more for the user in \
+                 /etc/security/limits.conf and log in again (`ulimit -r` shows it), or give the program CAP_SYS_NICE (`setcap \
+                 cap_sys_nice=ep PROGRAM`; of a container: `--cap-add SYS_NICE`)"
+            ),
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { priority, .. } => {
+                write!(f, "this thread cannot have the real-time priority {priority}")
+            }
             #[cfg(feature = "motion")]
             Self::BeyondLimit { command, beyond } => write!(f, "`{command}` was not sent: {beyond}"),
             #[cfg(feature = "motion")]

@@ -16,6 +16,8 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
     pub(crate) fn enter(robot: &'r mut Robot<S>, config: &ServoConfig) -> Result<Self, Error> {
         check_step_count(config)?;
         config.rates.check_themselves()?;
+        #[cfg(feature = "realtime")]
+        let priority = config.take_priority()?;
         robot.rest_for_servo(config.enter_timeout)?;
         if let Some(filter) = &config.filter {
             robot.client().call(filter)?;
@@ -30,6 +32,8 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             begun: None,
             is_open: true,
             ended: None,
+            #[cfg(feature = "realtime")]
+            priority,
         };
         match session.switch_on() {
             Ok(course) => {
@@ -77,7 +81,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
 }
 
 /// A longer period would let one set-point move the arm far.
-fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgument> {
+pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgument> {
     let count = config.step_count;
     if count <= MOST_STEPS {
         return Ok(());

@@ -88,6 +88,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(error.to_string());
+        #[cfg(feature = "realtime")]
+        drop(self.priority.take());
         error
     }
 

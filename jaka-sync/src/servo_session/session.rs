@@ -12,6 +12,8 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::course::Course;
 use super::pace::Pace;
+#[cfg(feature = "realtime")]
+use super::realtime::RealtimePriority;
 use super::set_point::SetPoint;
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
@@ -79,6 +81,9 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) is_open: bool,
     /// Why no more set-points go out, if so.
     pub(super) ended: Option<String>,
+    /// That of this thread, until the session ends.
+    #[cfg(feature = "realtime")]
+    pub(super) priority: Option<RealtimePriority>,
 }
 
 impl<S: MotionStatus> ServoSession<'_, S> {
