@@ -225,6 +225,61 @@ fn a_stop_does_not_wait_for_a_session_whose_thread_is_held_up() {
 }
 
 #[test]
+fn a_stop_goes_out_in_time_though_the_arm_brakes_slowly_and_no_set_point_after_it() {
+    let (controller, mut robot) = ready();
+    let stop = robot.stop_handle();
+    // From 100 deg/s with 20 deg/s²: five seconds.
+    let config = patient().unchecked().max_joint_acceleration(20.0);
+    let step = 100.0 * PERIOD;
+    thread::scope(|scope| {
+        let (moving, is_moving) = mpsc::channel();
+        let stopping = scope.spawn(move || {
+            let since = is_moving.recv().map(|()| Instant::now());
+            stop.stop().map(|()| since.map(|since| since.elapsed()))
+        });
+        let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
+        session.send_joint_offset([0.0, 0.0, step, 0.0, 0.0, 0.0]).expect("it is sent");
+        session.send_joint_offset([0.0, 0.0, -step, 0.0, 0.0, 0.0]).expect("it is sent");
+        moving.send(()).expect("the other thread waits");
+        let error = (0..1000)
+            .find_map(|n| {
+                session.send_joint_offset([0.0, 0.0, if n % 2 == 0 { step } else { -step }, 0.0, 0.0, 0.0]).err()
+            })
+            .expect("it is stopped");
+        drop(session);
+        assert!(error.may_have_run() || matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+        let took = stopping.join().expect("no panic").expect("the controller takes it").expect("it was moving");
+        assert!(took < Duration::from_secs(30), "{took:?}");
+    });
+    let after = controller.requests().into_iter().skip_while(|request| !request.contains("stop_program"));
+    assert!(!after.into_iter().any(|request| request.contains("servo_j")), "a set-point went out after the stop");
+    assert!(!controller.state().servo_mode);
+}
+
+#[test]
+fn a_jump_that_no_arm_makes_is_not_taken_for_a_speed() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.enter_servo_mode(&patient().unchecked()).expect("the arm is enabled");
+    session.send_joint_offset([0.0, 0.0, 1.0, 0.0, 0.0, 0.0]).expect("it is sent");
+    session.send_joint_offset([0.0, 0.0, 8.0, 0.0, 0.0, 0.0]).expect("it is sent, and a filter may smooth it");
+    drop(session);
+    let (steps, _) = steps(&controller);
+    assert_eq!(steps[..2], [1.0, 8.0]);
+    assert!(steps[2..].iter().all(|step| *step == 0.0), "{steps:?}");
+}
+
+#[test]
+fn a_way_that_is_not_known_is_not_gone() {
+    let (controller, mut robot) = ready();
+    let pose = controller.state().tcp_pose;
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
+    session.send_pose(Pose { z: pose.z + 0.5, ..pose }).expect("a small step");
+    let error = session.send_joints(controller.state().joint_position).expect_err("where the joints are is not known");
+    assert!(error.to_string().contains("whose distance from the one before is not known"), "{error}");
+    assert!(!controller.requests().iter().any(|request| request.contains("servo_j")));
+}
+
+#[test]
 fn a_status_that_is_no_longer_known_ends_in_a_landing() {
     at_speed_with(
         || ready_with(&Config::new().stale_after(Duration::from_millis(500))),
