@@ -9,6 +9,7 @@ pub mod measure;
 pub mod peers;
 pub mod reply;
 pub mod status;
+pub mod stream_picture;
 pub mod system;
 
 /// A status packet of 3.5 KB with the keys of the document's sample, in its order, and its lengths of arrays.
