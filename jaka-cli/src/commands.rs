@@ -8,6 +8,7 @@
 mod call;
 mod check;
 mod completions;
+mod jitter;
 mod monitor;
 mod probe;
 mod record;
@@ -28,6 +29,7 @@ pub(crate) enum Command {
     Call(call::Call),
     Check(check::Check),
     Probe(probe::Probe),
+    Jitter(jitter::Jitter),
     Sim(Box<sim::Sim>),
     Record(record::Record),
     Replay(replay::Replay),
@@ -44,6 +46,7 @@ impl Command {
             Self::Call(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Probe(command) => command.run(),
+            Self::Jitter(command) => command.run(),
             Self::Sim(command) => command.run(),
             Self::Record(command) => command.run(),
             Self::Replay(command) => command.run(),

@@ -15,6 +15,7 @@ mod packs;
 mod proxy;
 mod question;
 mod record;
+mod seat;
 mod seconds;
 mod target;
 mod utc;

@@ -96,7 +96,7 @@ impl RobotArgs {
 
     /// True if the robot is a simulated one.
     pub(crate) fn is_simulated(&self) -> bool {
-        self.address.sim.is_some()
+        self.address.is_simulated()
     }
 
     /// Finds the robot, or starts the simulated controller, which knows these packs, and begins the recording. Connects to nothing yet.
@@ -108,6 +108,16 @@ impl RobotArgs {
 }
 
 impl AddressArgs {
+    /// True if the command line names a robot or a simulated one.
+    pub(crate) fn is_given(&self) -> bool {
+        self.robot.is_some() || self.is_simulated()
+    }
+
+    /// True if the robot is a simulated one.
+    pub(crate) fn is_simulated(&self) -> bool {
+        self.sim.is_some()
+    }
+
     /// Finds the robot, or starts the simulated controller, which knows these packs. Connects to nothing yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         if let Some(model) = self.sim {

@@ -84,6 +84,7 @@ fn the_help_explains_exit_codes() {
           call         Send one command of the protocol, and print the reply
           check        Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
           probe        Send a controller every query of the protocol, and report where its answers depart from the spec
+          jitter       Measure how late this machine begins cycles of set-points, and how long a robot's replies take; nothing is moved
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
           replay       Serve a recording in place of a robot until it is interrupted, or show it

@@ -6,6 +6,7 @@ mod common;
 mod guide;
 mod held_packets;
 mod hostile_text;
+mod jitter;
 mod others;
 mod plain_socket;
 mod probe;

@@ -1,7 +1,6 @@
 //! `jaka check`: what to look at before a robot is used.
 
 use std::fs;
-use std::io::{IsTerminal, stdin};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::output;
-use crate::question;
+use crate::seat;
 use crate::target::{RobotArgs, model};
 
 const EXAMPLES: &str = "\
@@ -56,7 +55,7 @@ impl Check {
         };
         let target = self.robot.target(&[])?;
         if !self.yes && !self.robot.is_simulated() {
-            obtain_seat(target.title())?;
+            seat::obtain(target.title(), "nothing was checked")?;
         }
         let preflight = target.preflight(limits.as_ref());
         if self.json {
@@ -75,22 +74,6 @@ fn read_limits(path: &Path) -> Result<Limits, Failure> {
     let name = path.display().to_string();
     let text = fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {name}: {error}")))?;
     Limits::from_toml(&text, &name).map_err(|errors| Failure::Usage(errors.to_string()))
-}
-
-/// Makes sure that the user wants this program to be the one client of the command port.
-fn obtain_seat(title: &str) -> Result<(), Failure> {
-    let refused = |why: &str| Failure::Usage(format!("nothing was checked: {why}"));
-    if !stdin().is_terminal() {
-        return Err(refused(
-            "another program that is connected to the command port may be disconnected, and there is no terminal to ask on; \
-             use --yes to check anyway",
-        ));
-    }
-    let question = format!(
-        "The command port of {title} serves one client. Another program that is connected there may be disconnected, and the \
-         arm may stop or go on as the controller is set (4.75).\nConnect? [y/N] "
-    );
-    if question::is_confirmed(&question)? { Ok(()) } else { Err(refused("the answer was not yes")) }
 }
 
 /// The shape that the README describes.

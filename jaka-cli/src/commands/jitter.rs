@@ -1,0 +1,79 @@
+//! `jaka jitter`: how late this machine begins cycles of set-points, how long replies take, and what to change.
+
+mod advice;
+mod lateness;
+mod report;
+mod round_trip;
+mod times;
+
+use std::io::{IsTerminal, stderr};
+use std::time::Duration;
+
+use clap::Args;
+
+use self::lateness::Lateness;
+use self::round_trip::RoundTrip;
+use crate::failure::Failure;
+use crate::target::AddressArgs;
+use crate::{output, seat, seconds};
+
+const EXAMPLES: &str = "\
+Examples:
+  jaka jitter
+  jaka jitter --seconds 600 -r 10.5.5.100
+  jaka jitter --sim --json > jitter.json
+
+Measure while the machine does what it will do while the arm moves: on an idle one most figures are good.";
+
+/// Measure how late this machine begins cycles of set-points, and how long a robot's replies take; nothing is moved
+///
+/// A cycle of 8 ms is awaited as a servo session does it: asleep and spinning for its last 200 µs, with the thread's usual priority and with a
+/// real-time one, in turns. Then follows what to change, by these figures. If --robot or --sim is given, queries are sent first, one in each
+/// 8 ms; a robot that only the environment or the config file names is left alone. The command port serves one client:
+/// another program that is connected there may be disconnected, so this asks first.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Jitter {
+    /// How long all of it takes [default: 60]
+    #[arg(long, value_name = "SECONDS", default_value = "60", hide_default_value = true, value_parser = seconds::some_seconds)]
+    seconds: Duration,
+    /// Print one JSON object: `jaka`, `period_us`, `lateness`, `round_trip` and `advice`
+    #[arg(long)]
+    json: bool,
+    /// Connect to the command port without asking
+    #[arg(long, short)]
+    yes: bool,
+    #[command(flatten)]
+    robot: AddressArgs,
+}
+
+/// What was measured.
+#[derive(Debug)]
+struct Measured {
+    lateness: Lateness,
+    round_trip: Option<RoundTrip>,
+}
+
+impl Jitter {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let round_trip = if self.robot.is_given() { Some(self.round_trip(self.seconds / 5)?) } else { None };
+        if stderr().is_terminal() {
+            output::tell(&format!("this takes {:?}; nothing is moved", self.seconds));
+        }
+        let left = if round_trip.is_some() { self.seconds * 4 / 5 } else { self.seconds };
+        let measured = Measured { lateness: Lateness::measure(left)?, round_trip };
+        if self.json {
+            output::json(&format!("{:#}\n", report::json(&measured)))
+        } else {
+            output::lines(&report::text(&measured))
+        }
+    }
+
+    fn round_trip(&self, time: Duration) -> Result<RoundTrip, Failure> {
+        let target = self.robot.target(&[])?;
+        if !self.yes && !self.robot.is_simulated() {
+            seat::obtain(target.title(), "nothing was measured")?;
+        }
+        RoundTrip::measure(&target, time)
+    }
+}
