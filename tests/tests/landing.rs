@@ -230,7 +230,7 @@ fn a_stop_goes_out_in_time_though_the_arm_brakes_slowly_and_no_set_point_after_i
     let stop = robot.stop_handle();
     // From 100 deg/s with 20 deg/s²: five seconds.
     let config = patient().unchecked().max_joint_acceleration(20.0);
-    let step = 100.0 * PERIOD;
+    let jump = 100.0 * PERIOD;
     thread::scope(|scope| {
         let (moving, is_moving) = mpsc::channel();
         let stopping = scope.spawn(move || {
@@ -238,12 +238,12 @@ fn a_stop_goes_out_in_time_though_the_arm_brakes_slowly_and_no_set_point_after_i
             stop.stop().map(|()| since.map(|since| since.elapsed()))
         });
         let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
-        session.send_joint_offset([0.0, 0.0, step, 0.0, 0.0, 0.0]).expect("it is sent");
-        session.send_joint_offset([0.0, 0.0, -step, 0.0, 0.0, 0.0]).expect("it is sent");
+        session.send_joint_offset([0.0, 0.0, jump, 0.0, 0.0, 0.0]).expect("it is sent");
+        session.send_joint_offset([0.0, 0.0, -jump, 0.0, 0.0, 0.0]).expect("it is sent");
         moving.send(()).expect("the other thread waits");
         let error = (0..1000)
             .find_map(|n| {
-                session.send_joint_offset([0.0, 0.0, if n % 2 == 0 { step } else { -step }, 0.0, 0.0, 0.0]).err()
+                session.send_joint_offset([0.0, 0.0, if n % 2 == 0 { jump } else { -jump }, 0.0, 0.0, 0.0]).err()
             })
             .expect("it is stopped");
         drop(session);
