@@ -259,7 +259,9 @@ fn a_stop_goes_out_in_time_though_the_arm_brakes_slowly_and_no_set_point_after_i
 #[test]
 fn a_jump_that_no_arm_makes_is_not_taken_for_a_speed() {
     let (controller, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&patient().unchecked()).expect("the arm is enabled");
+    let mut session = robot
+        .enter_servo_mode(&patient().unchecked().rest_timeout(Duration::from_millis(200)))
+        .expect("the arm is enabled");
     session.send_joint_offset([0.0, 0.0, 1.0, 0.0, 0.0, 0.0]).expect("it is sent");
     session.send_joint_offset([0.0, 0.0, 8.0, 0.0, 0.0, 0.0]).expect("it is sent, and a filter may smooth it");
     drop(session);
