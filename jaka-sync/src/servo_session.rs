@@ -107,9 +107,10 @@ impl ServoConfig {
     /// Gives the thread that enters servo mode a real-time priority (`SCHED_FIFO`) until the session ends, from 1 to 99. By default it keeps its own. Needs
     /// the feature `realtime`, and Linux.
     ///
-    /// Then no other program keeps it from its core but those of a higher priority. 20 suits where there are none: from 50 on it would go
-    /// before what a real-time kernel (`PREEMPT_RT`) does for the network. Of a [`ServoSession`] it is the caller's thread, which also computes the set-points, of a
-    /// `Stream` the stream's own; all others keep theirs, but a thread that is started by this one meanwhile inherits it.
+    /// Then only the system and threads of this or a higher real-time priority keep it from its core. 20 suits where there are no others: from 50 on it
+    /// would go before what a real-time kernel (`PREEMPT_RT`) does for the network. Of a [`ServoSession`] it is the caller's thread, which also computes the
+    /// set-points, and holds its core for as long as it computes; of a `Stream` it is the stream's own. All others keep theirs, but threads that are
+    /// started by this one meanwhile inherit it.
     ///
     /// The session must stay in the thread that has entered it: if it ends in another, the first one keeps the priority. If the system does not
     /// allow the priority, entering fails with `ErrorKind::RealtimePriority`, and nothing is sent.
