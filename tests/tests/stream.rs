@@ -302,3 +302,37 @@ fn a_status_that_is_no_longer_known_lands_a_stream() {
     smooth(&set_points(&controller).0);
     assert!(!controller.state().servo_mode);
 }
+
+#[test]
+fn a_link_that_is_held_or_cut_ends_a_stream_and_no_set_point_follows() {
+    for cut in [false, true] {
+        let (controller, mut robot) = ready();
+        let config = patient().servo(ServoConfig::new().step_count(CYCLES));
+        let stream = robot.stream(&config).expect("the arm is ready");
+        // A machine that is too busy to answer within 100 ms ends it as a held link does.
+        let _ = stream.set_joints(turned(6, 60.0));
+        let since = Instant::now();
+        while stream.joints()[5] - START[5] < 2.0 && stream.rest().is_ok() {
+            assert!(stream.set_joints(turned(6, 60.0)).is_ok() || since.elapsed() < LONG);
+            thread::sleep(Duration::from_millis(20));
+        }
+        if cut {
+            controller.disconnect();
+        } else {
+            controller.links().hold();
+        }
+        while stream.rest().is_ok() {
+            assert!(since.elapsed() < LONG, "the stream goes on");
+            thread::sleep(Duration::from_millis(20));
+        }
+        let error = stream.land().expect_err("it has ended");
+        let is_told = error.is_disconnected() || matches!(error.kind(), ErrorKind::SetPointsUnanswered { .. });
+        assert!(is_told && error.may_have_run(), "{cut}: {error:?}");
+        let came = || controller.requests().iter().filter(|request| request.contains("servo_j")).count();
+        let before = came();
+        controller.links().release();
+        thread::sleep(Duration::from_millis(300));
+        // What was outstanding may still come: three set-points, and the one that was on its way.
+        assert!(came() <= before + 4, "{cut}: {} after {before}", came());
+    }
+}
