@@ -1,6 +1,5 @@
 //! Set-points, one a period, on the way to a goal that may change at any time.
 
-mod branch;
 mod dynamics;
 mod error;
 mod goal;

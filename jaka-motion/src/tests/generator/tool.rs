@@ -98,11 +98,26 @@ fn a_pose_is_reached_on_the_branch_of_the_session() {
     let model = Model::default();
     let there = [30.0, 45.0, -60.0, 170.0, -70.0, 15.0];
     let pose: Pose = model.forward(there).into();
-    assert!(arm.generator.joints_for(pose).expect("within reach").max_distance(&there.into()) < 1e-6);
-    let far = arm.generator.joints_for(Pose { x: 3000.0, ..pose }).expect_err("out of reach");
+    assert!(
+        arm.generator
+            .checker()
+            .joints_on_branch(arm.generator.joints(), pose)
+            .expect("within reach")
+            .max_distance(&there.into())
+            < 1e-6
+    );
+    let far = arm
+        .generator
+        .checker()
+        .joints_on_branch(arm.generator.joints(), Pose { x: 3000.0, ..pose })
+        .expect_err("out of reach");
     assert!(matches!(far.exceeded, Exceeded::OutOfReach { .. }), "{far}");
     // The wrist turned over is as near in some poses; here its range is closed.
-    let odd = arm.generator.joints_for(Pose { x: f64::NAN, ..pose }).expect_err("not a pose");
+    let odd = arm
+        .generator
+        .checker()
+        .joints_on_branch(arm.generator.joints(), Pose { x: f64::NAN, ..pose })
+        .expect_err("not a pose");
     assert!(matches!(odd.exceeded, Exceeded::NotFinite), "{odd}");
 }
 
@@ -111,6 +126,10 @@ fn a_pose_that_takes_another_branch_is_refused() {
     let limits = zu5().with_joint_range(5, -170.0, -60.0).expect("tighter").with_joint_range(6, -20.0, 30.0);
     let arm = Watched::new(limits.expect("tighter"), ELBOW_UP);
     let flipped = [10.0, 60.0, -80.0, 190.0, 90.0, 5.0];
-    let found = arm.generator.joints_for(Model::default().forward(flipped).into()).expect_err("another branch");
+    let found = arm
+        .generator
+        .checker()
+        .joints_on_branch(arm.generator.joints(), Model::default().forward(flipped).into())
+        .expect_err("another branch");
     assert!(matches!(found.exceeded, Exceeded::JointRange { .. } | Exceeded::Singularity { .. }), "{found}");
 }
