@@ -5,7 +5,7 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Builder, Controller, Delays, Port, Trip, Underrun};
+use jaka_sim::{Builder, Controller, Delays, Fault, Port, Trip, Underrun};
 use jaka_sync::types::Pose;
 use jaka_sync::{Config, Error, ErrorKind, Robot, ServoConfig, ServoSession};
 use serde_json::Value;
@@ -289,6 +289,19 @@ fn a_stop_goes_out_in_time_though_the_arm_brakes_slowly_and_no_set_point_after_i
     });
     let after = controller.requests().into_iter().skip_while(|request| !request.contains("stop_program"));
     assert!(!after.into_iter().any(|request| request.contains("servo_j")), "a set-point went out after the stop");
+    assert!(!controller.state().servo_mode);
+}
+
+#[test]
+fn a_refusal_that_comes_during_the_landing_is_told() {
+    let (controller, mut robot) = ready();
+    let mut session = robot.enter_servo_mode(&patient()).expect("the arm is enabled");
+    // Of all set-points this one alone is refused.
+    controller
+        .inject_for("servo_j", Fault::Instead(br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec()));
+    session.send_joint_offset([0.0, 0.0, 0.1, 0.0, 0.0, 0.0]).expect("it is sent");
+    let error = session.land().expect_err("it was refused");
+    assert!(error.is_refused(), "{error:?}");
     assert!(!controller.state().servo_mode);
 }
 

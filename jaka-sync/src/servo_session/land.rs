@@ -126,7 +126,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Ok(false);
         }
         self.take_answers(ServoJ::INFO.name)?;
-        if let Some(refusal) = self.refusal.take().filter(|_| self.report.refused > refused) {
+        // A refusal of one that was sent before is told when the session ends.
+        if let Some(refusal) = self.refusal.take_if(|_| self.report.refused > refused) {
             return Err(refusal);
         }
         self.check_unanswered()?;
