@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use jaka_sim::{Controller, Delays, Port};
 use jaka_sync::jaka_motion::{Limits, Model, Region, TcpVelocity, VelocityFrame};
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Config, ErrorKind, Robot, ServoConfig, StreamConfig, Unchecked};
+use jaka_sync::{Config, ErrorKind, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
 use serde_json::Value;
 
 use crate::limits::random::Random;
@@ -104,6 +104,16 @@ fn turned(joint: usize, by: f64) -> [f64; 6] {
     let mut joints = START;
     joints[joint - 1] += by;
     joints
+}
+
+/// Until joint 6 is on its way to 60 deg further.
+fn speed_up(stream: &StreamHandle) {
+    stream.set_joints(turned(6, 60.0)).expect("within its range");
+    let since = Instant::now();
+    while stream.joints()[5] - START[5] < 5.0 {
+        assert!(since.elapsed() < LONG);
+        thread::sleep(Duration::from_millis(5));
+    }
 }
 
 #[test]
@@ -220,12 +230,7 @@ fn a_stream_that_is_dropped_or_unwinds_at_speed_lands() {
         let (controller, mut robot) = ready();
         let end = catch_unwind(AssertUnwindSafe(|| {
             let stream = robot.stream(&patient()).expect("the arm is ready");
-            stream.set_joints(turned(6, 60.0)).expect("within its range");
-            let since = Instant::now();
-            while stream.joints()[5] - START[5] < 5.0 {
-                assert!(since.elapsed() < LONG);
-                thread::sleep(Duration::from_millis(5));
-            }
+            speed_up(&stream);
             assert!(!panics, "a bug in the user's program");
         }));
         assert_eq!(end.is_err(), panics);
@@ -244,12 +249,7 @@ fn a_stop_of_the_program_brakes_a_stream_first() {
     let (controller, mut robot) = ready();
     let stop = robot.stop_handle();
     let stream = robot.stream(&patient()).expect("the arm is ready");
-    stream.set_joints(turned(6, 60.0)).expect("within its range");
-    let since = Instant::now();
-    while stream.joints()[5] - START[5] < 5.0 {
-        assert!(since.elapsed() < LONG);
-        thread::sleep(Duration::from_millis(5));
-    }
+    speed_up(&stream);
     stop.stop().expect("the controller takes it");
     let error = stream.land().expect_err("it was stopped");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
