@@ -107,9 +107,7 @@ impl<S: MotionStatus> Robot<S> {
             latch.check()
         }
     }
-}
 
-impl<S: MotionStatus> Robot<S> {
     /// Lets set-points pass that brake the arm, also where the status is no longer known, and before a stop of the program's own goes out: only that and
     /// a protective or an emergency stop block them.
     pub(crate) fn braking_gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {

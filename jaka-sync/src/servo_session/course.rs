@@ -64,10 +64,7 @@ impl Course {
     pub(super) fn joints_at(&self, next: &SetPoint) -> Option<JointPosition> {
         match next {
             SetPoint::Joints(target) => Some(*target),
-            SetPoint::JointOffset(offset) => {
-                let add = |last: JointPosition| JointPosition(std::array::from_fn(|i| last.0[i] + offset.0[i]));
-                self.joints.last.map(add)
-            }
+            SetPoint::JointOffset(offset) => self.joints.last.map(|last| moved(last, &offset.0)),
             SetPoint::Pose(_) | SetPoint::PoseOffset(_) => None,
         }
     }
@@ -146,9 +143,7 @@ impl Course {
     /// The set-point this far from the last one, of the same kind as that.
     pub(super) fn after(&self, step: &Step) -> Option<SetPoint> {
         match (self.sent?, step) {
-            (SetPoint::Joints(last), Step::Joints(step)) => {
-                Some(SetPoint::Joints(JointPosition(std::array::from_fn(|joint| last.0[joint] + step[joint]))))
-            }
+            (SetPoint::Joints(last), Step::Joints(step)) => Some(SetPoint::Joints(moved(last, step))),
             (SetPoint::JointOffset(_), Step::Joints(step)) => Some(SetPoint::JointOffset(JointPosition(*step))),
             (SetPoint::Pose(last), Step::Pose([x, y, z], turn)) => {
                 let moved = Pose { x: last.x + x, y: last.y + y, z: last.z + z, ..last };
@@ -170,4 +165,8 @@ impl Course {
             absolute => absolute,
         })
     }
+}
+
+fn moved(from: JointPosition, by: &[f64; 6]) -> JointPosition {
+    JointPosition(std::array::from_fn(|joint| from.0[joint] + by[joint]))
 }

@@ -7,6 +7,7 @@ use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
 
 use super::set_point::{SetPoint, Step};
+use super::turn::length;
 
 /// How fast set-points may be, and how fast that may change: so the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,10 +133,7 @@ impl Rates {
 fn sizes(step: &Step) -> Sizes {
     match step {
         Step::Joints(step) => step.map(f64::abs),
-        Step::Pose(mm, turn) => {
-            let length = mm.iter().map(|axis| axis * axis).sum::<f64>().sqrt();
-            [length, turn.angle_deg(), 0.0, 0.0, 0.0, 0.0]
-        }
+        Step::Pose(mm, turn) => [length(*mm), turn.angle_deg(), 0.0, 0.0, 0.0, 0.0],
     }
 }
 

@@ -56,7 +56,7 @@ impl Turn {
     }
 }
 
-fn length(vector: [f64; 3]) -> f64 {
+pub(super) fn length(vector: [f64; 3]) -> f64 {
     vector.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 

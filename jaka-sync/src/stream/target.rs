@@ -22,7 +22,7 @@ pub(super) struct Targets {
 pub(super) struct Order {
     goal: Goal,
     until: Option<Instant>,
-    pub(super) number: u64,
+    number: u64,
 }
 
 impl Order {
