@@ -4,6 +4,7 @@ mod course;
 mod enter;
 #[cfg(feature = "stream")]
 mod generated;
+mod histogram;
 mod land;
 mod lateness;
 mod leave;

@@ -36,6 +36,7 @@ use self::background::{Findings, Rate};
 pub use self::host::{Host, serve};
 use self::random::Random;
 use self::resources::Peak;
+pub use self::resources::resident;
 pub use self::summary::Summary;
 
 /// How long a round may take: far longer than it does.

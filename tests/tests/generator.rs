@@ -2,8 +2,8 @@
 //!
 //! `JAKA_RETARGETINGS=10000000 cargo test --release -p jaka-tests --test suite generator::` is the long form.
 
-mod goals;
-mod judge;
+pub(crate) mod goals;
+pub(crate) mod judge;
 
 use jaka_motion::{Dynamics, Generator, Goal};
 use jaka_proto::Command as _;
@@ -36,20 +36,11 @@ impl Run {
     fn new(seed: u32) -> Option<Self> {
         let mut random = Random::new(seed);
         let mut rig = Rig::new(&mut random);
-        let mut each = |low: f64, high: f64| [0.0; 6].map(|_: f64| 10_f64.powf(random.between(low, high)));
-        let (shares, accelerations, jerks) = (each(-1.5, 0.0), each(0.7, 4.5), each(1.0, 6.0));
-        rig.limits = rig.limits.with_joint_accelerations(accelerations).expect("above 0");
-        if random.one_in(2) {
-            rig.limits = rig.limits.with_tcp_speed(1e9).expect("above 0");
-            rig.bounds.tcp_speed = 1e9;
-        }
-        let speeds = std::array::from_fn(|joint| rig.bounds.speeds[joint] * shares[joint]);
-        let dynamics = Dynamics::of(&rig.limits).with_speeds(speeds).and_then(|dynamics| dynamics.with_jerks(jerks));
+        let dynamics = some_dynamics(&mut random, &mut rig);
         let start = rig.place(&mut random)?;
         let period = 0.008 * f64::from(if random.one_in(2) { 1 } else { random.below(12) + 1 });
-        let moves = Moves { limits: [speeds, accelerations, jerks], period };
-        let generator = Generator::new(&rig.checker(), dynamics.expect("above 0"), JointPosition(start), period)
-            .expect("within limits");
+        let moves = Moves::of(&dynamics, period);
+        let generator = Generator::new(&rig.checker(), dynamics, JointPosition(start), period).expect("within limits");
         let judge = Judge::new(rig.bounds.clone(), moves, start);
         Some(Self { random, rig, generator, judge, tally: Tally::default() })
     }
@@ -57,7 +48,7 @@ impl Run {
     /// Goals, each for some periods.
     fn retarget(&mut self, times: u32) -> Result<(), String> {
         for _ in 0..times {
-            let goal = goals::some_goal(&mut self.random, &self.rig, &self.generator);
+            let goal = goals::some_goal(&mut self.random, &self.rig, self.generator.joints().0);
             self.tally.goals += 1;
             let periods = if self.random.one_in(12) { self.random.below(150) } else { self.random.below(4) };
             for _ in 0..=periods {
@@ -100,6 +91,21 @@ impl Run {
     }
 }
 
+/// From creeping to as fast as the arm can be; the limits get the same accelerations.
+pub(crate) fn some_dynamics(random: &mut Random, rig: &mut Rig) -> Dynamics {
+    let mut each = |low: f64, high: f64| [0.0; 6].map(|_: f64| 10_f64.powf(random.between(low, high)));
+    let (shares, accelerations, jerks) = (each(-1.5, 0.0), each(0.7, 4.5), each(1.0, 6.0));
+    rig.limits = rig.limits.clone().with_joint_accelerations(accelerations).expect("above 0");
+    rig.bounds.accelerations = accelerations;
+    if random.one_in(2) {
+        rig.limits = rig.limits.clone().with_tcp_speed(1e9).expect("above 0");
+        rig.bounds.tcp_speed = 1e9;
+    }
+    let speeds = std::array::from_fn(|joint| rig.bounds.speeds[joint] * shares[joint]);
+    let dynamics = Dynamics::of(&rig.limits).with_speeds(speeds).and_then(|dynamics| dynamics.with_jerks(jerks));
+    dynamics.expect("above 0")
+}
+
 fn encoded(joints: JointPosition) -> String {
     let mut out = jaka_proto::wire::Writer::new();
     jaka_proto::messages::servo::ServoJ::absolute(joints).write_request(&mut out);
@@ -140,9 +146,8 @@ fn the_witness_sees_a_jump() {
     let mut generator = Generator::new(&rig.checker(), dynamics, JointPosition(start), 0.008).expect("within limits");
     let set_points: Vec<[f64; 6]> =
         (0..60).map(|_| generator.next(&Goal::Velocity([10.0, 0.0, 0.0, 0.0, 0.0, -10.0])).joints.0).collect();
-    let limits = [*dynamics.speeds(), *dynamics.accelerations(), *dynamics.jerks()];
     let judged = |set_points: &[[f64; 6]]| {
-        let mut judge = Judge::new(rig.bounds.clone(), Moves { limits, period: 0.008 }, start);
+        let mut judge = Judge::new(rig.bounds.clone(), Moves::of(&dynamics, 0.008), start);
         set_points.iter().try_for_each(|joints| judge.set_point(*joints))
     };
     assert_eq!(judged(&set_points), Ok(()));

@@ -1,7 +1,7 @@
 //! What a robot with limits sends, and what it keeps back: the witness is what the simulated controller received.
 
 mod holes;
-mod plain_controller;
+pub(crate) mod plain_controller;
 pub(crate) mod random;
 mod simulated;
 mod ways;

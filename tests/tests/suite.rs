@@ -43,3 +43,4 @@ mod stalls;
 mod status;
 mod strange;
 mod stream;
+mod stream_soak;

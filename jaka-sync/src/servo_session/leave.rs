@@ -46,10 +46,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let left = self.leave();
         let first = answers.err().or(self.refusal.take()).or(landed.err());
         match (first, left) {
-            (None, Ok(())) => {
-                self.report.sort();
-                Ok(std::mem::take(&mut self.report))
-            }
+            (None, Ok(())) => Ok(std::mem::take(&mut self.report)),
             (Some(error), Ok(())) => Err(error),
             (first, Err(leaving)) => Err(not_left(first, leaving)),
         }

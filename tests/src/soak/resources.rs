@@ -78,7 +78,8 @@ pub(super) fn allocated(allocator: &StatsAlloc<System>) -> u64 {
 }
 
 /// Memory of this process that is resident, holes of the heap included, in KiB; 0 where the system does not tell.
-pub(super) fn resident() -> u32 {
+#[must_use]
+pub fn resident() -> u32 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
     line.and_then(|line| line.trim().trim_end_matches(" kB").parse().ok()).unwrap_or_default()

@@ -1,13 +1,12 @@
 //! Goals at random.
 
-use jaka_motion::{Generator, Goal, TcpVelocity, VelocityFrame};
+use jaka_motion::{Goal, TcpVelocity, VelocityFrame};
 use jaka_sync::types::JointPosition;
 
 use crate::limits::random::{Random, Rig};
 
 /// Mostly one that leads somewhere; now and then one that no arm can have.
-pub(super) fn some_goal(random: &mut Random, rig: &Rig, generator: &Generator) -> Goal {
-    let here = generator.joints().0;
+pub(crate) fn some_goal(random: &mut Random, rig: &Rig, here: [f64; 6]) -> Goal {
     let bounds = &rig.bounds;
     match random.below(12) {
         0 | 1 => Goal::Joints(JointPosition(std::array::from_fn(|joint| {

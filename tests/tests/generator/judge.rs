@@ -1,15 +1,23 @@
 //! The witness: set-points out of the bytes, their differences by index, and where they put the arm.
 
+use jaka_motion::Dynamics;
 use jaka_tests::witness::way::Bounds;
 
 /// How joints may move: speeds, accelerations, jerks.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Moves {
-    pub(super) limits: [[f64; 6]; 3],
-    pub(super) period: f64,
+pub(crate) struct Moves {
+    pub(crate) limits: [[f64; 6]; 3],
+    pub(crate) period: f64,
 }
 
-pub(super) struct Judge {
+impl Moves {
+    pub(crate) fn of(dynamics: &Dynamics, period: f64) -> Self {
+        Self { limits: [*dynamics.speeds(), *dynamics.accelerations(), *dynamics.jerks()], period }
+    }
+}
+
+#[derive(Clone)]
+pub(crate) struct Judge {
     bounds: Bounds,
     moves: Moves,
     /// The last three set-points, the last one last.
@@ -28,17 +36,17 @@ const REGION: f64 = 0.61;
 const NAMES: [&str; 3] = ["speed", "acceleration", "jerk"];
 
 impl Judge {
-    pub(super) fn new(bounds: Bounds, moves: Moves, start: [f64; 6]) -> Self {
+    pub(crate) fn new(bounds: Bounds, moves: Moves, start: [f64; 6]) -> Self {
         let tool = bounds.tcp(start).map(|row| row[3]);
         Self { bounds, moves, last: [start; 3], tool }
     }
 
     /// What comes next starts from standstill.
-    pub(super) fn paused(&mut self) {
+    pub(crate) fn paused(&mut self) {
         self.last = [self.last[2]; 3];
     }
 
-    pub(super) fn set_point(&mut self, here: [f64; 6]) -> Result<(), String> {
+    pub(crate) fn set_point(&mut self, here: [f64; 6]) -> Result<(), String> {
         let [third, second, first] = self.last;
         for joint in 0..6 {
             let by = [
@@ -75,7 +83,7 @@ impl Judge {
     }
 
     /// Whether the arm is there, and within all zones.
-    pub(super) fn is_at(&self, there: [f64; 6]) -> Result<(), String> {
+    pub(crate) fn is_at(&self, there: [f64; 6]) -> Result<(), String> {
         let off = (0..6).map(|joint| (self.last[2][joint] - there[joint]).abs()).fold(0.0, f64::max);
         let place = self.bounds.place(there);
         if off > 1e-6 || place.millimetres > 1e-3 {
@@ -86,7 +94,7 @@ impl Judge {
 }
 
 /// The six numbers between the first brackets of a request.
-pub(super) fn joints_in(request: &str) -> [f64; 6] {
+pub(crate) fn joints_in(request: &str) -> [f64; 6] {
     let (_, from) = request.split_once('[').expect("a list");
     let (list, _) = from.split_once(']').expect("its end");
     let mut numbers = list.split(',').map(|number| number.trim().parse().expect("a number"));

@@ -4,16 +4,16 @@ use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_tests::witness::way::{Bounds, inverted};
 use jaka_tests::witness::{Frame, angles, inverse, pose, product};
 use serde_json::{Deserializer, Value, json};
 
 #[derive(Clone)]
-pub(super) struct PlainController {
-    pub(super) commands: SocketAddr,
-    pub(super) status: SocketAddr,
+pub(crate) struct PlainController {
+    pub(crate) commands: SocketAddr,
+    pub(crate) status: SocketAddr,
     state: Arc<Mutex<State>>,
 }
 
@@ -21,15 +21,15 @@ struct State {
     bounds: Bounds,
     joints: [f64; 6],
     servo_mode: bool,
-    /// The requests that move the arm.
-    motions: Vec<Value>,
+    /// The requests that move the arm, and when they came.
+    motions: Vec<(Instant, Value)>,
 }
 
 const MOTIONS: [&str; 6] = ["joint_move", "end_move", "moveL", "movc", "servo_j", "servo_p"];
 
 impl PlainController {
     /// Ends with the connections to it.
-    pub(super) fn start(bounds: Bounds, joints: [f64; 6]) -> Self {
+    pub(crate) fn start(bounds: Bounds, joints: [f64; 6]) -> Self {
         let listen = || TcpListener::bind(("127.0.0.1", 0)).expect("loopback has free ports");
         let (commands, status) = (listen(), listen());
         let address = |listener: &TcpListener| listener.local_addr().expect("it listens");
@@ -50,6 +50,11 @@ impl PlainController {
 
     /// The requests that move the arm, since this was last asked for.
     pub(super) fn motions(&self) -> Vec<Value> {
+        self.timed_motions().into_iter().map(|(_, request)| request).collect()
+    }
+
+    /// The same, and when each came.
+    pub(crate) fn timed_motions(&self) -> Vec<(Instant, Value)> {
         std::mem::take(&mut self.lock().motions)
     }
 
@@ -111,7 +116,7 @@ impl State {
             "is_in_servomove" => reply["in_servomove"] = json!(self.servo_mode),
             _ if MOTIONS.contains(&&*name) => {
                 self.follow(&name, &request);
-                self.motions.push(request);
+                self.motions.push((Instant::now(), request));
             }
             _ => {}
         }
@@ -151,6 +156,6 @@ fn frame([x, y, z, rx, ry, rz]: [f64; 6]) -> Frame {
     pose([x, y, z], [rx, ry, rz].map(f64::to_radians))
 }
 
-pub(super) fn six(value: &Value) -> [f64; 6] {
+pub(crate) fn six(value: &Value) -> [f64; 6] {
     std::array::from_fn(|index| value[index].as_f64().expect("six numbers"))
 }
