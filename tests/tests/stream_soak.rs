@@ -112,7 +112,7 @@ fn run(arm: u32, over: &AtomicBool) -> Tally {
     while !over.load(Ordering::Relaxed) {
         let stream = robot.stream(&config).expect("the arm is ready");
         let begun = Instant::now();
-        while !over.load(Ordering::Relaxed) && (arm % 2 == 0 || begun.elapsed() < STREAM) {
+        while !over.load(Ordering::Relaxed) && (arm.is_multiple_of(2) || begun.elapsed() < STREAM) {
             let goal = some_goal(&mut random, &rig, stream.joints().0);
             let time = Duration::from_millis(random.below(500).into());
             let given = give(&stream, &mut random, &rig, goal, time);
