@@ -37,7 +37,9 @@ pub(crate) fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: 
             }
         }
     });
-    let in_place = choice.variants.iter().any(|variant| !scope.spec.all_copy(&variant.fields)).then_some(in_place);
+    let inline = scope.inline_reads();
+    let owns = choice.variants.iter().any(|variant| !scope.spec.all_copy(&variant.fields));
+    let in_place = owns.then(|| quote!(#inline #in_place));
     quote! {
         #docs
         #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +61,7 @@ pub(crate) fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: 
         }
 
         impl wire::Decode for #name {
+            #inline
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 let start = reader.mark();
                 reader.begin_array()?;

@@ -56,6 +56,14 @@ impl<'s> Scope<'s> {
         }
     }
 
+    /// How the functions that read the topic's types are compiled: those of the status packet here, since most programs read it, and others in the programs
+    /// that use them.
+    pub(crate) fn inline_reads(self) -> Option<TokenStream> {
+        let status = self.spec.status_type();
+        let has_status = self.topic.is_some_and(|topic| status.is_some_and(|status| topic.types.contains(&status)));
+        (!has_status).then(|| quote!(#[inline]))
+    }
+
     /// The path of a named type.
     pub(crate) fn path(self, id: TypeId) -> TokenStream {
         let is_own = self.topic.is_some_and(|topic| topic.types.contains(&id));

@@ -57,15 +57,11 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields:
 
 /// The same for a named type. It is read in place too if that is possible and some of its fields own memory, to use that again.
 fn object_type(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], manner: Manner) -> TokenStream {
+    let inline = scope.inline_reads();
     if scope.spec.all_copy(fields) || !in_place(fields) {
-        return object_with(
-            scope,
-            name,
-            docs,
-            fields,
-            &read_fields(fields, manner),
-            &quote!(proto::__object_impls!(#name);),
-        );
+        let read = read_fields(fields, manner);
+        let impls = quote!(proto::__object_impls!(#name););
+        return object_with(scope, name, docs, fields, &quote!(#inline #read), &impls);
     }
     let read = if fields.iter().all(|field| field.optional) {
         quote! {
@@ -80,8 +76,10 @@ fn object_type(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Fie
     };
     let read_in_place = read_object_in_place(fields, manner);
     let read = quote! {
+        #inline
         #read
 
+        #inline
         fn read_fields_into(&mut self, reader: &mut wire::Reader<'_>) -> Result<(), wire::DecodeError> { #read_in_place }
     };
     object_with(scope, name, docs, fields, &read, &quote!(proto::__object_impls!(#name, in_place);))
@@ -125,9 +123,11 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
     let declared = scope.declare(fields, &quote!(pub));
     let write = write_all(fields, |name| quote!(&self.#name));
     let read = read_array(fields, exact, &quote!(Self));
+    let inline = scope.inline_reads();
     let in_place = (!scope.spec.all_copy(fields)).then(|| {
         let read = read_array_in_place(fields, exact, |name| quote!(&mut self.#name));
-        decode_into(&quote!(reader.begin_array()?; #read))
+        let decode = decode_into(&quote!(reader.begin_array()?; #read));
+        quote!(#inline #decode)
     });
     // What converts from an array of numbers cannot grow.
     let grows = (!is_floats(fields)).then(|| quote!(#[non_exhaustive]));
@@ -148,6 +148,7 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
         }
 
         impl wire::Decode for #name {
+            #inline
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 reader.begin_array()?;
                 #read
@@ -186,7 +187,11 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
     let inner = scope.rust_type(ty);
     let copy = scope.spec.is_copy(ty).then(|| quote!(Copy,));
     let write = write_type(ty, &quote!(&self.0));
-    let in_place = copy.is_none().then(|| decode_into(&quote!(self.0.decode_into(reader))));
+    let inline = scope.inline_reads();
+    let in_place = copy.is_none().then(|| {
+        let decode = decode_into(&quote!(self.0.decode_into(reader)));
+        quote!(#inline #decode)
+    });
     quote! {
         #docs
         #[derive(Debug, Clone, #copy PartialEq)]
@@ -210,6 +215,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
         }
 
         impl wire::Decode for #name {
+            #inline
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
                 wire::Decode::decode(reader).map(Self)
             }

@@ -50,9 +50,10 @@ pub use methods::*;
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
+#[cfg(feature = "preflight")]
+pub use robot::{CheckItem, Finding, Preflight, Verdict};
 pub use robot::{
-    CheckItem, Explanation, Finding, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Path, Preflight, Robot,
-    RobotStop, StatusProblem, Target, Verdict,
+    Explanation, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Path, Robot, RobotStop, StatusProblem, Target,
 };
 #[cfg(feature = "motion")]
 pub use robot::{LimitPolicy, Unchecked};

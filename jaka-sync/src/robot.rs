@@ -9,6 +9,7 @@ mod motion;
 mod outcome;
 mod position;
 mod power;
+#[cfg(feature = "preflight")]
 mod preflight;
 mod readiness;
 mod rest;
@@ -34,6 +35,7 @@ pub use self::limits::{LimitPolicy, Unchecked};
 pub use self::motion::{Motion, Path};
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
+#[cfg(feature = "preflight")]
 pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use self::readiness::StatusProblem;
 pub(crate) use self::rest::Rest;

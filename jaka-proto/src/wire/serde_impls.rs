@@ -55,6 +55,7 @@ macro_rules! __object_impls {
     };
     ($type:ident, in_place) => {
         $crate::__object_impls!(@impls $type {
+            #[inline]
             fn decode_into(
                 &mut self,
                 reader: &mut $crate::wire::Reader<'_>,
