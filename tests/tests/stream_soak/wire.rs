@@ -6,12 +6,13 @@ use crate::generator::judge::Judge;
 use crate::limits::plain_controller::{PlainController, six};
 
 /// Judges set-points by their index. Where one came late the arm may have been taken to stand, so that the motion begins again from standstill: whether
-/// it has shows with the next set-points.
+/// it has shows with the next set-points. Those that were read together with the late one may have been sent before it.
 pub(super) struct Wire {
     /// Each with how often the motion began again; more than one until it shows.
     judges: Vec<(Judge, u64)>,
-    /// How many set-points came since the last late one.
-    since: u32,
+    /// How many set-points came since the last late one, and since judges last parted.
+    since_late: u32,
+    since_parted: u32,
     period: Duration,
     last: Option<Instant>,
     pub(super) set_points: u64,
@@ -19,9 +20,20 @@ pub(super) struct Wire {
     pub(super) lost: f64,
 }
 
+/// Set-points that may have been sent before a late one and are read with it.
+const TOGETHER: u32 = 3;
+
 impl Wire {
     pub(super) fn new(judge: Judge, period: Duration) -> Self {
-        Self { judges: vec![(judge, 0)], since: 0, period, last: None, set_points: 0, lost: 0.0 }
+        Self {
+            judges: vec![(judge, 0)],
+            since_late: TOGETHER,
+            since_parted: 0,
+            period,
+            last: None,
+            set_points: 0,
+            lost: 0.0,
+        }
     }
 
     /// How often the motion began again.
@@ -53,19 +65,20 @@ impl Wire {
         self.last = Some(at);
         self.set_points += 1;
         self.lost += periods - 1.0;
-        if periods > 1.5 {
+        self.since_late = if periods > 1.5 { 0 } else { self.since_late + 1 };
+        if self.since_late < TOGETHER {
             let (mut stands, stood) = self.judges[0].clone();
             stands.paused();
             self.judges.push((stands, stood + 1));
-            self.since = 0;
+            self.since_parted = 0;
         }
         let mut last = String::new();
         self.judges.retain_mut(|(judge, _)| judge.set_point(joints).map_err(|what| last = what).is_ok());
         if self.judges.is_empty() {
             return Err(format!("set-point {}, {periods:.1} periods after the one before: {last}", self.set_points));
         }
-        self.since += 1;
-        if self.since >= 3 {
+        self.since_parted += 1;
+        if self.since_parted >= 3 {
             self.judges.truncate(1);
         }
         Ok(())
