@@ -7,6 +7,7 @@ use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 use jaka_proto::wire::Decode;
 
+use crate::clock::Clock;
 use crate::{Client, Error, ErrorKind, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream, address};
 
 /// How connections behave: timeouts, keepalive, frame size and checks; and what connects them.
@@ -37,6 +38,7 @@ pub struct Config {
     pub(crate) reconnect: Reconnect,
     pub(crate) recorder: Option<Recorder>,
     pub(crate) status_sampling: StatusSampling,
+    pub(crate) clock: Clock,
 }
 
 impl Default for Config {
@@ -51,6 +53,7 @@ impl Default for Config {
             reconnect: Reconnect::Never,
             recorder: None,
             status_sampling: StatusSampling::All,
+            clock: Clock::default(),
         }
     }
 }

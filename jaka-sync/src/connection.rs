@@ -3,12 +3,13 @@
 use std::fmt::Write;
 use std::io;
 use std::net::{SocketAddr, TcpStream};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::recording::Port;
 use socket2::{SockRef, TcpKeepalive};
 
 use crate::address::resolve;
+use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
 
@@ -39,10 +40,11 @@ fn connect_to(address: &str, port: u16, config: &Config) -> io::Result<TcpStream
 
 /// Tries one after the other. They share the time: one that is silent leaves its share to each of the others.
 fn first_that_answers(candidates: &[SocketAddr], timeout: Duration) -> io::Result<TcpStream> {
-    let since = Instant::now();
+    // Systems connect by their own time.
+    let since = Clock::default().stopwatch();
     let mut failed = Vec::new();
     for (candidate, others) in candidates.iter().zip((1..=candidates.len()).rev()) {
-        let left = timeout.saturating_sub(since.elapsed());
+        let left = since.left_of(timeout);
         let share = left / u32::try_from(others).unwrap_or(u32::MAX);
         // The system takes no time of zero, and what is left may be that.
         match TcpStream::connect_timeout(candidate, share.max(Duration::from_millis(1))) {
@@ -90,6 +92,7 @@ fn keepalive(idle: Duration) -> [u64; 2] {
 #[cfg(test)]
 mod tests {
     use std::net::TcpListener;
+    use std::time::Instant;
 
     use socket2::{Domain, Socket, Type};
 

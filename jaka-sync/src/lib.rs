@@ -3,6 +3,7 @@
 mod address;
 mod call;
 mod client;
+mod clock;
 mod config;
 mod connection;
 mod error;

@@ -19,7 +19,7 @@ use std::borrow::Cow;
 use std::io;
 use std::net::{Shutdown, SocketAddr, TcpStream};
 use std::sync::atomic::AtomicUsize;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard};
+use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::{ReadReply, RequestId};
@@ -35,6 +35,7 @@ pub(crate) use self::outgoing::{Gate, Outgoing, Right};
 pub(crate) use self::posted::{Answers, MOST_OUTSTANDING};
 pub(crate) use self::question::Question;
 use self::state::{Mode, State};
+use crate::clock::{Clock, Signal};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Error};
 
@@ -53,13 +54,14 @@ use crate::{Config, Disconnect, Error};
 #[derive(Debug)]
 pub(crate) struct Link {
     tap: Tap,
+    clock: Clock,
     /// How long a command may take to go out if no time for its reply is given.
     reply_timeout: Duration,
     state: Mutex<State>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
     stops: AtomicUsize,
     /// Signalled when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
-    turned: Condvar,
+    turned: Signal,
 }
 
 /// What changes the frames to which poses refer.
@@ -94,11 +96,17 @@ impl Link {
         let state = State::new(stream, Inbound::new(config.max_frame));
         Self {
             tap,
+            clock: config.clock.clone(),
             reply_timeout: config.reply_timeout,
             state: Mutex::new(state),
             stops: AtomicUsize::new(0),
-            turned: Condvar::new(),
+            turned: Signal::new(&config.clock),
         }
+    }
+
+    /// The clock of its connection.
+    pub(crate) fn clock(&self) -> &Clock {
+        &self.clock
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
@@ -157,7 +165,7 @@ impl Link {
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
         let request = self.transmit(outgoing, 1, &mut |_, out| write(out))?.last;
-        Ok(Sent { request, command: outgoing.command, since: outgoing.since, timeout: outgoing.timeout })
+        Ok(Sent { request, command: outgoing.command, since: outgoing.since.began(), timeout: outgoing.timeout })
     }
 
     /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted commands
@@ -170,7 +178,7 @@ impl Link {
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Posting, Error> {
-        let outgoing = Outgoing::named(command, Cow::Borrowed(command), timeout).through(gate).posted();
+        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).through(gate).posted();
         let dispatched = self.transmit(&outgoing, count, write)?;
         Ok(Posting { sent: dispatched.count, outstanding: dispatched.posted })
     }

@@ -27,8 +27,9 @@ use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
 use self::subscription::Queue;
 pub use self::subscription::Subscription;
+use crate::clock::Clock;
 use crate::recorder::Tap;
-use crate::sync::{Condvar, Mutex, MutexGuard};
+use crate::sync::{Mutex, MutexGuard, Signal};
 use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 
 /// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that wait for a state.
@@ -53,6 +54,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 #[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
     board: Arc<Board<S>>,
+    clock: Clock,
     thread: Option<JoinHandle<()>>,
     timeout: Duration,
     stale_after: Duration,
@@ -74,6 +76,7 @@ pub struct Snapshot<S = RobotStatus> {
     /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
     /// [`status`](Self::status). Usually none.
     pub unfit: Vec<DecodeError>,
+    pub(crate) clock: Clock,
 }
 
 impl<S> Snapshot<S> {
@@ -91,7 +94,7 @@ impl<S> Snapshot<S> {
 
     /// How long ago the packet came.
     pub fn age(&self) -> Duration {
-        self.received.elapsed()
+        self.clock.elapsed(self.received)
     }
 }
 
@@ -101,7 +104,7 @@ impl<S> Snapshot<S> {
 #[derive(Debug)]
 struct Board<S> {
     state: Mutex<State<S>>,
-    changed: Condvar,
+    changed: Signal,
 }
 
 #[derive(Debug)]
@@ -129,7 +132,7 @@ struct State<S> {
 }
 
 impl<S> Board<S> {
-    fn new(stream: Option<Arc<TcpStream>>, tap: Tap) -> Self {
+    fn new(clock: &Clock, stream: Option<Arc<TcpStream>>, tap: Tap) -> Self {
         let state = State {
             latest: None,
             counters: Counters::default(),
@@ -145,7 +148,7 @@ impl<S> Board<S> {
             wakes: 0,
             sleepers: 0,
         };
-        Self { state: Mutex::new(state), changed: Condvar::new() }
+        Self { state: Mutex::new(state), changed: Signal::new(clock) }
     }
 
     fn lock(&self) -> MutexGuard<'_, State<S>> {
@@ -155,7 +158,7 @@ impl<S> Board<S> {
 
     fn wait<'b>(&'b self, mut state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
         state.sleepers += 1;
-        let mut state = self.changed.wait_timeout(state, time).unwrap_or_else(PoisonError::into_inner).0;
+        let mut state = self.changed.wait(&self.state, state, time);
         state.sleepers -= 1;
         state
     }
@@ -185,13 +188,13 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = connection::connect(address, Port::Status, config)?;
         let stream = Arc::new(stream);
-        let board = Arc::new(Board::new(Some(Arc::clone(&stream)), tap.clone()));
+        let board = Arc::new(Board::new(&config.clock, Some(Arc::clone(&stream)), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let thread = builder.spawn(move || worker.run((stream, tap)));
         let thread = thread.map_err(|source| ErrorKind::Connect { address: address.to_owned(), source })?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
-        Ok(Self { board, thread: Some(thread), timeout, stale_after })
+        Ok(Self { board, clock: config.clock.clone(), thread: Some(thread), timeout, stale_after })
     }
 }
 
@@ -233,6 +236,10 @@ impl<S: 'static> Monitor<S> {
         if since.is_some_and(|since| since < SETTLING) { Err(StatusProblem::Resuming) } else { Ok(latest) }
     }
 
+    pub(crate) fn clock(&self) -> &Clock {
+        &self.clock
+    }
+
     pub(crate) fn stale_after(&self) -> Duration {
         self.stale_after
     }
@@ -268,7 +275,7 @@ impl<S: 'static> Monitor<S> {
         timeout: Duration,
         mut find: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
     ) -> Result<Option<T>, Error> {
-        let since = Instant::now();
+        let since = self.clock.stopwatch();
         let mut seen = 0;
         loop {
             let state = self.board.lock();
@@ -282,7 +289,7 @@ impl<S: 'static> Monitor<S> {
             }
             drop(latest);
             ended?;
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(timeout);
             if left.is_zero() {
                 return Ok(None);
             }
@@ -322,7 +329,7 @@ impl<S: 'static> Monitor<S> {
 
     /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and counted.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
-        let queue = Arc::new(Queue::new(capacity));
+        let queue = Arc::new(Queue::new(&self.clock, capacity));
         let mut state = self.board.lock();
         if state.ended.is_some() {
             queue.close();

@@ -23,6 +23,7 @@ use self::queue::Queue;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
 pub use self::track::Track;
+use crate::clock::Clock;
 
 /// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.
 const LIMIT: usize = 8 << 20;
@@ -111,7 +112,7 @@ impl Recorder {
     /// # Errors
     /// A thread cannot be started.
     pub fn new(writer: impl Write + Send + 'static) -> io::Result<Self> {
-        let (queue, started) = (Arc::new(Queue::new(LIMIT)), Instant::now());
+        let (queue, started) = (Arc::new(Queue::new(LIMIT)), Clock::default().now());
         let theirs = Arc::clone(&queue);
         let thread = thread::Builder::new().name("jaka-recorder".to_owned());
         let thread = Some(thread.spawn(move || theirs.serve(|queue| write(queue, &header(), writer)))?);
@@ -130,8 +131,8 @@ impl Recorder {
     }
 
     /// The time since the start of the recording.
-    fn now(&self) -> Duration {
-        self.0.started.elapsed()
+    fn now(&self, clock: &Clock) -> Duration {
+        clock.elapsed(self.0.started)
     }
 
     /// A number for a new connection.

@@ -22,7 +22,7 @@ mod watch;
 
 use std::fmt::Display;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
 
@@ -46,6 +46,7 @@ pub use self::target::Target;
 use self::wait::{Grace, Wait};
 #[cfg(doc)]
 use crate::ErrorKind;
+use crate::clock::Clock;
 use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
@@ -124,8 +125,8 @@ impl<S: MotionStatus> Robot<S> {
         let monitor = monitor.into();
         let grace = Grace { time: Duration::from_millis(400), packets: 3 };
         Self {
+            latch: Latch::new(&monitor, client.clock()),
             client,
-            latch: Latch::new(&monitor),
             monitor,
             grace,
             silence: Duration::from_secs(2),
@@ -184,9 +185,9 @@ impl<S: MotionStatus> Robot<S> {
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
     /// was accepted is reported by the [`MotionEnd`].
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         self.send(motion, timeout)?;
-        Ok(self.wait(timeout.saturating_sub(since.elapsed())))
+        Ok(self.wait(since.left_of(timeout)))
     }
 
     /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
@@ -203,11 +204,11 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     fn send<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<(), Error> {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         self.client.link().check_open(M::INFO.name)?;
         self.check_latch()?;
         let begin = self.begin(motion, timeout)?;
-        let left = || timeout.saturating_sub(since.elapsed());
+        let left = || since.left_of(timeout);
         let end = self.check_limits(motion, &begin, left())?;
         self.rests = false;
         let gate = self.gate();
@@ -232,7 +233,7 @@ impl<S: MotionStatus> Robot<S> {
 
     /// What is known of the arm before a motion.
     fn begin<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<Begin, Error> {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         let Some(newest) = self.known_status(timeout)? else {
             return Ok(Begin::default());
         };
@@ -241,14 +242,14 @@ impl<S: MotionStatus> Robot<S> {
             Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes),
         );
         if let Some(quantity) = motion.target().start_quantity().filter(|_| self.batch.is_none() && begin.at_rest) {
-            begin.start = self.place_at_rest(quantity, timeout.saturating_sub(since.elapsed()))?;
+            begin.start = self.place_at_rest(quantity, since.left_of(timeout))?;
         }
         Ok(begin)
     }
 
     fn accepted(&mut self, goal: Goal, begin: Begin) {
         // Packets that came before the reply may be older than the motion.
-        let now = Instant::now();
+        let now = self.clock().now();
         self.batch = Some(match self.batch.take() {
             Some(batch) => batch.then(now, goal, begin.frames),
             None => Batch::new(now, goal, begin),
@@ -257,7 +258,7 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none.
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         let Some(batch) = self.batch.take() else {
             let (waited, packets) = (Duration::ZERO, Vec::new());
             return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None };
@@ -272,7 +273,7 @@ impl<S: MotionStatus> Robot<S> {
             // The motions may go on: they can be waited for again.
             self.batch = Some(wait.batch);
         }
-        MotionEnd { outcome, waited: since.elapsed(), packets: wait.packets.into(), not_answered: wait.failure }
+        MotionEnd { outcome, waited: since.passed(), packets: wait.packets.into(), not_answered: wait.failure }
     }
 
     /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
@@ -299,6 +300,11 @@ impl<S: MotionStatus> Robot<S> {
             query: self.query.take(),
             rests: std::mem::take(&mut self.rests),
         }
+    }
+
+    /// The clock of its connections.
+    pub(crate) fn clock(&self) -> &Clock {
+        self.client.clock()
     }
 
     /// True if motions were accepted that have not been waited for.

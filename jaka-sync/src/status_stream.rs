@@ -3,13 +3,14 @@
 use std::fmt::Display;
 use std::net::TcpStream;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
+use crate::clock::Clock;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::resync::{record_lost, resync};
@@ -40,6 +41,7 @@ pub struct StatusStream {
     framer: Framer,
     socket_timeout: receive::Timeout,
     timeout: Duration,
+    clock: Clock,
     packet: String,
     unfit: Vec<DecodeError>,
     broken: Option<Arc<Disconnect>>,
@@ -64,6 +66,7 @@ impl StatusStream {
             framer: Framer::for_status(config.max_frame),
             socket_timeout: receive::Timeout::default(),
             timeout: config.reply_timeout,
+            clock: config.clock.clone(),
             packet: String::new(),
             unfit: Vec::new(),
             broken: None,
@@ -151,12 +154,12 @@ impl StatusStream {
     /// Waits for a packet and keeps its text.
     fn receive(&mut self) -> Result<(), Error> {
         self.check()?;
-        let since = Instant::now();
+        let since = self.clock.stopwatch();
         loop {
             if self.take_next()? {
                 return Ok(());
             }
-            let left = self.timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(self.timeout);
             if left.is_zero() {
                 return Err(self.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into()));
             }
@@ -177,8 +180,8 @@ impl StatusStream {
         let mut found = self.take_newest()?;
         self.nonblocking(true)?;
         // A controller that sends faster than this reads would hold it here for ever.
-        let since = Instant::now();
-        while since.elapsed() < self.timeout {
+        let since = self.clock.stopwatch();
+        while since.passed() < self.timeout {
             match self.read(self.timeout) {
                 Ok(Chunk::All | Chunk::Part) => found |= self.take_newest()?,
                 Ok(Chunk::TimeUp) => break,

@@ -48,7 +48,7 @@ impl StopHandle {
     /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
     /// the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
-        let outgoing = Outgoing::of(StopProgram::INFO, self.timeout).by(Right::Stop);
+        let outgoing = Outgoing::of(self.link.clock(), StopProgram::INFO, self.timeout).by(Right::Stop);
         let write = &mut |out: &mut _| StopProgram::new().write_request(out);
         self.link.call(&outgoing, write, &mut String::new(), &mut TextOnly)
     }

@@ -201,6 +201,25 @@ fn no_modules_stand_on_one_another_in_a_circle() {
     }
 }
 
+/// What reads the system's clock, or waits by it.
+const SYSTEM_TIME: &[&str] =
+    &["Instant::now", ".elapsed()", "thread::sleep", ".wait_timeout", "recv_timeout", "park_timeout"];
+
+/// Where that is allowed: the clocks themselves, and what has nothing to do with a controller.
+const BY_THE_SYSTEM: &[&str] = &["clock.rs", "sync.rs", "interleavings.rs", "recorder/queue.rs"];
+
+#[test]
+fn time_goes_through_one_clock() {
+    for folder in ["jaka-sync"] {
+        for file in sources(&workspace().join(folder).join("src")) {
+            let code = code(&text(&file));
+            let found = SYSTEM_TIME.iter().find(|reads| code.contains(**reads));
+            let allowed = BY_THE_SYSTEM.iter().any(|name| file.ends_with(name));
+            assert!(found.is_none() || allowed, "{}: {found:?} in place of the clock", file.display());
+        }
+    }
+}
+
 #[test]
 fn circles_are_found() {
     let graph = |arrows: &[(&str, &str)]| {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 use std::net::TcpStream;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::exchange::RequestId;
 use jaka_proto::wire::Writer;
@@ -104,7 +104,7 @@ impl Link {
 
     /// Enters what is to go out into the exchange.
     fn enter(&self, state: &mut State, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
-        let (mut start, now) = (0, outgoing.is_posted.then(Instant::now));
+        let (mut start, now) = (0, outgoing.is_posted.then(|| self.clock.now()));
         for (end, request) in &mut outbound.requests {
             self.tap.sent(&outbound.out.as_str()[start..*end]);
             *request = match (now, &outgoing.name) {

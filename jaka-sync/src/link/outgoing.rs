@@ -2,12 +2,13 @@
 
 use std::borrow::Cow;
 use std::fmt;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::CommandInfo;
 
 use super::failure::not_sent_in_time;
 use crate::Error;
+use crate::clock::{Clock, Stopwatch};
 
 /// Who goes first where several wait for their turn to send.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +31,7 @@ pub(crate) struct Outgoing<'o> {
     /// The name that replies to it have.
     pub(super) name: Cow<'static, str>,
     /// When its time began: the wait for the turn, and the sending, count towards it.
-    pub(super) since: Instant,
+    pub(super) since: Stopwatch,
     pub(super) timeout: Duration,
     pub(super) right: Right,
     pub(super) gate: Gate<'o>,
@@ -40,13 +41,13 @@ pub(crate) struct Outgoing<'o> {
 
 impl<'o> Outgoing<'o> {
     /// A command of the spec, whose time begins now.
-    pub(crate) fn of(info: &'static CommandInfo, timeout: Duration) -> Self {
-        Self::named(info.name, Cow::Borrowed(info.name), timeout)
+    pub(crate) fn of(clock: &Clock, info: &'static CommandInfo, timeout: Duration) -> Self {
+        Self::named(clock, info.name, Cow::Borrowed(info.name), timeout)
     }
 
     /// Any command, whose time begins now; `name` is the name that its reply has.
-    pub(crate) fn named(command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
-        Self { command, name, since: Instant::now(), timeout, right: Right::Usual, gate: None, is_posted: false }
+    pub(crate) fn named(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
+        Self { command, name, since: clock.stopwatch(), timeout, right: Right::Usual, gate: None, is_posted: false }
     }
 
     /// The same by another right of way.
@@ -65,7 +66,7 @@ impl<'o> Outgoing<'o> {
     }
 
     pub(super) fn left(&self) -> Duration {
-        self.timeout.saturating_sub(self.since.elapsed())
+        self.since.left_of(self.timeout)
     }
 
     pub(super) fn not_sent(&self) -> Error {

@@ -1,6 +1,6 @@
 //! Commands whose outcomes are counted, and that no thread waits for in particular: set-points and the commands of a pipeline.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::exchange::Waiter;
 
@@ -40,7 +40,7 @@ impl Link {
         let mut checked = Ok(());
         while state.exchange.posted_outstanding() > most && checked.is_ok() {
             let Some(oldest) = state.exchange.oldest_posted() else { break };
-            let left = timeout.saturating_sub(oldest.sent_at.elapsed());
+            let left = timeout.saturating_sub(self.clock.elapsed(oldest.sent_at));
             if left.is_zero() {
                 if let Err(out_of_sync) = state.exchange.give_up_oldest_posted(timeout) {
                     self.break_off(&mut state, Disconnect::OutOfSync(out_of_sync));
@@ -60,11 +60,11 @@ impl Link {
 
     /// Waits until there is [`room`](Self::room) to post `command`.
     pub(crate) fn wait_for_room(&self, command: &str, timeout: Duration) -> Result<(), Error> {
-        let since = Instant::now();
+        let since = self.clock.stopwatch();
         let mut state = self.lock();
         while state.exchange.outstanding() >= MOST_OUTSTANDING {
             self.check(&state, command, Progress::NotSent)?;
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(timeout);
             if left.is_zero() {
                 return Err(self.attach(not_sent_in_time(command, timeout)));
             }
@@ -80,7 +80,7 @@ impl Link {
 
     /// For how long the oldest posted command has been outstanding; none if none is.
     pub(crate) fn oldest_posted(&self) -> Option<Duration> {
-        self.lock().exchange.oldest_posted().map(|oldest| oldest.sent_at.elapsed())
+        self.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
     }
 
     /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the outcomes of the

@@ -1,6 +1,6 @@
 //! A command whose reply is looked for now and then.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::CommandInfo;
 use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
@@ -25,7 +25,7 @@ impl Link {
         info: &'static CommandInfo,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Question, Error> {
-        let sent = self.send(&Outgoing::of(info, self.reply_timeout), write)?;
+        let sent = self.send(&Outgoing::of(&self.clock, info, self.reply_timeout), write)?;
         Ok(Question { request: sent.request, command: info.name })
     }
 
@@ -38,7 +38,7 @@ impl Link {
         text: &mut String,
         reader: &mut dyn ReadReply,
     ) -> Result<bool, Error> {
-        let (since, mut waiter) = (Instant::now(), Waiter::new(question.request, text, reader));
+        let (since, mut waiter) = (self.clock.now(), Waiter::new(question.request, text, reader));
         let mut state = self.lock();
         if slice.is_zero() {
             if let Err(cause) = self.attribute_arrived(&mut state) {

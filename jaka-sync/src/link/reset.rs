@@ -2,7 +2,7 @@
 
 use std::net::Shutdown;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use socket2::SockRef;
 
@@ -34,8 +34,8 @@ impl Link {
         let _ = stream.shutdown(if state.outbound.is_some() { Shutdown::Read } else { Shutdown::Both });
         let others = Arc::downgrade(&stream);
         drop(stream);
-        let since = Instant::now();
-        while others.strong_count() > 0 && since.elapsed() < LEAVING {
+        let since = self.clock.stopwatch();
+        while others.strong_count() > 0 && since.passed() < LEAVING {
             state = self.sleep(state, LEAVING);
         }
         broken

@@ -38,7 +38,7 @@ impl Link {
             if let Some(cause) = state.broken.clone() {
                 return (state, Some(Err(disconnected(command, Progress::Sent, cause))));
             }
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = timeout.saturating_sub(self.clock.elapsed(since));
             if left.is_zero() {
                 return (state, None);
             }
@@ -82,10 +82,7 @@ impl Link {
 
     pub(super) fn sleep<'l>(&'l self, mut state: MutexGuard<'l, State>, left: Duration) -> MutexGuard<'l, State> {
         state.sleepers += 1;
-        let mut state = match self.turned.wait_timeout(state, left) {
-            Ok((state, _)) => state,
-            Err(poisoned) => poisoned.into_inner().0,
-        };
+        let mut state = self.turned.wait(&self.state, state, left);
         state.sleepers -= 1;
         state
     }

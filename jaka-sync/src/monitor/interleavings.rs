@@ -12,6 +12,7 @@ use shuttle::thread;
 
 use super::thread::Worker;
 use super::{Board, Monitor, Snapshot};
+use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Reconnect};
 
@@ -29,9 +30,9 @@ fn check(test: fn()) {
 
 /// A monitor without a connection, and what its thread would be.
 fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
-    let board = Arc::new(Board::new(None, Tap::default()));
+    let board = Arc::new(Board::new(&config.clock, None, Tap::default()));
     let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
-    (Arc::new(Monitor { board, thread: None, timeout: LONG, stale_after: LONG }), worker)
+    (Arc::new(Monitor { board, clock: config.clock.clone(), thread: None, timeout: LONG, stale_after: LONG }), worker)
 }
 
 /// Two packets, and then the end of the connection.
@@ -40,7 +41,7 @@ fn two_packets(mut worker: Worker<i64>) {
         worker.number += 1;
         let (received, number) = (Instant::now(), worker.number);
         let unfit = Vec::new();
-        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number, unfit })));
+        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number, unfit, clock: Clock::default() })));
     }
     assert!(worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
     worker.end();

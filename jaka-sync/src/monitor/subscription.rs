@@ -2,10 +2,11 @@
 
 use std::collections::VecDeque;
 use std::sync::{Arc, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::Snapshot;
-use crate::sync::{Condvar, Mutex, MutexGuard};
+use crate::clock::Clock;
+use crate::sync::{Mutex, MutexGuard, Signal};
 
 /// Packets in the order in which they came, from [`Monitor::subscribe`](super::Monitor::subscribe).
 ///
@@ -19,7 +20,8 @@ pub struct Subscription<S> {
 #[derive(Debug)]
 pub(super) struct Queue<S> {
     items: Mutex<Items<S>>,
-    changed: Condvar,
+    changed: Signal,
+    clock: Clock,
     capacity: usize,
 }
 
@@ -31,9 +33,9 @@ struct Items<S> {
 }
 
 impl<S> Queue<S> {
-    pub(super) fn new(capacity: usize) -> Self {
+    pub(super) fn new(clock: &Clock, capacity: usize) -> Self {
         let items = Items { waiting: VecDeque::new(), dropped: 0, closed: false };
-        Self { items: Mutex::new(items), changed: Condvar::new(), capacity: capacity.max(1) }
+        Self { items: Mutex::new(items), changed: Signal::new(clock), clock: clock.clone(), capacity: capacity.max(1) }
     }
 
     fn lock(&self) -> MutexGuard<'_, Items<S>> {
@@ -69,17 +71,17 @@ impl<S> Subscription<S> {
 
     /// The next packet of the queue, or the one that comes within `timeout`; `None` if none has come, or no more will come.
     pub fn next_packet_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
-        let since = Instant::now();
+        let since = self.queue.clock.stopwatch();
         let mut items = self.queue.lock();
         loop {
             if let Some(next) = items.waiting.pop_front() {
                 return Some(next);
             }
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(timeout);
             if items.closed || left.is_zero() {
                 return None;
             }
-            items = self.queue.changed.wait_timeout(items, left).unwrap_or_else(PoisonError::into_inner).0;
+            items = self.queue.changed.wait(&self.queue.items, items, left);
         }
     }
 

@@ -3,13 +3,14 @@
 use std::net::TcpStream;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::framing::{self, FrameError, Framer};
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::{Board, Snapshot};
+use crate::clock::{Clock, Stopwatch};
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::resync;
@@ -80,15 +81,16 @@ impl<S: Decode> Worker<S> {
     fn read_into(&mut self, framer: &mut Framer, stream: &TcpStream) -> Disconnect {
         let mut timeout = receive::Timeout::default();
         // The newest packet, until it is posted, and when the first came of those that have not been.
-        let (mut newest, mut waiting) = (String::new(), None::<Instant>);
+        let (mut newest, mut waiting) = (String::new(), None::<Stopwatch>);
         loop {
             let time = if waiting.is_some() { REST } else { READ };
             let chunk = receive::chunk(stream, &self.tap, framer, &mut timeout, time);
             match chunk.and_then(|chunk| self.take_newest(framer, &mut newest).map(|()| chunk)) {
                 Ok(chunk) => {
-                    waiting = waiting.or((!newest.is_empty()).then(Instant::now));
+                    waiting = waiting.or((!newest.is_empty()).then(|| self.config.clock.stopwatch()));
                     // Of what has accumulated, all but the end is old. A controller that floods the port never lets this catch up.
-                    let is_behind = chunk == Chunk::Part && waiting.is_some_and(|since| since.elapsed() < BEHIND);
+                    let is_behind =
+                        chunk == Chunk::Part && waiting.as_ref().is_some_and(|since| since.passed() < BEHIND);
                     if !is_behind && waiting.take().is_some() {
                         self.post_newest(&mut newest);
                     }
@@ -163,8 +165,8 @@ impl<S: Decode> Worker<S> {
 
     /// Decodes a packet. A panic of the user's own decoder is an error like any other.
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
-        let (spare, number) = (self.spare.take(), self.number);
-        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number)));
+        let (spare, number, clock) = (self.spare.take(), self.number, &self.config.clock);
+        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number, clock)));
         decoded.unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))
     }
 
@@ -239,12 +241,12 @@ impl<S: Decode> Worker<S> {
 
     /// Waits, and says whether the monitor was dropped meanwhile.
     fn pause(&self, delay: Duration) -> bool {
-        let since = Instant::now();
+        let since = self.config.clock.stopwatch();
         let mut state = self.board.lock();
         state.counters.interrupted();
         state.reconnecting = true;
         loop {
-            let left = delay.saturating_sub(since.elapsed());
+            let left = since.left_of(delay);
             if state.closing || left.is_zero() {
                 return state.closing;
             }
@@ -271,8 +273,9 @@ fn decode_over<S: Decode>(
     mut spare: Option<Arc<Snapshot<S>>>,
     packet: &str,
     number: u64,
+    clock: &Clock,
 ) -> Result<Arc<Snapshot<S>>, DecodeError> {
-    let (mut reader, received) = (Reader::new(packet), Instant::now());
+    let (mut reader, received) = (Reader::new(packet), clock.now());
     if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
         snapshot.status.decode_into(&mut reader)?;
         reader.end()?;
@@ -283,7 +286,8 @@ fn decode_over<S: Decode>(
         _ => {
             let status = S::decode(&mut reader)?;
             reader.end()?;
-            Ok(Arc::new(Snapshot { status, received, number, unfit: reader.take_unfit() }))
+            let unfit = reader.take_unfit();
+            Ok(Arc::new(Snapshot { status, received, number, unfit, clock: clock.clone() }))
         }
     }
 }

@@ -35,7 +35,8 @@ impl Tap {
     /// What a connection reports to the recorder of the configuration, if there is one.
     pub(crate) fn new(port: Port, config: &Config) -> Self {
         Self(config.recorder.as_ref().map(|recorder| {
-            Arc::new(Connection { track: recorder.track(port, config.status_sampling), state: Mutex::default() })
+            let track = recorder.track_by(&config.clock, port, config.status_sampling);
+            Arc::new(Connection { track, state: Mutex::default() })
         }))
     }
 

@@ -7,6 +7,7 @@ use jaka_proto::recording::{Entry, Event, Message, Port};
 
 use super::Recorder;
 use super::sampling::{Sampler, StatusSampling};
+use crate::clock::Clock;
 
 /// One connection in a recording, for programs that make connections of their own, such as a proxy.
 ///
@@ -26,6 +27,7 @@ pub struct Track {
     recorder: Recorder,
     port: Port,
     number: u32,
+    clock: Clock,
     sampling: StatusSampling,
     sampler: Mutex<Sampler>,
 }
@@ -34,8 +36,13 @@ impl Recorder {
     /// Adds a connection to the recording, with the next number. The connections of this crate's clients and streams add
     /// themselves.
     pub fn track(&self, port: Port, sampling: StatusSampling) -> Track {
+        self.track_by(&Clock::default(), port, sampling)
+    }
+
+    /// The same by a clock.
+    pub(super) fn track_by(&self, clock: &Clock, port: Port, sampling: StatusSampling) -> Track {
         let (recorder, number) = (self.clone(), self.next_connection());
-        Track { recorder, port, number, sampling, sampler: Mutex::default() }
+        Track { recorder, port, number, clock: clock.clone(), sampling, sampler: Mutex::default() }
     }
 }
 
@@ -52,7 +59,7 @@ impl Track {
 
     /// The time since the start of the recording.
     pub(super) fn now(&self) -> Duration {
-        self.recorder.now()
+        self.recorder.now(&self.clock)
     }
 
     pub(super) fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {

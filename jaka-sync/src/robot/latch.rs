@@ -5,13 +5,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::stops::Stops;
 use super::{MotionStatus, Outcome, trouble};
+use crate::clock::Clock;
 use crate::{Error, ErrorKind, Monitor};
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, and stops of
 /// handles that no [`MotionEnd`](super::MotionEnd) has reported.
 ///
 /// A clone sees all that sets it later, but not what is reported or acknowledged later.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Latch {
     /// Set by the monitor's thread, too. Locked after the link's state, and nothing else is locked under it: the order of locks stands
     /// at [`Link`](crate::link::Link).
@@ -23,8 +24,8 @@ pub(super) struct Latch {
 
 impl Latch {
     /// A latch that each stop sets that a packet of the monitor shows, for as long as the robot lives.
-    pub(super) fn new<S: MotionStatus>(monitor: &Monitor<S>) -> Self {
-        let latch = Self::default();
+    pub(super) fn new<S: MotionStatus>(monitor: &Monitor<S>, clock: &Clock) -> Self {
+        let latch = Self { outcome: Arc::default(), stops: Arc::new(Stops::new(clock)), reported: 0 };
         let outcome = Arc::downgrade(&latch.outcome);
         monitor.observe_first(move |snapshot| {
             let Some(outcome) = outcome.upgrade() else {

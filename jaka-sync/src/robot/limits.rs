@@ -4,7 +4,7 @@ mod motion;
 mod set_points;
 mod unchecked;
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_motion::{Checker, Frames, Limits, Model, Tolerance};
 use jaka_proto::Command;
@@ -154,12 +154,12 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The controller's frames, and how often this program had changed any before they were asked for.
     fn fitted_frames(&mut self, model: &Model, timeout: Option<Duration>) -> Result<(Frames, u64), Error> {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         let frame_changes = self.client.link().frame_changes();
         let mut pairs = Vec::new();
         for joints in model.positions_to_compare() {
             let usual = self.client.timeout_of(KineForward::INFO);
-            let left = timeout.map_or(usual, |timeout| timeout.saturating_sub(since.elapsed()).min(usual));
+            let left = timeout.map_or(usual, |timeout| since.left_of(timeout).min(usual));
             pairs.push((joints, self.client.call_within(&KineForward::new(joints), left)?.pose));
         }
         let fit = model.fit(&pairs, Tolerance::default());

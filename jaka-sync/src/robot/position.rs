@@ -40,7 +40,7 @@ impl<S: MotionStatus> Robot<S> {
         if self.query.is_some() {
             return Ok(());
         }
-        let at = Instant::now();
+        let at = self.clock().now();
         let link = self.client.link();
         let question = match quantity {
             Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)),
@@ -85,16 +85,16 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The arm's position now; `None` where the controller does not say it. Waits no longer than for any reply.
     pub(super) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
-        let (since, timeout) = (Instant::now(), timeout.min(self.client.reply_timeout()));
+        let (since, timeout) = (self.clock().stopwatch(), timeout.min(self.client.reply_timeout()));
         loop {
             self.ask(quantity)?;
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(timeout);
             match self.answer(left) {
                 None if left.is_zero() => return Err(self.no_position(quantity, timeout)),
-                Some(Answer { place: Ok(place), asked }) if asked >= since && place.quantity() == quantity => {
+                Some(Answer { place: Ok(place), asked }) if asked >= since.began() && place.quantity() == quantity => {
                     return Ok(Some(place));
                 }
-                Some(Answer { place: Err(error), asked }) if asked >= since => {
+                Some(Answer { place: Err(error), asked }) if asked >= since.began() => {
                     return if error.is_disconnected() { Err(error) } else { Ok(None) };
                 }
                 _ => {}
@@ -121,11 +121,11 @@ impl<S: MotionStatus> Robot<S> {
         apart: Duration,
         timeout: Duration,
     ) -> Result<Option<Place>, Error> {
-        let since = Instant::now();
-        let left = || timeout.saturating_sub(since.elapsed());
+        let since = self.clock().stopwatch();
+        let left = || since.left_of(timeout);
         let Some(first) = self.place(quantity, timeout)? else { return Ok(None) };
         // A stop or a packet does not matter here: what is sent then asks for both.
-        std::thread::sleep(apart.min(left()));
+        self.clock().sleep(apart.min(left()));
         // A query that is sent has time for its reply.
         let second = self.place(quantity, left().max(QUERY_PERIOD))?;
         Ok(second.filter(|second| first.is_still(second)))
@@ -133,9 +133,9 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Waits until two answers say that the arm is at rest; false if they do not within `timeout`.
     pub(crate) fn comes_to_rest(&mut self, timeout: Duration) -> Result<bool, Error> {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         loop {
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(timeout);
             if self.place_at_rest(Quantity::Joints, left.max(QUERY_PERIOD * 2))?.is_some() {
                 return Ok(true);
             }

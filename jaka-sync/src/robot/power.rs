@@ -1,26 +1,27 @@
 //! Powering and enabling the arm.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::power::{EnableRobot, GetRobotState, GetRobotStateReply, PowerOn};
 
 use super::{Explanation, MotionStatus, Robot};
+use crate::clock::Stopwatch;
 use crate::{Error, ErrorKind, monitor};
 
 /// How often the state is asked for.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
 
 /// When a call has begun, and how long all of it may take.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 struct Limit {
-    since: Instant,
+    since: Stopwatch,
     timeout: Duration,
 }
 
 impl Limit {
-    fn left(self) -> Duration {
-        self.timeout.saturating_sub(self.since.elapsed())
+    fn left(&self) -> Duration {
+        self.since.left_of(self.timeout)
     }
 }
 
@@ -34,15 +35,15 @@ impl<S: MotionStatus> Robot<S> {
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
-        let limit = Limit { since: Instant::now(), timeout };
+        let limit = Limit { since: self.clock().stopwatch(), timeout };
         self.monitor.wait_until(|_| true, timeout)?;
         self.check_emergency_stop(Duration::ZERO)?;
         let state = self.client.call_within(&GetRobotState::new(), limit.left())?;
         if !state.powered_on {
-            self.switch(&PowerOn::new(), |state| state.powered_on, limit)?;
+            self.switch(&PowerOn::new(), |state| state.powered_on, &limit)?;
         }
         if !state.enabled {
-            self.switch(&EnableRobot::new(), |state| state.enabled, limit)?;
+            self.switch(&EnableRobot::new(), |state| state.enabled, &limit)?;
         }
         let is_up = |status: &S| {
             let status = status.robot_status();
@@ -56,7 +57,7 @@ impl<S: MotionStatus> Robot<S> {
         &mut self,
         command: &C,
         is_done: impl Fn(&GetRobotStateReply) -> bool,
-        limit: Limit,
+        limit: &Limit,
     ) -> Result<(), Error> {
         let since = self.monitor.statistics().packets;
         if limit.left().is_zero() {

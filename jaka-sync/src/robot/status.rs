@@ -40,8 +40,9 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// The packet in terms of the built-in type, with when it came and what did not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
-        let Snapshot { status, received, number, unfit } = &**snapshot;
-        Arc::new(Snapshot { status: status.robot_status(), received: *received, number: *number, unfit: unfit.clone() })
+        let Snapshot { status, received, number, unfit, clock } = &**snapshot;
+        let (status, unfit, clock) = (status.robot_status(), unfit.clone(), clock.clone());
+        Arc::new(Snapshot { status, received: *received, number: *number, unfit, clock })
     }
 }
 

@@ -1,15 +1,16 @@
 //! Stops from other threads, and what they keep back.
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::Outcome;
+use crate::clock::{Clock, Signal};
 use crate::monitor::Waker;
 use crate::{Error, StopHandle};
 
 /// The stops that were asked for through handles, by their numbers from 1.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Stops {
     /// The latest that was asked for.
     begun: AtomicU64,
@@ -22,13 +23,26 @@ pub(super) struct Stops {
     /// Until when a servo session that moves the arm sends its next set-point; none where none moves it. Locked alone.
     next_set_point: Mutex<Option<Instant>>,
     /// Signalled when no session moves the arm any more.
-    stands: Condvar,
+    stands: Signal,
+    clock: Clock,
 }
 
 /// How long a stop waits at most for a servo session to brake.
 const LONGEST_BRAKING: Duration = Duration::from_secs(3);
 
 impl Stops {
+    pub(super) fn new(clock: &Clock) -> Self {
+        Self {
+            begun: AtomicU64::new(0),
+            taken: AtomicU64::new(0),
+            sent: AtomicU64::new(0),
+            under_way: AtomicU64::new(0),
+            next_set_point: Mutex::new(None),
+            stands: Signal::new(clock),
+            clock: clock.clone(),
+        }
+    }
+
     /// The number of the latest stop that the controller has accepted.
     pub(super) fn taken(&self) -> u64 {
         self.taken.load(Ordering::SeqCst)
@@ -55,7 +69,7 @@ impl Stops {
         if within.is_none() && next.is_none() {
             return;
         }
-        *next = within.map(|within| Instant::now() + within);
+        *next = within.map(|within| self.clock.now() + within);
         if next.is_none() {
             self.stands.notify_all();
         }
@@ -63,15 +77,14 @@ impl Stops {
 
     /// Waits while a servo session brakes. One whose next set-point is overdue does not: the arm has none to follow.
     fn wait_until_braked(&self) {
-        let since = Instant::now();
+        let since = self.clock.stopwatch();
         let mut next = lock(&self.next_set_point);
         while let Some(due) = *next {
-            let left =
-                due.saturating_duration_since(Instant::now()).min(LONGEST_BRAKING.saturating_sub(since.elapsed()));
+            let left = self.clock.left(due).min(since.left_of(LONGEST_BRAKING));
             if left.is_zero() {
                 return;
             }
-            next = self.stands.wait_timeout(next, left).unwrap_or_else(PoisonError::into_inner).0;
+            next = self.stands.wait(&self.next_set_point, next, left);
         }
     }
 

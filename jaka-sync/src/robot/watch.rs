@@ -31,11 +31,11 @@ impl<S: MotionStatus> Robot<S> {
     /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error and the deadline end
     /// the wait at once, also while an answer is outstanding.
     pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration) -> Outcome {
-        let since = Instant::now();
-        let mut heard = Heard { at: since, number: 0, unreadable: None };
+        let since = self.clock().stopwatch();
+        let mut heard = Heard { at: since.began(), number: 0, unreadable: None };
         loop {
-            let left = timeout.saturating_sub(since.elapsed());
-            let silence = self.silence.saturating_sub(heard.at.elapsed());
+            let left = since.left_of(timeout);
+            let silence = self.silence.saturating_sub(self.clock().elapsed(heard.at));
             let patience = left.min(silence).min(self.query_in(wait));
             let found = self.monitor.watch(patience, |newest| {
                 let newest = newest.map(S::snapshot);
@@ -45,7 +45,7 @@ impl<S: MotionStatus> Robot<S> {
                 Ok(Some(Next::Ended(outcome))) => return self.told(outcome),
                 Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect_cause(), unreadable: None },
                 Ok(_) if left.is_zero() => return Outcome::Deadline,
-                Ok(_) if heard.at.elapsed() >= self.silence => return heard.lost(),
+                Ok(_) if self.clock().elapsed(heard.at) >= self.silence => return heard.lost(),
                 Ok(_) => {}
             }
             if let Some(outcome) = self.look_up(wait, left) {
@@ -59,7 +59,7 @@ impl<S: MotionStatus> Robot<S> {
         if self.query.is_some() {
             return Duration::ZERO;
         }
-        wait.query_in(Instant::now())
+        wait.query_in(self.clock().now())
     }
 
     /// Checks the newest packet and the stops: what is next, if they show it.
@@ -70,22 +70,22 @@ impl<S: MotionStatus> Robot<S> {
         let outcome = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
         match outcome {
             Some(outcome) => Some(Next::Ended(outcome)),
-            None => (self.query.is_some() || wait.query(Instant::now()).is_some()).then_some(Next::Query),
+            None => (self.query.is_some() || wait.query(self.clock().now()).is_some()).then_some(Next::Query),
         }
     }
 
     /// Queries the arm's position, if it is time, and takes the answer, if it has come.
     fn look_up(&mut self, wait: &mut Wait, left: Duration) -> Option<Outcome> {
         if self.query.is_none() {
-            let quantity = wait.query(Instant::now())?;
-            wait.asked(Instant::now());
+            let quantity = wait.query(self.clock().now())?;
+            wait.asked(self.clock().now());
             if let Err(error) = self.ask(quantity) {
                 wait.no_answer(error);
                 return None;
             }
         }
         match self.answer(SLICE.min(left))? {
-            Answer { place: Ok(place), asked } => wait.answer(place, asked, Instant::now()),
+            Answer { place: Ok(place), asked } => wait.answer(place, asked, self.clock().now()),
             Answer { place: Err(error), .. } => {
                 wait.no_answer(error);
                 None

@@ -1,6 +1,6 @@
 //! Into servo mode.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
@@ -23,9 +23,9 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             robot.client().call(filter)?;
         }
         let mut session = Self {
+            pace: Pace::new(robot.clock(), config.period(), config.busy_wait),
             robot,
             config: config.clone(),
-            pace: Pace::new(config.period(), config.busy_wait),
             course: Course::unknown(),
             report: ServoReport::default(),
             refusal: None,
@@ -38,7 +38,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         match session.switch_on() {
             Ok(course) => {
                 session.course = course;
-                session.pace = Pace::new(config.period(), config.busy_wait);
+                session.pace = Pace::new(session.robot.clock(), config.period(), config.busy_wait);
                 Ok(session)
             }
             Err(error) => Err(session.end(error)),
@@ -68,10 +68,10 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
 
     /// The acknowledgement of `servo_move` comes before the mode has changed, and also where it does not change.
     fn wait_until_entered(&mut self, timeout: Duration) -> Result<(), Error> {
-        let since = Instant::now();
-        let mut pace = Pace::new(CYCLE, Duration::ZERO);
+        let since = self.robot.clock().stopwatch();
+        let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
         while !self.robot.client().call(&IsInServomove::new())?.in_servo_mode {
-            if since.elapsed() > timeout {
+            if since.passed() > timeout {
                 return Err(self.robot.not_ready(Explanation::ServoModeNotEntered));
             }
             pace.wait();

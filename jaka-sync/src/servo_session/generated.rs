@@ -7,6 +7,7 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::ServoSession;
 use super::set_point::SetPoint;
+use crate::clock::Clock;
 use crate::{Error, MotionStatus};
 
 /// A cycle that has begun, and how late it is.
@@ -22,6 +23,10 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
         let [_, start] = self.course.last_joints()?;
         Some((self.robot.limits()?, start))
+    }
+
+    pub(crate) fn clock(&self) -> &Clock {
+        self.robot.clock()
     }
 
     /// The joints of the newest packet, and its number, unless it is this one.

@@ -1,6 +1,6 @@
 //! The landing: the arm is braked and held, so that it is at rest when servo mode is left.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
@@ -68,12 +68,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
         self.robot.expect_set_point(None);
-        let since = Instant::now();
-        let (mut rest, mut is_held) = (Rest::new(since, self.course.held_joints()), true);
+        let since = self.robot.clock().stopwatch();
+        let (mut rest, mut is_held) = (Rest::new(since.began(), self.course.held_joints()), true);
         loop {
             if is_held && self.robot.unacknowledged().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
-                (rest, is_held) = (Rest::new(Instant::now(), None), false);
+                (rest, is_held) = (Rest::new(self.robot.clock().now(), None), false);
             }
             let packet = self.robot.monitor().last_known_packet();
             if packet.is_some_and(|packet| rest.is_seen(&S::snapshot(&packet))) {
@@ -81,7 +81,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             }
             let is_blind = self.robot.monitor().fresh_packet().is_err();
             let patience = if is_blind { BLIND.min(self.config.rest_timeout) } else { self.config.rest_timeout };
-            if since.elapsed() >= patience {
+            if since.passed() >= patience {
                 let may_be_blind = is_blind && self.robot.moves_without_status();
                 return if may_be_blind {
                     Ok(())

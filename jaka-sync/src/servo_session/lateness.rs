@@ -1,11 +1,12 @@
 //! How late the cycles of a session begin on this machine.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::ServoConfig;
 use super::enter::check_step_count;
 use super::pace::Pace;
 use crate::Error;
+use crate::clock::Clock;
 
 impl ServoConfig {
     /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for as long as this, and returns how late each of them began. Sends
@@ -20,13 +21,14 @@ impl ServoConfig {
         check_step_count(self)?;
         #[cfg(feature = "realtime")]
         let _priority = self.take_priority()?;
-        let mut pace = Pace::new(self.period(), self.busy_wait);
+        let clock = Clock::default();
+        let mut pace = Pace::new(&clock, self.period(), self.busy_wait);
         // The first one is due at once.
         pace.wait();
-        let (since, mut lateness) = (Instant::now(), Vec::new());
+        let (since, mut lateness) = (clock.stopwatch(), Vec::new());
         loop {
             lateness.push(pace.wait());
-            if since.elapsed() >= time {
+            if since.passed() >= time {
                 return Ok(lateness);
             }
         }

@@ -1,6 +1,6 @@
 //! Out of servo mode, in each way in which a session can end.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::exchange::TextOnly;
@@ -53,9 +53,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     fn last_answers(&mut self) -> Result<(), Error> {
-        let since = Instant::now();
-        let mut pace = Pace::new(CYCLE, Duration::ZERO);
-        while self.robot.client().link().outstanding() > 0 && since.elapsed() < PATIENCE {
+        let since = self.robot.clock().stopwatch();
+        let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
+        while self.robot.client().link().outstanding() > 0 && since.passed() < PATIENCE {
             self.take_answers(ServoJ::INFO.name)?;
             pace.wait();
         }
@@ -112,14 +112,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Set-points that were not answered may be queued on a link that stalls. If the end of servo mode is not answered either, the
     /// connection is reset, so that the system discards those that it has queued.
     fn wait_until_left(&mut self, off: &Question, unanswered: u64) -> Result<(), Error> {
-        let since = Instant::now();
-        let mut pace = Pace::new(CYCLE, Duration::ZERO);
+        let since = self.robot.clock().stopwatch();
+        let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
         loop {
             let client = self.robot.client();
             let timeout = if unanswered > 0 { PATIENCE } else { client.timeout_of(IsInServomove::INFO) };
             match client.call_within(&IsInServomove::new(), timeout) {
                 Ok(reply) if !reply.in_servo_mode => return Ok(()),
-                Ok(_) if since.elapsed() > PATIENCE => return Err(self.still_in_servo_mode(off)),
+                Ok(_) if since.passed() > PATIENCE => return Err(self.still_in_servo_mode(off)),
                 Ok(_) => drop(pace.wait()),
                 Err(error) if unanswered > 0 && matches!(error.kind(), ErrorKind::Timeout { .. }) => {
                     let link = client.link();

@@ -39,7 +39,7 @@ pub(super) fn run<S: MotionStatus>(
         Ok(generator) => generator,
         Err(error) => return Ok(refuse(ready, session.end_by(error, &mut |_| None))),
     };
-    let targets = Arc::new(Targets::new(generator.joints()));
+    let targets = Arc::new(Targets::new(generator.joints(), session.clock()));
     let _ends = Ends(Arc::clone(&targets));
     // Nobody waits where the caller's thread has ended; then it lands.
     if ready.send(Ok((Arc::clone(&targets), generator.clone()))).is_err() {
@@ -104,7 +104,7 @@ fn go<S: MotionStatus>(
         if let Some((number, joints)) = session.actual_joints_after(departure.packet()) {
             departure.check(number, joints)?;
         }
-        let goal = order.goal();
+        let goal = targets.goal(&order);
         let joints = generator.next(&goal).joints;
         session.send_generated(joints, &cycle).inspect_err(|_| generator.take_back())?;
         departure.sent(joints);

@@ -1,11 +1,13 @@
 //! What the arm is to do next, shared by the handles and the cycle's thread.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
 use jaka_motion::Goal;
 use jaka_proto::messages::types::JointPosition;
+
+use crate::clock::{Clock, Signal};
 
 /// What the arm is to do next, and how far it is.
 #[derive(Debug)]
@@ -14,7 +16,8 @@ pub(super) struct Targets {
     state: Mutex<State>,
     is_landing: AtomicBool,
     /// Signalled when the arm has come to rest, and when the stream has ended.
-    rested: Condvar,
+    rested: Signal,
+    clock: Clock,
 }
 
 /// What the arm is to do, until when, and the number of that.
@@ -27,17 +30,17 @@ pub(super) struct Order {
 
 impl Order {
     /// Rest, after a velocity that has ended.
-    pub(super) fn goal(&self) -> Goal {
-        if self.has_ended() { Goal::Rest } else { self.goal }
+    fn goal(&self, now: Instant) -> Goal {
+        if self.has_ended(now) { Goal::Rest } else { self.goal }
     }
 
     /// True if nothing more is to come: a target stays, a velocity ends.
-    fn is_final(&self) -> bool {
-        self.until.is_none() || self.has_ended()
+    fn is_final(&self, now: Instant) -> bool {
+        self.until.is_none() || self.has_ended(now)
     }
 
-    fn has_ended(&self) -> bool {
-        self.until.is_some_and(|until| Instant::now() >= until)
+    fn has_ended(&self, now: Instant) -> bool {
+        self.until.is_some_and(|until| now >= until)
     }
 }
 
@@ -52,15 +55,16 @@ struct State {
 }
 
 impl Targets {
-    pub(super) fn new(start: JointPosition) -> Self {
+    pub(super) fn new(start: JointPosition, clock: &Clock) -> Self {
         let order = Order { goal: Goal::Rest, until: None, number: 0 };
         let state = State { order, joints: start, is_at_rest: true, ended: None };
-        Self { state: Mutex::new(state), is_landing: AtomicBool::new(false), rested: Condvar::new() }
+        let (state, is_landing) = (Mutex::new(state), AtomicBool::new(false));
+        Self { state, is_landing, rested: Signal::new(clock), clock: clock.clone() }
     }
 
     /// Gives another goal; fails with why the stream has ended, if it has.
     pub(super) fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), String> {
-        let until = for_at_most.map(|time| Instant::now() + time);
+        let until = for_at_most.map(|time| self.clock.now() + time);
         let mut state = self.lock();
         match &state.ended {
             Some(because) => Err(because.clone()),
@@ -88,7 +92,7 @@ impl Targets {
 
     /// Waits until the arm rests on the last goal that was given, or the stream has ended, of which it tells why.
     pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, String> {
-        let since = Instant::now();
+        let since = self.clock.stopwatch();
         let mut state = self.lock();
         loop {
             if let Some(because) = &state.ended {
@@ -97,11 +101,11 @@ impl Targets {
             if state.is_at_rest {
                 return Ok(true);
             }
-            let left = timeout.saturating_sub(since.elapsed());
+            let left = since.left_of(timeout);
             if left.is_zero() {
                 return Ok(false);
             }
-            state = self.rested.wait_timeout(state, left).unwrap_or_else(PoisonError::into_inner).0;
+            state = self.rested.wait(&self.state, state, left);
         }
     }
 
@@ -114,11 +118,16 @@ impl Targets {
         }
     }
 
+    /// What an order is now: rest, after a velocity that has ended.
+    pub(super) fn goal(&self, order: &Order) -> Goal {
+        order.goal(self.clock.now())
+    }
+
     /// A set-point was sent by this order; the joints rest where it leads, or move on.
     pub(super) fn sent(&self, joints: JointPosition, order: &Order, rests_there: bool) {
         let Ok(mut state) = self.state.try_lock() else { return };
         state.joints = joints;
-        let rests = rests_there && order.is_final() && order.number == state.order.number;
+        let rests = rests_there && order.is_final(self.clock.now()) && order.number == state.order.number;
         if rests && !state.is_at_rest {
             self.rested.notify_all();
         }

@@ -1,6 +1,6 @@
 //! A motion, checked on its whole way.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_motion::{Beyond, JointPace, TcpPace};
 use jaka_proto::CommandInfo;
@@ -39,7 +39,7 @@ impl<S: MotionStatus> Robot<S> {
         begin: &Begin,
         timeout: Duration,
     ) -> Result<Option<JointPosition>, Error> {
-        let since = Instant::now();
+        let since = self.clock().stopwatch();
         let from = self.start_of_motion(info, begin, timeout)?;
         let Some(checker) = self.limits() else { return Ok(None) };
         if path == Path::Unknown {
@@ -60,7 +60,7 @@ impl<S: MotionStatus> Robot<S> {
             }
             (Place::Pose(to), Path::Joints { speed, acceleration }) => {
                 let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
-                return self.check_end_move(info, from, to, pace, timeout.saturating_sub(since.elapsed()));
+                return self.check_end_move(info, from, to, pace, since.left_of(timeout));
             }
             (Place::Pose(to), Path::Line { speed }) => checker.check_line(from, to, tcp_pace(speed)).map(Some),
             (Place::Pose(to), Path::Arc { through, speed }) => {
@@ -111,8 +111,8 @@ impl<S: MotionStatus> Robot<S> {
                 _ => Err(self.not_checked(info.name, Unchecked::Start)),
             };
         }
-        let since = Instant::now();
-        let left = || timeout.saturating_sub(since.elapsed());
+        let since = self.clock().stopwatch();
+        let left = || since.left_of(timeout);
         self.settle(info, timeout)?;
         let joints = match begin.start {
             Some(Place::Joints(joints)) => Some(Place::Joints(joints)),

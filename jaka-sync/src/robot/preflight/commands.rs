@@ -5,6 +5,7 @@ use jaka_proto::{Command, FirmwareVersion};
 
 use super::finding::{CheckItem, Finding};
 use super::ports;
+use crate::clock::Clock;
 use crate::{Client, Error};
 
 /// The oldest firmware of which there is a capture.
@@ -34,6 +35,11 @@ impl<'c> Commands<'c> {
         };
         findings.extend(found);
         Self { client, unanswered: 0 }
+    }
+
+    /// The clock of the connection.
+    pub(super) fn clock(&self) -> Clock {
+        self.client.as_ref().map_or_else(Clock::default, |client| client.clock().clone())
     }
 
     /// Asks one question; the finding about this item if it has no answer.

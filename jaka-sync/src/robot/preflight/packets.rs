@@ -1,12 +1,13 @@
 //! What status packets tell, and how they come.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
 
 use super::finding::{CheckItem, Finding};
 use super::ports;
+use crate::clock::Stopwatch;
 use crate::robot::{MotionStatus, trouble};
 use crate::{Error, Monitor, MonitorStatistics, Severity, Snapshot};
 
@@ -21,7 +22,7 @@ const SLOW: &str = "check the network, and how often the controller sends (`get_
 #[derive(Debug)]
 pub(super) struct Count<'m, S: MotionStatus> {
     monitor: &'m Monitor<S>,
-    since: Instant,
+    since: Stopwatch,
     before: MonitorStatistics,
 }
 
@@ -32,14 +33,14 @@ impl<'m, S: MotionStatus> Count<'m, S> {
         if let Err(error) = monitor.fresh_packet().or_else(|_| monitor.next_packet()) {
             return Err(ports::of_status(&error, monitor.statistics().dropped_bytes));
         }
-        Ok(Self { monitor, since: Instant::now(), before: monitor.statistics() })
+        Ok(Self { monitor, since: monitor.clock().stopwatch(), before: monitor.statistics() })
     }
 
     /// Counts to the end, and returns the newest packet.
     pub(super) fn end(self, findings: &mut Vec<Finding>) -> Result<Option<Arc<Snapshot>>, Finding> {
-        let left = WINDOW.saturating_sub(self.since.elapsed());
+        let left = self.since.left_of(WINDOW);
         let ended = self.monitor.watch(left, |_| None::<()>);
-        let (elapsed, after) = (self.since.elapsed(), self.monitor.statistics());
+        let (elapsed, after) = (self.since.passed(), self.monitor.statistics());
         ended.map_err(|error| ports::of_status(&error, 0))?;
         let newest = self.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
         let newest = newest.ok_or_else(|| no_packet(CheckItem::StatusPort))?;

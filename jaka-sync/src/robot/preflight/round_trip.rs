@@ -1,6 +1,6 @@
 //! How long queries take.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::messages::kinematics::GetJointPos;
 
@@ -18,14 +18,15 @@ const RARE: Duration = Duration::from_millis(100);
 
 /// Asks the same question many times.
 pub(super) fn measure(commands: &mut Commands<'_>) -> Finding {
-    let since = Instant::now();
+    let clock = commands.clock();
+    let since = clock.stopwatch();
     let mut times = Vec::with_capacity(QUERIES);
-    while times.len() < QUERIES && (times.is_empty() || since.elapsed() < LONGEST) {
-        let sent = Instant::now();
+    while times.len() < QUERIES && (times.is_empty() || since.passed() < LONGEST) {
+        let sent = clock.stopwatch();
         if let Err(failed) = commands.ask(CheckItem::RoundTrip, &GetJointPos::new()) {
             return failed;
         }
-        times.push(sent.elapsed());
+        times.push(sent.passed());
     }
     judge(times)
 }
