@@ -155,6 +155,8 @@ pub enum Way {
     EndMove,
     /// One set-point of a servo session.
     SetPoint,
+    /// A place on a trajectory.
+    Trajectory,
 }
 
 /// What is exceeded, and at which share of the way.

@@ -9,6 +9,7 @@ mod joint_way;
 mod landing;
 mod pace;
 mod path;
+mod pieces;
 mod points;
 mod set_point;
 mod singularities;
@@ -196,6 +197,11 @@ impl Checker {
             && frame(&self.base)
             && frame(&self.tool);
         if finite { Ok(()) } else { Err(Exceeded::NotFinite) }
+    }
+
+    /// What is exceeded at the end of a way.
+    pub(crate) fn beyond_of(&self, way: Way, exceeded: Exceeded) -> Beyond {
+        self.beyond(way, (exceeded, 1.0))
     }
 
     fn beyond(&self, way: Way, (exceeded, share): Found) -> Beyond {

@@ -15,6 +15,8 @@ mod limits;
 mod links;
 mod model;
 mod no_solution;
+mod piece;
+mod trajectory;
 mod transform;
 mod up_to_eight;
 #[cfg(feature = "generator")]
@@ -38,6 +40,8 @@ pub use limits::LimitsFileError;
 pub use limits::{InvalidLimit, Limits, Point, Region, RegionFrame};
 pub use model::{DhMismatch, Model, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;
+pub use piece::Sample;
+pub use trajectory::{Passing, TimedPoint, Trajectory, TrajectoryError, WayPoint};
 pub use transform::Transform;
 #[cfg(feature = "generator")]
 pub use velocity::{TcpVelocity, VelocityFrame};

@@ -16,6 +16,7 @@ mod place;
 mod polish;
 mod round_trip;
 mod singular;
+mod trajectory;
 
 use jaka_proto::messages::types::Pose;
 
@@ -37,7 +38,6 @@ impl Random {
         min + unit * (max - min)
     }
 
-    #[cfg(feature = "generator")]
     fn below(&mut self, count: u8) -> usize {
         let at = self.between(0.0, f64::from(count));
         (0..count).rev().find(|number| f64::from(*number) <= at).unwrap_or(0).into()

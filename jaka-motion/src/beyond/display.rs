@@ -77,6 +77,7 @@ impl Way {
             Self::Line => "line",
             Self::Arc => "arc",
             Self::SetPoint => "set-point",
+            Self::Trajectory => "trajectory",
         }
     }
 }
@@ -87,7 +88,7 @@ struct At<'a>(&'a Beyond, &'static str);
 impl fmt::Display for At<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(Beyond { way, share, .. }, noun) = self;
-        if matches!(way, Way::Place | Way::SetPoint) || *share >= 1.0 {
+        if matches!(way, Way::Place | Way::SetPoint | Way::Trajectory) || *share >= 1.0 {
             return Ok(());
         }
         let of = if *noun == "its way" { "" } else { "the " };

@@ -4,7 +4,7 @@ use super::amounts::{ROUNDING, START_ROUNDING};
 use super::landing::as_landing;
 use super::points::{Course, POINTS};
 use super::{Checker, rounded_up};
-use crate::beyond::{Beyond, Exceeded, Found, Way};
+use crate::beyond::{Exceeded, Found};
 use crate::braking::Stop;
 use crate::limits::Point;
 
@@ -28,11 +28,6 @@ impl Checker {
             self.regions_on_stops(rested, stops).map_err(|(exceeded, _)| as_landing(exceeded))?;
         }
         self.tcp_speed_on_stops(last, stops, period_s)
-    }
-
-    /// What is exceeded at the end of a way.
-    pub(crate) fn beyond_of(&self, way: Way, exceeded: Exceeded) -> Beyond {
-        self.beyond(way, (exceeded, 1.0))
     }
 
     fn stops_in_ranges(&self, stops: &[Stop; 6]) -> Result<(), Exceeded> {

@@ -1,0 +1,145 @@
+//! Parts of trajectories.
+
+use super::amounts::ROUNDING;
+use super::points::{Course, POINTS};
+use super::{Checker, rounded_up};
+use crate::beyond::{Exceeded, Found};
+use crate::limits::Point;
+use crate::piece::Piece;
+use crate::piece::bernstein::{furthest, is_within};
+
+/// By what share of itself the speed of the tool centre point may change between two places at which it is compared, where it is near its limit.
+const SPEED_STEP: f64 = 1e-3;
+/// The most places at which it is compared on one piece.
+const MOST_STEPS: usize = 1_000_000;
+/// How often room to stop is looked for, in seconds.
+const LANDINGS: f64 = 0.008;
+/// What rounding may add to an acceleration, in deg/s².
+const ACCELERATION_ROUNDING: f64 = 1e-7;
+
+impl Checker {
+    /// Compares a piece with all limits; the share is that of its time.
+    pub(crate) fn check_piece(&self, piece: &Piece) -> Result<(), Found> {
+        if !piece.is_finite() {
+            return Err((Exceeded::NotFinite, 0.0));
+        }
+        self.piece_in_ranges(piece)?;
+        self.piece_in_speeds(piece)?;
+        self.piece_in_accelerations(piece)?;
+        self.piece_in_tcp_speed(piece)?;
+        self.piece_in_regions(piece)?;
+        self.piece_can_land(piece)
+    }
+
+    fn piece_in_ranges(&self, piece: &Piece) -> Result<(), Found> {
+        for joint in 0..6 {
+            let (min, max) = (self.limits.joint_min()[joint], self.limits.joint_max()[joint]);
+            let positions = piece.positions(joint);
+            if !is_within(&positions, min - ROUNDING, max + ROUNDING) {
+                let (share, position_deg) = furthest(&positions, min, max);
+                let limit_deg = if position_deg > max { max } else { min };
+                return Err((Exceeded::JointRange { joint: joint + 1, position_deg, limit_deg }, share));
+            }
+        }
+        Ok(())
+    }
+
+    fn piece_in_speeds(&self, piece: &Piece) -> Result<(), Found> {
+        for (joint, limit_deg_s) in self.limits.joint_speeds().iter().copied().enumerate() {
+            let (speeds, most) = (piece.speeds(joint), rounded_up(limit_deg_s));
+            if !is_within(&speeds, -most, most) {
+                let (share, speed) = furthest(&speeds, -most, most);
+                let speed_deg_s = speed.abs();
+                return Err((Exceeded::JointSpeed { joint: joint + 1, speed_deg_s, limit_deg_s, near: None }, share));
+            }
+        }
+        Ok(())
+    }
+
+    fn piece_in_accelerations(&self, piece: &Piece) -> Result<(), Found> {
+        for (joint, limit_deg_s2) in self.limits.joint_accelerations().iter().copied().enumerate() {
+            let (accelerations, most) = (piece.accelerations(joint), rounded_up(limit_deg_s2) + ACCELERATION_ROUNDING);
+            if !is_within(&accelerations, -most, most) {
+                let (share, acceleration) = furthest(&accelerations, -most, most);
+                let acceleration_deg_s2 = acceleration.abs();
+                return Err((
+                    Exceeded::JointAcceleration { joint: joint + 1, acceleration_deg_s2, limit_deg_s2 },
+                    share,
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn piece_in_tcp_speed(&self, piece: &Piece) -> Result<(), Found> {
+        let Some(limit_mm_s) = self.limits.tcp_speed() else { return Ok(()) };
+        let Course { rate_mm, bend_mm } = self.course_of_piece(Point::Tcp, piece);
+        if rate_mm <= limit_mm_s * piece.seconds {
+            return Ok(());
+        }
+        // How fast the speed can change for the whole of the piece.
+        let change = bend_mm / piece.seconds;
+        let mut share = 0.0;
+        for _ in 0..MOST_STEPS {
+            let here = piece.at(share);
+            let speed_mm_s = self.tcp_rate(&here.joints.0, &here.velocity);
+            if speed_mm_s > rounded_up(limit_mm_s) {
+                return Err((Exceeded::TcpSpeed { speed_mm_s, limit_mm_s }, share));
+            }
+            if share >= 1.0 {
+                return Ok(());
+            }
+            share = f64::min(share + (limit_mm_s - speed_mm_s).max(SPEED_STEP * limit_mm_s) / change, 1.0);
+        }
+        Err((Exceeded::TooLong, share))
+    }
+
+    fn piece_in_regions(&self, piece: &Piece) -> Result<(), Found> {
+        if self.limits.regions().is_empty() {
+            return Ok(());
+        }
+        POINTS.into_iter().try_for_each(|point| {
+            let at = |share: f64| self.point(point, &piece.joints(share));
+            self.along_from(point, None, 0.0, self.course_of_piece(point, piece), at)
+        })
+    }
+
+    /// How a point goes on a piece.
+    fn course_of_piece(&self, point: Point, piece: &Piece) -> Course {
+        let seconds = piece.seconds;
+        let turned = piece.top_speeds().map(|speed| speed.to_radians() * seconds);
+        let swung = piece.top_accelerations().map(|acceleration| acceleration.to_radians() * seconds * seconds);
+        let (radii, course) = (self.radii(point), self.course_of_turns(point, &turned));
+        let bend_mm = course.bend_mm + (0..6).map(|index| swung[index] * radii[index]).sum::<f64>();
+        Course { bend_mm, ..course }
+    }
+
+    /// Whether the arm could land straight on in joint space from each set-point.
+    fn piece_can_land(&self, piece: &Piece) -> Result<(), Found> {
+        let (speeds, accelerations) = (piece.top_speeds(), self.limits.joint_accelerations());
+        let seconds = (0..6).map(|joint| speeds[joint] / accelerations[joint]).fold(0.0, f64::max);
+        if seconds <= LANDINGS {
+            return Ok(());
+        }
+        let is_far = |joint: usize| {
+            let room = 0.5 * (seconds + LANDINGS) * speeds[joint];
+            let (min, max) = (self.limits.joint_min()[joint], self.limits.joint_max()[joint]);
+            piece.positions(joint).iter().all(|position| (min + room..=max - room).contains(position))
+        };
+        if self.limits.regions().is_empty() && (0..6).all(is_far) {
+            return Ok(());
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count, and too many are cut")]
+        let count = (piece.seconds / LANDINGS).ceil().clamp(1.0, 1e6) as u32;
+        (0..=count).map(|place| f64::from(place) / f64::from(count)).try_for_each(|share| {
+            let here = piece.at(share);
+            self.can_land(&here.joints.0, &here.velocity).map_err(|exceeded| (exceeded, share))
+        })
+    }
+
+    fn can_land(&self, joints: &[f64; 6], velocity: &[f64; 6]) -> Result<(), Exceeded> {
+        // The last step before a set-point is half a period older than the speed at it.
+        let last = std::array::from_fn(|joint| joints[joint] - velocity[joint] * LANDINGS);
+        self.landing(&last, joints, LANDINGS).map_err(|(exceeded, _)| exceeded)
+    }
+}

@@ -1,0 +1,108 @@
+//! A part of a motion of the joints: a polynomial of time of at most the fifth degree for each.
+
+pub(crate) mod bernstein;
+
+use jaka_proto::messages::types::JointPosition;
+
+use self::bernstein::{differences, peak, value};
+
+/// Where the joints are at one moment, and how they move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// The joint positions.
+    pub joints: JointPosition,
+    /// The speed of each joint, in deg/s.
+    pub velocity: [f64; 6],
+    /// The acceleration of each joint, in deg/s².
+    pub acceleration: [f64; 6],
+}
+
+/// A polynomial of time for each joint.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Piece {
+    pub(crate) start_s: f64,
+    pub(crate) seconds: f64,
+    from: [f64; 6],
+    /// The Bernstein coefficients of each joint, as degrees from where it starts; the first, which is 0, is left out.
+    way: [[f64; 5]; 6],
+}
+
+impl Piece {
+    /// From one sample to another, with the speeds and accelerations of both.
+    pub(crate) fn between(start_s: f64, seconds: f64, from: &Sample, to: &Sample) -> Self {
+        let way = std::array::from_fn(|joint| {
+            let moved = to.joints.0[joint] - from.joints.0[joint];
+            let (begin, end) = (from.velocity[joint] * seconds / 5.0, to.velocity[joint] * seconds / 5.0);
+            let bend = |sample: &Sample| sample.acceleration[joint] * seconds * seconds / 20.0;
+            [begin, 2.0 * begin + bend(from), moved - 2.0 * end + bend(to), moved - end, moved]
+        });
+        Self { start_s, seconds, from: from.joints.0, way }
+    }
+
+    /// With the least changes of acceleration between these positions and speeds: a polynomial of the third degree.
+    pub(crate) fn cubic(start_s: f64, seconds: f64, from: &Sample, to: &Sample) -> Self {
+        let accelerations = |near: &Sample, far: &Sample, sign: f64| {
+            std::array::from_fn(|joint| {
+                let mean = (to.joints.0[joint] - from.joints.0[joint]) / seconds;
+                sign * (6.0 * mean - 4.0 * near.velocity[joint] - 2.0 * far.velocity[joint]) / seconds
+            })
+        };
+        let from = Sample { acceleration: accelerations(from, to, 1.0), ..*from };
+        let to = Sample { acceleration: accelerations(to, &from, -1.0), ..*to };
+        Self::between(start_s, seconds, &from, &to)
+    }
+
+    pub(crate) fn end_s(&self) -> f64 {
+        self.start_s + self.seconds
+    }
+
+    /// At a share of its time.
+    pub(crate) fn at(&self, share: f64) -> Sample {
+        Sample {
+            joints: JointPosition(std::array::from_fn(|joint| self.from[joint] + value(&self.way(joint), share))),
+            velocity: std::array::from_fn(|joint| value(&self.speeds(joint), share)),
+            acceleration: std::array::from_fn(|joint| value(&self.accelerations(joint), share)),
+        }
+    }
+
+    /// The joint positions at a share of its time.
+    pub(crate) fn joints(&self, share: f64) -> [f64; 6] {
+        std::array::from_fn(|joint| self.from[joint] + value(&self.way(joint), share))
+    }
+
+    /// The Bernstein coefficients of a joint's position.
+    pub(crate) fn positions(&self, joint: usize) -> [f64; 6] {
+        self.way(joint).map(|way| self.from[joint] + way)
+    }
+
+    /// The Bernstein coefficients of a joint's speed.
+    pub(crate) fn speeds(&self, joint: usize) -> [f64; 5] {
+        differences(&self.way(joint), 5.0 / self.seconds)
+    }
+
+    /// The Bernstein coefficients of a joint's acceleration.
+    pub(crate) fn accelerations(&self, joint: usize) -> [f64; 4] {
+        differences(&self.speeds(joint), 4.0 / self.seconds)
+    }
+
+    /// The highest speed of each joint, or a little more.
+    pub(crate) fn top_speeds(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| peak(&self.speeds(joint)))
+    }
+
+    /// The largest acceleration of each joint, or a little more.
+    pub(crate) fn top_accelerations(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| peak(&self.accelerations(joint)))
+    }
+
+    /// Whether all its numbers are finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let moves = (0..6).all(|joint| self.accelerations(joint).iter().all(|number| number.is_finite()));
+        moves && self.from.iter().all(|joint| joint.is_finite())
+    }
+
+    fn way(&self, joint: usize) -> [f64; 6] {
+        let [a, b, c, d, e] = self.way[joint];
+        [0.0, a, b, c, d, e]
+    }
+}

@@ -1,0 +1,48 @@
+//! What nobody would send.
+
+use super::{HOME, Random, checker};
+use crate::{TimedPoint, Trajectory};
+
+#[test]
+fn no_numbers_make_it_panic() {
+    let (mut random, checker) = (Random::new(5), checker());
+    let odd = [0.0, -0.0, 1e308, -1e308, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e-300, 5e-324, 180.0, 1.0];
+    let pick = |random: &mut Random| odd[random.below(11)];
+    for _ in 0..20_000 {
+        let count = 1 + random.below(4);
+        let mut points = Vec::new();
+        for index in 0..=count {
+            let time_s = if index == 0 { 0.0 } else { pick(&mut random) };
+            let mut point = TimedPoint::new(time_s, HOME.map(|joint| joint + pick(&mut random)));
+            let many = random.below(3);
+            point.velocity = (many > 0).then(|| std::array::from_fn(|_| pick(&mut random)));
+            point.acceleration = (many > 1).then(|| std::array::from_fn(|_| pick(&mut random)));
+            points.push(point);
+        }
+        if let Ok(trajectory) = Trajectory::timed(&points, &checker) {
+            look_everywhere(&trajectory);
+        }
+    }
+}
+
+fn look_everywhere(trajectory: &Trajectory) {
+    for time_s in [f64::NAN, f64::NEG_INFINITY, -1.0, 0.0, 1e-300, 0.5, 1e308, f64::INFINITY] {
+        let here = trajectory.at(time_s);
+        assert!(here.joints.0.iter().chain(&here.velocity).chain(&here.acceleration).all(|number| number.is_finite()));
+        for rate in [0.0, 1.0, f64::NAN, 1e308] {
+            let _ = trajectory.rate_change(time_s, rate);
+            let _ = trajectory.rate_change_between(time_s, f64::NAN, rate);
+        }
+    }
+    let _ = trajectory.duration();
+}
+
+#[test]
+fn times_that_are_nearly_equal_are_refused() {
+    let checker = checker();
+    let [start, mut next] = [TimedPoint::new(0.0, HOME), TimedPoint::new(1e-300, HOME)];
+    // It rests, however short that is.
+    let _ = Trajectory::timed(&[start, next], &checker);
+    next.joints.0[0] += 1e-9;
+    assert!(Trajectory::timed(&[start, next], &checker).is_err());
+}

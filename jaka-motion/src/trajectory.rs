@@ -1,0 +1,116 @@
+//! Motions that are known from start to end.
+
+mod error;
+mod reserve;
+mod spline;
+mod timed;
+mod way_point;
+
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::messages::types::JointPosition;
+
+pub use self::error::TrajectoryError;
+pub use self::timed::TimedPoint;
+pub use self::way_point::{Passing, WayPoint};
+use crate::beyond::{Beyond, Way};
+use crate::checker::Checker;
+use crate::piece::{Piece, Sample};
+
+/// A motion of the joints that is known, and was compared with an arm's limits, from start to end.
+///
+/// Each joint moves by polynomials of time of at most the fifth degree, one after the other; its speed is continuous. It starts and ends at rest.
+///
+/// # What is compared
+/// [`timed`](Self::timed) and the like compare the whole of it, not samples: joint ranges, speeds and accelerations by bounds of the polynomials, the
+/// speed of the tool centre point and regions in steps that leave nothing out but the amounts of a [`Checker`]. And there is room to stop: as for
+/// a set-point ([`Checker::check_set_point`]) the arm could land straight on in joint space, looked at each 8 ms.
+///
+/// # Reserve
+/// Who follows it at another rate, to pause, to slow down or to stop along the way, accelerates the joints in addition. [`rate_change`](Self::rate_change)
+/// says how much of that is within the limits.
+///
+/// It is cheap to clone: all clones share their pieces, of some 300 bytes each.
+#[derive(Clone, PartialEq)]
+pub struct Trajectory {
+    pieces: Arc<[Piece]>,
+    way_points: Arc<[WayPoint]>,
+    accelerations: [f64; 6],
+}
+
+impl Trajectory {
+    /// How long it takes.
+    pub fn duration(&self) -> Duration {
+        Duration::try_from_secs_f64(self.duration_s()).unwrap_or(Duration::MAX)
+    }
+
+    /// How long it takes, in seconds.
+    pub fn duration_s(&self) -> f64 {
+        self.pieces.last().map_or(0.0, Piece::end_s)
+    }
+
+    /// Where the arm is at the start.
+    pub fn start(&self) -> JointPosition {
+        self.at(0.0).joints
+    }
+
+    /// Where the arm is at the end.
+    pub fn end(&self) -> JointPosition {
+        self.at(f64::INFINITY).joints
+    }
+
+    /// Where the joints are at a time in seconds from the start, and how they move; times before the start and after the end count as these.
+    ///
+    /// Speeds and accelerations are with respect to the trajectory's own time. Where an acceleration steps, it is that after the step.
+    pub fn at(&self, time_s: f64) -> Sample {
+        let index = self.piece_at(time_s);
+        let piece = &self.pieces[index];
+        piece.at(((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0))
+    }
+
+    /// The way-points in their order.
+    pub fn way_points(&self) -> &[WayPoint] {
+        &self.way_points
+    }
+
+    /// Compares it with the limits of an arm, as was done where it was made.
+    ///
+    /// # Errors
+    /// The first place, in time, that is beyond a limit.
+    pub fn check(&self, checker: &Checker) -> Result<(), TrajectoryError> {
+        self.pieces.iter().try_for_each(|piece| {
+            checker.check_piece(piece).map_err(|(exceeded, share)| {
+                let time_s = piece.start_s + share * piece.seconds;
+                self.beyond(time_s, checker.beyond_of(Way::Trajectory, exceeded))
+            })
+        })
+    }
+
+    /// One that was checked; `pieces` are at least one.
+    fn checked(pieces: Vec<Piece>, way_points: Vec<WayPoint>, checker: &Checker) -> Result<Self, TrajectoryError> {
+        let accelerations = *checker.limits().joint_accelerations();
+        let made = Self { pieces: pieces.into(), way_points: way_points.into(), accelerations };
+        made.check(checker).map(|()| made)
+    }
+
+    fn beyond(&self, time_s: f64, beyond: Beyond) -> TrajectoryError {
+        let after = self.way_points.partition_point(|way_point| way_point.time_s <= time_s);
+        TrajectoryError::Beyond { after, time_s: Some(time_s), beyond: Box::new(beyond) }
+    }
+
+    /// Which piece has a time.
+    fn piece_at(&self, time_s: f64) -> usize {
+        self.pieces.partition_point(|piece| piece.start_s <= time_s).saturating_sub(1)
+    }
+}
+
+/// How long it takes and how many parts it has, which can be thousands.
+impl fmt::Debug for Trajectory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut parts = f.debug_struct("Trajectory");
+        parts.field("duration_s", &self.duration_s()).field("way_points", &self.way_points.len());
+        parts.field("pieces", &self.pieces.len()).finish_non_exhaustive()
+    }
+}
