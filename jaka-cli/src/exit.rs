@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
-use jaka_sync::{Error, Verdict};
+use jaka_sync::{Error, ErrorKind, Outcome, Verdict};
 
 use crate::failure::{Failure, chain};
 use crate::output;
@@ -29,12 +29,37 @@ pub(crate) const LOOK: u8 = 8;
 /// `jaka check` found something wrong.
 pub(crate) const WRONG: u8 = 9;
 
+/// The robot's state or a limit forbids the motion, or the state is not known; nothing that moves the arm was sent.
+pub(crate) const NOT_MOVED: u8 = 20;
+/// The arm is at rest, and it is not known whether it is where it was sent.
+pub(crate) const AT_REST: u8 = 21;
+/// The motion ended before its target.
+pub(crate) const STOPPED: u8 = 22;
+/// A protective stop ended the motion.
+pub(crate) const PROTECTIVE_STOP: u8 = 23;
+/// The emergency stop ended the motion.
+pub(crate) const EMERGENCY_STOP: u8 = 24;
+/// The arm is no longer powered and enabled.
+pub(crate) const DISABLED: u8 = 25;
+/// The controller reports an error.
+pub(crate) const CONTROLLER_ERROR: u8 = 26;
+/// What was waited for did not come in time. If it is the end of a motion, the arm may still move.
+pub(crate) const DEADLINE: u8 = 27;
+/// Status packets that can be read no longer come; the arm may still move.
+pub(crate) const STATUS_LOST: u8 = 28;
+/// On Ctrl-C the controller did not take the stop, or it is not known whether it did; the arm may still move.
+pub(crate) const NOT_STOPPED: u8 = 29;
+
+/// Ctrl-C before anything was sent, or before what was waited for.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 /// Prints a failure with its causes on standard error, and gives the exit code.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
     let code = match failure {
         Failure::Usage(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
+        Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),
         Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
         Failure::Differs(impact) => return ExitCode::from(difference(*impact)),
@@ -55,6 +80,22 @@ fn difference(impact: Impact) -> u8 {
     }
 }
 
+/// The exit code for the end of a motion.
+fn ended(outcome: &Outcome) -> u8 {
+    match outcome {
+        Outcome::Reached => 0,
+        Outcome::AtRest => AT_REST,
+        Outcome::Stopped => STOPPED,
+        Outcome::ProtectiveStop => PROTECTIVE_STOP,
+        Outcome::EmergencyStop => EMERGENCY_STOP,
+        Outcome::Disabled => DISABLED,
+        Outcome::ControllerError { .. } => CONTROLLER_ERROR,
+        Outcome::Deadline => DEADLINE,
+        Outcome::StatusLost { .. } => STATUS_LOST,
+        _ => MAY_HAVE_RUN,
+    }
+}
+
 /// The exit code for an error of the robot: it says what a script can do about it.
 fn exit_code(error: &Error) -> u8 {
     if error.may_have_run() {
@@ -66,7 +107,16 @@ fn exit_code(error: &Error) -> u8 {
     } else if error.is_connect() {
         NO_CONNECTION
     } else {
-        LOST
+        match error.kind() {
+            ErrorKind::StateTimeout { .. } => DEADLINE,
+            ErrorKind::NotReady { .. }
+            | ErrorKind::NotAcknowledged { .. }
+            | ErrorKind::StatusUnknown { .. }
+            | ErrorKind::BeyondLimit { .. }
+            | ErrorKind::NotChecked { .. }
+            | ErrorKind::ModelMismatch { .. } => NOT_MOVED,
+            _ => LOST,
+        }
     }
 }
 
@@ -111,7 +161,8 @@ mod tests {
         let nobody = ReservedPort::any();
         assert_eq!(code(Client::connect(nobody.address())), NO_CONNECTION);
         let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
-        let mut status = Config::new().reply_timeout(SHORT).connect_status(controller.status_addr()).unwrap();
+        // The first packet comes, however busy the machine is.
+        let mut status = Config::new().reply_timeout(20 * SHORT).connect_status(controller.status_addr()).unwrap();
         status.next_packet().unwrap();
         assert_eq!(code(status.next_packet()), LOST);
     }

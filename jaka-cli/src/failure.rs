@@ -2,10 +2,12 @@
 
 use std::error::Error as StdError;
 use std::fmt;
-use std::io::{self, ErrorKind};
+use std::io;
 
+use jaka_spec::Spec;
 use jaka_spec::tools::Impact;
-use jaka_sync::{Explanation, Refusal, Verdict};
+use jaka_spec::words::first_sentence;
+use jaka_sync::{Error, ErrorKind, Explanation, NotReached, Refusal, Verdict};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -13,7 +15,7 @@ pub(crate) enum Failure {
     /// The command line, an argument or the config file is wrong.
     Usage(String),
     /// The robot, or the connection to it.
-    Robot(jaka_sync::Error),
+    Robot(Error),
     /// The controller refused the command.
     Refused {
         /// The controller's own words.
@@ -23,6 +25,8 @@ pub(crate) enum Failure {
         /// Why it did, as far as the robot's status shows.
         explanation: Option<Box<Explanation>>,
     },
+    /// A motion was accepted, and did not end at its target.
+    NotReached(NotReached),
     /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
     Departs(String),
     /// Two specs differ, and the exit code was asked to say by how much: the highest impact.
@@ -43,16 +47,33 @@ pub(crate) enum Failure {
 impl Failure {
     /// The output cannot be written.
     pub(crate) fn output(source: io::Error) -> Self {
-        if source.kind() == ErrorKind::BrokenPipe {
+        if source.kind() == io::ErrorKind::BrokenPipe {
             return Self::OutputClosed;
         }
         Self::local("cannot write the output", source)
+    }
+
+    /// The error with what the spec or a pack says about the controller's code.
+    pub(crate) fn explained(spec: &Spec, error: Error) -> Self {
+        match error.kind() {
+            ErrorKind::Refused { refusal, explanation } => {
+                let (refusal, explanation) = (refusal.clone(), explanation.clone().map(Box::new));
+                Self::Refused { meaning: meaning(spec, &refusal), refusal, explanation }
+            }
+            _ => error.into(),
+        }
     }
 
     /// Something on this machine does not work: what cannot be done, and why.
     pub(crate) fn local(what: impl Into<String>, source: io::Error) -> Self {
         Self::Local { what: what.into(), source }
     }
+}
+
+/// What the spec or a pack says about the code of a refusal.
+fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
+    let known = spec.errors().find(|known| known.wire == refusal.code.0);
+    known.map(|known| first_sentence(&known.doc).0.to_owned())
 }
 
 /// An error's text, followed by those of its causes.
@@ -67,6 +88,7 @@ impl fmt::Display for Failure {
         match self {
             Self::Usage(text) | Self::Departs(text) => f.write_str(text),
             Self::Robot(error) => error.fmt(f),
+            Self::NotReached(not_reached) => not_reached.fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {
                 write!(f, "{refusal}\nThe reason: {explanation}")
             }
@@ -87,14 +109,15 @@ impl StdError for Failure {
         match self {
             // Its text is part of this one.
             Self::Robot(error) => error.source(),
+            Self::NotReached(not_reached) => not_reached.source(),
             Self::Local { source, .. } => Some(source),
             _ => None,
         }
     }
 }
 
-impl From<jaka_sync::Error> for Failure {
-    fn from(error: jaka_sync::Error) -> Self {
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
         Self::Robot(error)
     }
 }

@@ -1,11 +1,14 @@
 //! Ctrl-C, and the signals by which a system ends programs.
 
 use std::io::{self, stdout};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use std::{process, thread};
 
-use crate::failure::Failure;
-use crate::{exit, record};
+use jaka_sync::RobotStop;
+
+use crate::failure::{Failure, chain};
+use crate::{exit, output, record};
 
 /// How long the program may take to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -13,12 +16,11 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. It should make the program end soon; otherwise
 /// the program is ended with success.
 pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
-    let handler = move || {
+    handle(move || {
         call();
         thread::sleep(PATIENCE);
-        end();
-    };
-    ctrlc::set_handler(handler).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
+        end(0);
+    })
 }
 
 /// Ends the program with success on Ctrl-C, but not in the middle of what it writes.
@@ -27,16 +29,99 @@ pub(crate) fn end_on_interrupt() -> Result<(), Failure> {
         // Not here, since the reader of the output may never continue.
         thread::spawn(|| {
             let _whole = stdout().lock();
-            end();
+            end(0);
         });
     })
 }
 
-/// Ends the program with success, unless what it recorded cannot be written.
-fn end() -> ! {
+/// What has gone to the robot, for when Ctrl-C comes. The program says then what it means, and stops a motion that it waits for.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
+
+#[derive(Debug, Default)]
+enum Stage {
+    #[default]
+    NothingSent,
+    /// This was sent, and nothing is known of it.
+    Sent(String),
+    /// A motion goes out, or is waited for.
+    Moving(RobotStop),
+    /// All that was sent has been answered.
+    Answered,
+}
+
+impl UnderWay {
+    /// Handles Ctrl-C from now on.
+    pub(crate) fn begin() -> Result<Self, Failure> {
+        let under_way = Self::default();
+        let handled = under_way.clone();
+        handle(move || handled.interrupt())?;
+        Ok(under_way)
+    }
+
+    /// This goes out next: a command, such as `power_on`, or more of them.
+    pub(crate) fn sends(&self, what: &str) {
+        *self.lock() = Stage::Sent(format!("`{what}`"));
+    }
+
+    /// A motion goes out next, which this stops.
+    pub(crate) fn moves(&self, stop: RobotStop) {
+        *self.lock() = Stage::Moving(stop);
+    }
+
+    /// All has been answered. If a stop is on its way, waits until it is said what has become of it.
+    pub(crate) fn answered(&self) {
+        *self.lock() = Stage::Answered;
+    }
+
+    fn interrupt(&self) {
+        // Kept until all is said.
+        let stage = self.lock();
+        match &*stage {
+            Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; nothing was sent that changes anything"),
+            Stage::Sent(what) => end_with(
+                exit::MAY_HAVE_RUN,
+                &format!("interrupted: {what} was sent and may have run; check the robot's state before you go on"),
+            ),
+            Stage::Moving(stop) => stop_arm(stop),
+            Stage::Answered => {}
+        }
+    }
+
+    /// Every change is made whole before the lock is left.
+    fn lock(&self) -> MutexGuard<'_, Stage> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Stops the arm, and says whether the controller has taken the stop. If it has, the wait for the motion ends.
+fn stop_arm(stop: &RobotStop) {
+    let Err(error) = stop.stop() else {
+        return output::tell("interrupted: the controller has taken the stop (`stop_program`)");
+    };
+    let taken = if error.may_have_run() {
+        "it is not known whether the controller has taken the stop"
+    } else {
+        "the controller has not taken the stop"
+    };
+    let text = format!("interrupted, but {taken}; the arm may still move, use the emergency stop: {}", chain(&error));
+    end_with(exit::NOT_STOPPED, &text)
+}
+
+fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+    ctrlc::set_handler(call).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
+}
+
+fn end_with(code: u8, text: &str) -> ! {
+    output::tell(text);
+    end(code)
+}
+
+/// Ends the program, with another code if what it recorded cannot be written.
+fn end(code: u8) -> ! {
     if let Err(failure) = record::finish() {
         exit::report(&failure);
         process::exit(exit::LOCAL.into());
     }
-    process::exit(0)
+    process::exit(code.into())
 }

@@ -8,6 +8,7 @@ mod failure;
 mod fields;
 mod interrupt;
 mod listen;
+mod motion;
 mod number;
 mod output;
 mod packed_status;
@@ -52,7 +53,19 @@ Exit codes:
   7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
      recording
   8, 9  `jaka check` found something to look at, or something wrong; also where no connection could be made
-  10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most";
+  10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
+  20 to 29 are for what moves the arm, and 27 for whatever is waited for:
+  20  the robot's state or a limit forbids it, or the state is not known; nothing that moves the arm was sent
+  21  the arm is at rest, and it is not known whether it is where it was sent
+  22  the motion ended before its target, also by Ctrl-C
+  23  a protective stop
+  24  the emergency stop
+  25  the arm is no longer powered and enabled
+  26  the controller reports an error
+  27  what was waited for did not come in time; a motion may go on
+  28  no status packets that can be read any more; the arm may still move
+  29  Ctrl-C, and the controller has not taken the stop, or it is not known whether it has; the arm may still move
+  130  Ctrl-C before anything was sent that changes something, or before what was waited for";
 
 /// Commands, status, live dashboard and simulated controller for JAKA robots.
 #[derive(Debug, Parser)]

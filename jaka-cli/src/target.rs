@@ -12,7 +12,7 @@ use jaka_motion::Limits;
 use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::proto::wire::Decode;
 use jaka_sync::recording::Port;
-use jaka_sync::{Client, Config, Monitor, Preflight, Reconnect, Recorder, StatusSampling, StatusStream};
+use jaka_sync::{Client, Config, Monitor, Preflight, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
 
 use self::address::RobotAddress;
 use self::environment::Environment;
@@ -53,9 +53,9 @@ pub(crate) struct AddressArgs {
     /// Port for status packets [default: 10000]
     #[arg(long, value_name = "PORT", conflicts_with = "sim")]
     status_port: Option<u16>,
-    /// How long connecting, each reply and each status packet may take [default: 5]
+    /// How long connecting, each reply and each status packet may take [default: 5], and what is waited for
     ///
-    /// Commands for which the protocol names a longer time, such as motions, get that longer time.
+    /// Without it, commands for which the protocol names a longer time, such as motions, get that longer time.
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     timeout: Option<Duration>,
     /// The config file.
@@ -130,6 +130,7 @@ impl AddressArgs {
             status: address.address(address.status_port),
             config: address.config(),
             connect_timeout: address.connect_timeout(),
+            timeout: self.timeout,
             controller: None,
         })
     }
@@ -149,6 +150,7 @@ impl AddressArgs {
             status: controller.status_addr().to_string(),
             config: address::config(self.timeout, self.timeout),
             connect_timeout: self.timeout.unwrap_or(CONNECT_TIMEOUT),
+            timeout: self.timeout,
             controller: Some(controller),
         })
     }
@@ -162,6 +164,8 @@ pub(crate) struct Target {
     status: String,
     config: Config,
     connect_timeout: Duration,
+    /// As the command line has it.
+    timeout: Option<Duration>,
     /// Kept alive for as long as the command talks to it.
     #[expect(dead_code, reason = "it is dropped with the target")]
     controller: Option<Controller>,
@@ -191,6 +195,18 @@ impl Target {
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
         Ok(self.config.connect_client(&self.commands)?)
+    }
+
+    /// Connects to both ports, and waits for the first status packet.
+    pub(crate) fn robot(&self) -> Result<Robot, Failure> {
+        let robot = self.config.connect_robot_at(&self.commands, &self.status)?;
+        robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
+        Ok(robot)
+    }
+
+    /// How long something may take: as the command line says, or else this long.
+    pub(crate) fn patience(&self, usual: Duration) -> Duration {
+        self.timeout.unwrap_or(usual)
     }
 
     /// Connects to both ports, and looks at all that should be looked at before the robot is used.

@@ -7,3 +7,4 @@ mod help;
 mod packs;
 mod replies;
 mod requests;
+mod wait;

@@ -13,6 +13,7 @@ mod outline;
 mod parser;
 mod reply;
 mod request;
+mod wait;
 
 use std::ffi::OsString;
 

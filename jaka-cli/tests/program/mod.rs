@@ -5,7 +5,7 @@
 use std::ffi::OsStr;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::{fs, thread};
 
 use jaka_sim::Controller;
@@ -48,6 +48,11 @@ pub(crate) fn run(mut command: Command, input: &str) -> Run {
     let mut child = command.spawn().expect("the program starts");
     // It need not read its input.
     let _ = child.stdin.take().expect("it is piped").write_all(input.as_bytes());
+    result(child)
+}
+
+/// What a run gives whose output is piped.
+pub(crate) fn result(child: Child) -> Run {
     let Output { status, stdout, stderr } = child.wait_with_output().expect("the program ends");
     let text = |bytes| String::from_utf8(bytes).expect("it writes UTF-8");
     Run { code: status.code(), out: text(stdout), err: text(stderr) }

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use jaka_dynamic::{DepartureKind, Reading, departures};
-use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::DecodeError;
@@ -11,8 +10,9 @@ use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation};
 
 use super::options::Options;
 use super::request::Request;
-use super::{consent, firmware, reply};
+use super::{consent, firmware, reply, wait};
 use crate::failure::Failure;
+use crate::interrupt::UnderWay;
 use crate::output;
 use crate::packs::Protocol;
 use crate::target::Target;
@@ -23,14 +23,22 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         // The bytes that would be sent, which are the user's own.
         return output::write(format!("{}\n", request.text).as_bytes());
     }
+    let motion = options.wait.then(|| wait::motion(request)).transpose()?;
+    let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(request, options, target.title())?;
+    if let Some(motion) = motion {
+        return wait::carry_out(protocol, options, request, &target, &motion, &under_way);
+    }
     let mut client = target.client()?;
     if options.check_firmware {
         firmware::check(&mut client, &protocol.spec, request)?;
     }
-    let timeout = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
-    match send(&mut client, request, timeout) {
+    let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
+    under_way.sends(&request.name);
+    let sent = send(&mut client, request, target.patience(usual));
+    under_way.answered();
+    match sent {
         Ok(Some(text)) => print_reply(&protocol.spec, options, request, &text),
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
@@ -64,13 +72,13 @@ fn answered(error: &Error) -> bool {
 
 /// The error with what the spec or a pack says about the controller's code, and what the robot's status says.
 fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
-    let Some(refusal) = error.refusal().cloned() else { return error.into() };
-    let known = spec.errors().find(|known| known.wire == refusal.code.0);
-    let meaning = known.map(|known| first_sentence(&known.doc).0.to_owned());
-    // Without a status, the refusal has no explanation.
-    let status = target.status_stream().ok().and_then(|mut stream| stream.newest_packet().ok());
-    let explanation = Explanation::of(&refusal, status.as_ref()).map(Box::new);
-    Failure::Refused { refusal, meaning, explanation }
+    let mut failure = Failure::explained(spec, error);
+    if let Failure::Refused { refusal, explanation, .. } = &mut failure {
+        // Without a status, the refusal has no explanation.
+        let status = target.status_stream().ok().and_then(|mut stream| stream.newest_packet().ok());
+        *explanation = Explanation::of(refusal, status.as_ref()).map(Box::new);
+    }
+    failure
 }
 
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {

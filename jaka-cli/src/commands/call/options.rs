@@ -19,7 +19,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "JSON", allow_hyphen_values = true)]
     pub(super) params: Option<String>,
     /// Send the request of --params unchecked, also for a command that is not in the spec; needs --yes
-    #[arg(long, conflicts_with_all = ["check_firmware", "advisory_ranges"])]
+    #[arg(long, conflicts_with_all = ["check_firmware", "advisory_ranges", "wait"])]
     pub(super) raw: bool,
     /// Send without asking
     ///
@@ -33,8 +33,14 @@ pub(super) struct Options {
     /// Ask for the controller's version first, and send only what that firmware has
     #[arg(long)]
     pub(super) check_firmware: bool,
-    /// Print the bytes that would be sent, and send nothing
+    /// Wait until the motion has ended, and tell by the exit code how; Ctrl-C stops the arm
+    ///
+    /// The arm is where it was sent if the controller says so when it is asked after the motion. The wait ends after 300 s, or after
+    /// --timeout; the motion does not. For joint_move, end_move, moveL, movc and start_torq_sensor_payload_identify.
     #[arg(long)]
+    pub(super) wait: bool,
+    /// Print the bytes that would be sent, and send nothing
+    #[arg(long, conflicts_with = "wait")]
     pub(super) dry_run: bool,
     /// Print the reply's text as received
     #[arg(long)]

@@ -1,0 +1,113 @@
+//! Motions whose end is waited for.
+
+use std::time::Duration;
+
+use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
+use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_sync::proto::{self, Command, CommandInfo};
+use jaka_sync::{Error, Motion, MotionEnd, Path, Robot};
+
+use super::firmware;
+use super::options::Options;
+use super::request::Request;
+use crate::failure::Failure;
+use crate::interrupt::UnderWay;
+use crate::motion;
+use crate::packs::Protocol;
+use crate::target::Target;
+
+/// Runs a motion, for no longer than a time.
+type Run = dyn Fn(&mut Robot, Duration) -> Result<MotionEnd, Error>;
+
+/// The motion that the request asks for.
+///
+/// # Errors
+/// It does not ask for a motion whose end can be waited for.
+pub(super) fn motion(request: &Request<'_>) -> Result<Box<Run>, Failure> {
+    use proto::Request::{EndMove, JointMove, MoveC, MoveL, StartTorqSensorPayloadIdentify};
+    let text = &request.text;
+    match proto::Request::read(text) {
+        Ok(JointMove(motion)) => Ok(run(motion, text)),
+        Ok(EndMove(motion)) => Ok(run(motion, text)),
+        Ok(MoveL(motion)) => Ok(run(motion, text)),
+        Ok(MoveC(motion)) => Ok(run(motion, text)),
+        Ok(StartTorqSensorPayloadIdentify(motion)) => Ok(run(motion, text)),
+        Ok(_) => Err(Failure::Usage(format!(
+            "`{}` was not sent: --wait is for the motions joint_move, end_move, moveL, movc and \
+             start_torq_sensor_payload_identify",
+            request.name
+        ))),
+        Err(error) => Err(Failure::Usage(format!("`{}` was not sent: --wait cannot read it: {error}", request.name))),
+    }
+}
+
+fn run<M: Motion + 'static>(motion: M, text: &str) -> Box<Run> {
+    let motion = WithText { motion, text: text.to_owned() };
+    Box::new(move |robot, patience| robot.run(&motion, patience))
+}
+
+/// Sends the request, waits for the end of its motion, and prints it.
+pub(super) fn carry_out(
+    protocol: &Protocol,
+    options: &Options,
+    request: &Request<'_>,
+    target: &Target,
+    motion: &Run,
+    under_way: &UnderWay,
+) -> Result<(), Failure> {
+    let mut robot = target.robot()?;
+    if options.check_firmware {
+        firmware::check(robot.client(), &protocol.spec, request)?;
+    }
+    under_way.moves(robot.stop_handle());
+    let ended = motion(&mut robot, target.patience(motion::PATIENCE));
+    under_way.answered();
+    let end = ended.map_err(|error| Failure::explained(&protocol.spec, error))?;
+    motion::print(end, options.json)
+}
+
+/// A motion that goes out as its request was written, with what a pack adds to it. The request was checked by the packs before.
+#[derive(Debug)]
+struct WithText<M> {
+    motion: M,
+    text: String,
+}
+
+impl<M: Motion> Command for WithText<M> {
+    type Reply = ();
+    const INFO: &'static CommandInfo = M::INFO;
+
+    fn write_request(&self, out: &mut Writer) {
+        out.raw(&self.text);
+    }
+}
+
+impl<M: Motion> Motion for WithText<M> {
+    fn target(&self) -> jaka_sync::Target {
+        self.motion.target()
+    }
+
+    fn path(&self) -> Path {
+        self.motion.path()
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.motion.tolerance()
+    }
+}
+
+impl<M: Motion> Validate for WithText<M> {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
+        Ok(())
+    }
+}
+
+impl<M: Motion> Fields for WithText<M> {
+    fn write_fields(&self, out: &mut Writer) {
+        self.motion.write_fields(out);
+    }
+
+    fn read_fields(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        M::read_fields(reader).map(|motion| Self { motion, text: String::new() })
+    }
+}

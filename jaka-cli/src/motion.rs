@@ -1,0 +1,43 @@
+//! How motions end, for people and for programs.
+
+use std::time::Duration;
+
+use jaka_sync::{MotionEnd, Outcome};
+use serde_json::json;
+
+use crate::failure::Failure;
+use crate::output;
+
+/// How long the end of a motion is waited for, unless the command line says otherwise.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
+
+/// Prints how a motion ended, as JSON whatever the end is.
+///
+/// # Errors
+/// It did not end at its target.
+pub(crate) fn print(end: MotionEnd, as_json: bool) -> Result<(), Failure> {
+    let waited = end.waited.as_secs_f64();
+    if as_json {
+        let (outcome, text) = (word(&end.outcome), end.outcome.to_string());
+        output::json(&format!("{}\n", json!({"outcome": outcome, "text": text, "waited_s": waited})))?;
+    } else if end.outcome.is_reached() {
+        output::line(&format!("{}, after {waited:.1} s", end.outcome))?;
+    }
+    end.reached().map_err(Failure::NotReached)
+}
+
+/// An outcome as one word, which does not change.
+fn word(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Reached => "reached",
+        Outcome::AtRest => "at_rest",
+        Outcome::Stopped => "stopped",
+        Outcome::ProtectiveStop => "protective_stop",
+        Outcome::EmergencyStop => "emergency_stop",
+        Outcome::Disabled => "disabled",
+        Outcome::ControllerError { .. } => "controller_error",
+        Outcome::Deadline => "deadline",
+        Outcome::StatusLost { .. } => "status_lost",
+        _ => "other",
+    }
+}

@@ -1,0 +1,165 @@
+//! `jaka call --wait`: how motions end, and what Ctrl-C does.
+
+use std::process::{Child, Stdio};
+use std::time::Duration;
+
+use expect_test::expect;
+use jaka_sim::{Controller, Delays, Fault, Port};
+
+#[cfg(unix)]
+use crate::common::interrupt;
+use crate::program::{Run, address_of, command, jaka, result};
+
+const LONG: Duration = Duration::from_secs(30);
+
+/// 90 deg of the first joint in 9 s.
+const SLOW: &str = "joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 10 --yes --wait";
+
+fn controller() -> Controller {
+    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    controller
+}
+
+fn started(controller: &Controller, line: &str) -> Child {
+    let words = ["call"].into_iter().chain(line.split(' ')).map(str::to_owned).chain(address_of(controller));
+    let mut command = command(words);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+/// Runs a line; `meanwhile` does what it does once the arm moves.
+fn run(controller: &Controller, line: &str, meanwhile: impl FnOnce(&Controller)) -> Run {
+    let child = started(controller, line);
+    assert!(controller.wait_for_requests(1, LONG), "the motion comes");
+    meanwhile(controller);
+    result(child)
+}
+
+#[test]
+fn a_motion_that_reaches_its_target_is_a_success() {
+    let controller = controller();
+    let fast = "joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait";
+    let run = run(&controller, fast, |_| {});
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert!(run.out.starts_with("the motion has reached its target, after "), "{run:?}");
+    assert!((controller.state().joint_position.0[0] - 5.0).abs() < 0.1);
+    let dry = jaka("call joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --dry-run".split(' '));
+    assert_eq!(controller.requests()[0], dry.out.trim_end(), "the bytes are those of --dry-run");
+}
+
+#[test]
+fn each_outcome_has_its_exit_code() {
+    let ends: [(&str, fn(&Controller), i32, &str); 6] = [
+        ("", Controller::collide, 23, "protective stop"),
+        ("", Controller::press_emergency_stop, 24, "emergency stop"),
+        ("", Controller::cut_power, 25, "no longer powered"),
+        ("", |controller| controller.set_state(|state| "0x0f0030".clone_into(&mut state.error_code)), 26, "0x0f0030"),
+        (" --timeout 3", |_| {}, 27, "has not ended in time"),
+        ("", |controller| controller.link(Port::Status).cut(), 28, "the arm may still move"),
+    ];
+    for (options, meanwhile, code, text) in ends {
+        let run = run(&controller(), &format!("{SLOW}{options}"), meanwhile);
+        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{text}: {run:?}");
+        assert!(run.err.starts_with("jaka: ") && run.err.contains(text), "{run:?}");
+    }
+    let turn = "moveL --mode relative --pose 0,0,1,0,0,1 --speed 100 --yes --wait";
+    let run = run(&controller(), turn, |_| {});
+    assert_eq!((run.code, run.out.as_str()), (Some(21), ""), "{run:?}");
+}
+
+#[test]
+fn json_says_how_it_ended_whatever_the_end_is() {
+    let outcome = |line: &str, meanwhile: fn(&Controller)| {
+        let run = run(&controller(), line, meanwhile);
+        let json: serde_json::Value = serde_json::from_str(&run.out).expect("it is one object");
+        assert!(json["waited_s"].as_f64().is_some() && json["text"].is_string(), "{json}");
+        json["outcome"].as_str().expect("it is a text").to_owned()
+    };
+    assert_eq!(outcome(&format!("{SLOW} --json"), Controller::collide), "protective_stop");
+    let fast = "joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait --json";
+    assert_eq!(outcome(fast, |_| {}), "reached");
+}
+
+#[test]
+fn a_motion_that_is_not_sent_is_told_apart() {
+    let controller = controller();
+    controller.collide();
+    let run = result(started(&controller, SLOW));
+    assert_eq!((run.code, run.out.as_str()), (Some(20), ""), "{run:?}");
+    assert!(controller.requests().is_empty());
+    controller.set_state(|state| (state.protective_stop, state.enabled) = (false, false));
+    let run = result(started(&controller, SLOW));
+    assert_eq!(run.code, Some(1), "{run:?}");
+    assert!(run.err.contains("The reason: the arm is not enabled"), "{run:?}");
+}
+
+#[test]
+fn only_motions_are_waited_for() {
+    for line in ["power_on --wait --sim", "jog --jog-mode stop --frame joint --axis 0 --wait --sim"] {
+        let run = jaka(format!("call {line}").split(' '));
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.err.contains("was not sent: --wait is for the motions joint_move, end_move"), "{run:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_stops_the_arm() {
+    let controller = controller();
+    let child = started(&controller, SLOW);
+    assert!(controller.wait_for_requests(1, LONG), "the motion comes");
+    interrupt(&child);
+    expect![[r"
+        jaka: interrupted: the controller has taken the stop (`stop_program`)
+        jaka: the motion was stopped before its target
+        exit code 22
+    "]]
+    .assert_eq(&result(child).text());
+    assert!(controller.requests().iter().any(|request| request.contains("stop_program")));
+    assert!(controller.state().joint_position.0[0] < 60.0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_stop_that_is_not_taken_is_told() {
+    let controller = controller();
+    let refusal = r#"{"errorCode":"1","errorMsg":"busy","cmdName":"stop_program"}"#;
+    controller.inject_for("stop_program", Fault::Instead(refusal.into()));
+    let child = started(&controller, SLOW);
+    assert!(controller.wait_for_requests(1, LONG), "the motion comes");
+    interrupt(&child);
+    let run = result(child);
+    assert_eq!(run.code, Some(29), "{run:?}");
+    assert!(run.err.contains("the controller has not taken the stop; the arm may still move"), "{run:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_after_a_command_went_out_says_that_it_may_have_run() {
+    let controller = controller();
+    controller.inject(Fault::Drop);
+    let child = started(&controller, "set_digital_output --kind cabinet --index 0 --value on --yes");
+    assert!(controller.wait_for_requests(1, LONG), "the command comes");
+    interrupt(&child);
+    expect![[r"
+        jaka: interrupted: `set_digital_output` was sent and may have run; check the robot's state before you go on
+        exit code 4
+    "]]
+    .assert_eq(&result(child).text());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_before_that_says_that_nothing_was_changed() {
+    let silent = std::net::TcpListener::bind("127.0.0.1:0").expect("there are free ports");
+    let port = silent.local_addr().expect("it has one").port().to_string();
+    let words = ["call", "power_off", "--yes", "-r", "127.0.0.1", "--command-port", &port, "--check-firmware"];
+    let child = command(words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+    let _connection = silent.accept().expect("it connects");
+    interrupt(&child);
+    expect![[r"
+        jaka: interrupted; nothing was sent that changes anything
+        exit code 130
+    "]]
+    .assert_eq(&result(child).text());
+}
