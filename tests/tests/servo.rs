@@ -7,8 +7,8 @@ use std::time::Duration;
 use jaka_sim::{Controller, Delays, Fault};
 use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::types::{JointPosition, Pose};
-use jaka_sync::{Client, Config, ErrorCode, ErrorKind, Monitor, Robot, ServoConfig};
+use jaka_sync::types::{JointPosition, Pose, Switch};
+use jaka_sync::{Client, Config, ErrorCode, ErrorKind, Explanation, Monitor, Robot, ServoConfig};
 
 fn ready() -> (Controller, Robot) {
     let mut delays = Delays::NONE;
@@ -49,6 +49,22 @@ const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
 
 /// Set-points of so long a time that what must be noticed is noticed, however busy the machine is: 40 s.
 const CYCLES: usize = 5000;
+
+/// Another program's set-points and ours together would make the arm jump.
+#[test]
+fn a_session_does_not_begin_where_servo_mode_is_on() {
+    let (controller, mut robot) = ready();
+    controller.set_state(|state| state.servo_mode = true);
+    let error = robot.enter_servo_mode(&patient()).expect_err("it is on");
+    assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::ServoModeOn }), "{error}");
+    assert!(controller.state().servo_mode, "what another program needs is left as it is");
+    assert!(
+        !controller.requests().iter().any(|request| request.contains("servo_move")),
+        "nothing was sent to change it"
+    );
+    robot.client().set_servo_mode(Switch::Off).expect("it is left");
+    drop(robot.enter_servo_mode(&patient()).expect("it is off"));
+}
 
 #[test]
 fn every_set_point_is_sent_in_order_and_answered() {

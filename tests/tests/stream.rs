@@ -5,9 +5,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Port};
-use jaka_sync::jaka_motion::{Limits, Model, Region, TcpVelocity, VelocityFrame};
+use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Config, ErrorKind, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
+use jaka_sync::{Config, ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
 use serde_json::Value;
 
 use crate::limits::random::Random;
@@ -114,6 +114,39 @@ fn speed_up(stream: &StreamHandle) {
         assert!(since.elapsed() < LONG);
         thread::sleep(Duration::from_millis(5));
     }
+}
+
+/// Its thread goes on, and a second one's set-points between its own would make the arm jump.
+#[test]
+fn a_stream_that_was_forgotten_keeps_a_second_one_from_beginning() {
+    let (_controller, mut robot) = ready();
+    let stream = robot.stream(&patient()).expect("the arm is ready");
+    let handle = stream.handle();
+    std::mem::forget(stream);
+    let error = robot.stream(&patient()).expect_err("the first one goes on");
+    assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::ServoModeOn }), "{error}");
+    handle.set_joints(turned(6, 1.0)).expect("it goes on");
+    assert!(handle.wait_for_rest(LONG).expect("it goes on"));
+}
+
+#[test]
+fn a_stream_says_what_holds_it() {
+    let (_controller, mut robot) = ready();
+    let stream = robot.stream(&patient()).expect("the arm is ready");
+    assert_eq!(stream.bound(), None);
+    let upwards =
+        TcpVelocity { linear_mm_s: [0.0, 0.0, 300.0], angular_deg_s: [0.0; 3], frame: VelocityFrame::ArmBase };
+    let since = Instant::now();
+    let bound = loop {
+        stream.set_tcp_velocity(upwards, Duration::from_millis(500)).expect("it goes on");
+        if let Some(bound) = stream.bound() {
+            break bound;
+        }
+        assert!(since.elapsed() < LONG);
+        thread::sleep(Duration::from_millis(20));
+    };
+    assert!(matches!(bound, Bound::Limit(_)), "the arm's reach ends somewhere: {bound:?}");
+    drop(stream.land().expect("it lands"));
 }
 
 #[test]

@@ -31,6 +31,9 @@ pub enum Explanation {
     NoRemoteControl,
     /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
     Moving,
+    /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten. If it is left over, call
+    /// `set_servo_mode` with off.
+    ServoModeOn,
     /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
     ServoModeNotEntered,
     /// The controller acknowledged the end of servo mode but is still in it.
@@ -74,6 +77,9 @@ impl fmt::Display for Explanation {
             Self::NotEnabled => "the arm is not enabled: call `enable_robot`",
             Self::NotInServoMode => "servo mode is off: call `set_servo_mode`, and wait until it is on",
             Self::Moving => "the arm is moving, or a motion has not been waited for: wait for its end, or stop it",
+            Self::ServoModeOn => {
+                "servo mode is on already, perhaps with set-points of another program or session: if nobody sends any, call `set_servo_mode` with off"
+            }
             Self::ServoModeNotEntered => {
                 "the controller acknowledged servo mode but did not enter it, which happens while the arm moves"
             }

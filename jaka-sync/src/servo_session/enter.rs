@@ -19,6 +19,9 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         #[cfg(feature = "realtime")]
         let priority = config.take_priority()?;
         robot.rest_for_servo(config.enter_timeout)?;
+        if robot.client().call(&IsInServomove::new())?.in_servo_mode {
+            return Err(robot.not_ready(Explanation::ServoModeOn));
+        }
         if let Some(filter) = &config.filter {
             robot.client().call(filter)?;
         }

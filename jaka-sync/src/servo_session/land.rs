@@ -98,7 +98,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (None, Some(set_point)) => {
                 let gate = self.robot.holding_gate();
                 match self.send_landing(set_point, &gate, refused) {
-                    // A stop has come between.
+                    // A stop has come between, or an odd reply, which the next ones make up for.
                     Err(error) if lets_land(&error) && !error.is_refused() => Ok(()),
                     sent => sent.map(drop),
                 }

@@ -105,11 +105,12 @@ fn go<S: MotionStatus>(
             departure.check(number, joints)?;
         }
         let goal = targets.goal(&order);
-        let joints = generator.next(&goal).joints;
+        let step = generator.next(&goal);
+        let joints = step.joints;
         session.send_generated(joints, &cycle).inspect_err(|_| generator.take_back())?;
         departure.sent(joints);
         let is_there = !matches!(goal, Goal::Joints(target) if target.max_distance(&joints) > THERE_DEG);
-        targets.sent(joints, &order, is_there && generator.is_at_rest());
+        targets.sent(step, &order, is_there && generator.is_at_rest());
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_motion::{Beyond, Generator, Goal, TcpVelocity};
+use jaka_motion::{Beyond, Bound, Generator, Goal, TcpVelocity};
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
@@ -82,6 +82,12 @@ impl StreamHandle {
     /// Where the joints are to be at the last set-point: the arm lags behind it.
     pub fn joints(&self) -> JointPosition {
         self.targets.joints()
+    }
+
+    /// What slows or holds the arm at the last set-point, beyond the speeds, accelerations and jerks of the stream: why it does not go where, or as
+    /// fast as, it was told. None if nothing does.
+    pub fn bound(&self) -> Option<Bound> {
+        self.targets.bound()
     }
 
     /// Waits until the set-points have reached the last target, or come to rest after a velocity, and says whether they have within `timeout`.

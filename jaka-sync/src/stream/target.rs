@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
-use jaka_motion::Goal;
+use jaka_motion::{Bound, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
 
 use crate::clock::{Clock, Signal};
@@ -51,13 +51,15 @@ struct State {
     /// Where the joints are to be, and whether that is where the last order leads.
     joints: JointPosition,
     is_at_rest: bool,
+    /// What slowed the last set-point.
+    bound: Option<Bound>,
     ended: Option<String>,
 }
 
 impl Targets {
     pub(super) fn new(start: JointPosition, clock: &Clock) -> Self {
         let order = Order { goal: Goal::Rest, until: None, number: 0 };
-        let state = State { order, joints: start, is_at_rest: true, ended: None };
+        let state = State { order, joints: start, is_at_rest: true, bound: None, ended: None };
         let (state, is_landing) = (Mutex::new(state), AtomicBool::new(false));
         Self { state, is_landing, rested: Signal::new(clock), clock: clock.clone() }
     }
@@ -88,6 +90,11 @@ impl Targets {
     /// Where the joints are to be at the last set-point.
     pub(super) fn joints(&self) -> JointPosition {
         self.lock().joints
+    }
+
+    /// What slowed the last set-point, if something did.
+    pub(super) fn bound(&self) -> Option<Bound> {
+        self.lock().bound.clone()
     }
 
     /// Waits until the arm rests on the last goal that was given, or the stream has ended, of which it tells why.
@@ -124,9 +131,9 @@ impl Targets {
     }
 
     /// A set-point was sent by this order; the joints rest where it leads, or move on.
-    pub(super) fn sent(&self, joints: JointPosition, order: &Order, rests_there: bool) {
+    pub(super) fn sent(&self, step: Step, order: &Order, rests_there: bool) {
         let Ok(mut state) = self.state.try_lock() else { return };
-        state.joints = joints;
+        (state.joints, state.bound) = (step.joints, step.bound);
         let rests = rests_there && order.is_final(self.clock.now()) && order.number == state.order.number;
         if rests && !state.is_at_rest {
             self.rested.notify_all();
