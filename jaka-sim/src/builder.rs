@@ -14,7 +14,9 @@ use jaka_proto::recording::Recording;
 use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
-use crate::{Delays, FaultPlan, Firmware, Habits, Replay, ReplayTiming, ReplyStyle, Trip, Underrun};
+use crate::{
+    Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip, Underrun,
+};
 
 /// Options for a [`Controller`](crate::Controller), which are set before it starts.
 #[derive(Debug, Clone)]
@@ -28,6 +30,8 @@ pub struct Builder {
     pub(crate) lag: Duration,
     pub(crate) trips: Vec<Trip>,
     pub(crate) underrun: Underrun,
+    pub(crate) inputs: Vec<InputScript>,
+    pub(crate) contact: Option<Contact>,
     pub(crate) stepped: bool,
     pub(crate) time_scale: f64,
     folders: Vec<PathBuf>,
@@ -54,6 +58,8 @@ impl Builder {
             lag: Duration::ZERO,
             trips: Vec::new(),
             underrun: Underrun::Hold,
+            inputs: Vec::new(),
+            contact: None,
             stepped: false,
             time_scale: 1.0,
             folders: Vec::new(),
@@ -140,6 +146,22 @@ impl Builder {
     #[must_use]
     pub fn underrun(mut self, underrun: Underrun) -> Self {
         self.underrun = underrun;
+        self
+    }
+
+    /// Has an input change by itself, at times that count from the start. An input that the controller does not have keeps it from starting.
+    #[must_use]
+    pub fn input(mut self, script: impl Into<InputScript>) -> Self {
+        self.inputs.push(script.into());
+        self
+    }
+
+    /// Puts a plane into the way of the tool centre point: none if not set.
+    ///
+    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) says how far the tool went in.
+    #[must_use]
+    pub fn contact(mut self, contact: Contact) -> Self {
+        self.contact = Some(contact);
         self
     }
 
@@ -288,6 +310,7 @@ impl Builder {
 
     /// What keeps a controller from starting.
     pub(crate) fn check(&self) -> io::Result<()> {
+        self.contact.as_ref().map_or(Ok(()), Contact::check)?;
         if (0.001..=1000.0).contains(&self.time_scale) {
             return Ok(());
         }

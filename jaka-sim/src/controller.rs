@@ -16,7 +16,7 @@ pub use self::links::Link;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
 use crate::shared::Shared;
-use crate::{Builder, Deviation, State, command_port, status_port, world};
+use crate::{Builder, Contact, Deviation, InputScript, State, command_port, status_port, world};
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///
@@ -85,6 +85,31 @@ impl Controller {
     /// The controller's time since its start, in whole cycles.
     pub fn elapsed(&self) -> Duration {
         self.shared.world().now()
+    }
+
+    /// Has an input change by itself, at times that count from now.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if the controller does not have the input.
+    pub fn input(&self, script: impl Into<InputScript>) -> io::Result<()> {
+        self.shared.world().schedule_inputs(&script.into())
+    }
+
+    /// Puts a plane into the way of the tool centre point, or takes it away, and forgets how deep the tool has been.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if it is not a plane: a normal of zero, a number that is not finite, a negative stiffness.
+    pub fn set_contact(&self, contact: Option<Contact>) -> io::Result<()> {
+        contact.as_ref().map_or(Ok(()), Contact::check)?;
+        self.shared.world().set_contact(contact);
+        Ok(())
+    }
+
+    /// How deep the tool centre point has been below the plane of [`Builder::contact`] or [`set_contact`](Self::set_contact), in mm; 0 without one.
+    ///
+    /// It is computed in each controller cycle, and counts until the plane is set again.
+    pub fn deepest_penetration(&self) -> f64 {
+        self.shared.world().deepest_penetration()
     }
 
     /// Simulates a collision: a protective stop and the error `0xf0034`, until `clear_error`.

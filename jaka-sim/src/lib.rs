@@ -5,11 +5,13 @@ mod builder;
 mod clock;
 mod command_port;
 mod connection;
+mod contact;
 mod controller;
 mod delays;
 mod fault;
 mod firmware;
 mod habits;
+mod input_script;
 mod json_text;
 mod link;
 mod link_selector;
@@ -30,11 +32,13 @@ mod underrun;
 mod world;
 
 pub use builder::{Builder, Takeover};
+pub use contact::Contact;
 pub use controller::{Controller, Link};
 pub use delays::Delays;
 pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
 pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub use habits::{Habit, HabitError, Habits};
+pub use input_script::{AnalogInput, DigitalInput, InputScript};
 /// The arm that is simulated.
 pub use jaka_motion::Model;
 /// The messages that [`State`] is made of.

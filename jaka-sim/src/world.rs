@@ -4,6 +4,7 @@ mod events;
 mod planning;
 mod program;
 mod servo;
+mod touch;
 
 use std::collections::HashMap;
 use std::io;
@@ -16,7 +17,9 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 
 use self::events::Reported;
 pub(crate) use self::events::collide;
+use self::touch::Touch;
 use crate::clock::CYCLE;
+use crate::input_script::{InputScript, Schedule};
 use crate::motion::{Drives, Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
@@ -33,6 +36,8 @@ pub(crate) struct World {
     pub(crate) drives: Drives,
     trips: Vec<Trip>,
     underrun: Underrun,
+    inputs: Schedule,
+    touch: Touch,
     /// For how long the arm has been moving without a rest.
     busy: Duration,
     pub(crate) programs: HashMap<String, Program>,
@@ -82,6 +87,8 @@ impl World {
             drives: Drives::new(options.lag, state.joint_position.0),
             trips: options.trips.clone(),
             underrun: options.underrun,
+            inputs: Schedule::default(),
+            touch: Touch::new(options.contact),
             busy: Duration::ZERO,
             state,
             model,
@@ -98,6 +105,7 @@ impl World {
             now: Duration::ZERO,
         };
         options.firmware.fit(&mut world.state);
+        options.inputs.iter().try_for_each(|script| world.schedule_inputs(script))?;
         world.make_consistent();
         Ok(world)
     }
@@ -113,13 +121,26 @@ impl World {
         while left > 0 {
             // Where nothing goes on, all cycles are passed at once.
             let is_idle = self.is_idle();
-            let cycles = if is_idle { u32::try_from(left).unwrap_or(u32::MAX) } else { 1 };
+            let cycles = if is_idle { self.idle_cycles(left) } else { 1 };
             self.now += CYCLE * cycles;
             left -= u128::from(cycles);
+            self.inputs.run(self.now, &mut self.state);
             if !is_idle {
                 self.cycle();
             }
         }
+    }
+
+    /// How many of these cycles can be passed at once where nothing goes on: up to the next change of an input.
+    fn idle_cycles(&self, left: u128) -> u32 {
+        let until = |due: Duration| due.saturating_sub(self.now).as_nanos().div_ceil(CYCLE.as_nanos()).max(1);
+        let cycles = self.inputs.next_due().map_or(left, |due| left.min(until(due)));
+        u32::try_from(cycles).unwrap_or(u32::MAX)
+    }
+
+    /// Has inputs change from now on.
+    pub(crate) fn schedule_inputs(&mut self, script: &InputScript) -> io::Result<()> {
+        self.inputs.add(self.now, script, &self.state)
     }
 
     fn is_idle(&self) -> bool {
@@ -231,6 +252,7 @@ impl World {
     fn update(&mut self) {
         self.report_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
+        self.feel();
         let is_moving = self.is_moving();
         let is_resting = self.engine.is_resting() && self.drives.is_settled();
         self.state.at_rest = self.is_at_rest();

@@ -2,10 +2,12 @@
 
 mod commands;
 mod common;
+mod contact;
 mod fault_plans;
 mod faults;
 mod firmware;
 mod habits;
+mod inputs;
 mod late_replies;
 mod lifecycle;
 mod link_faults;

@@ -116,6 +116,8 @@ fn torque_sensor(spec_index: &SpecIndex) -> io::Result<TorqueSensor> {
     Ok(TorqueSensor {
         brand: spec_index.example::<force::GetTorqueSensorBrand>()?.brand,
         mode: 0,
+        working: false,
+        contact_force: [0.0; 6],
         communication: comm.communication,
         address: comm.address,
         port: comm.port,

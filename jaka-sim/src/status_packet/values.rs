@@ -121,7 +121,7 @@ fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Value 
     (0..).map(|index| state.analog_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
-/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. Nothing is measured.
+/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. The raw reading is taken to be the contact force.
 fn torque_sensor(sensor: &TorqueSensor, readings: usize) -> Value {
     let payload = json!([sensor.payload.mass, <[f64; 3]>::from(sensor.payload.centroid)]);
     // No command sets the parameters of a serial line, and nothing prints any.
@@ -129,7 +129,10 @@ fn torque_sensor(sensor: &TorqueSensor, readings: usize) -> Value {
         TorqueSensorCommunication::Rs485 => json!([]),
         _ => json!([sensor.address, sensor.port]),
     };
-    let state = [json!(0), json!(0)].into_iter().chain(repeat_n(json!(NO_READINGS), readings));
+    let force = if sensor.working { sensor.contact_force } else { NO_READINGS };
+    let measured =
+        [json!(force), json!(force)].into_iter().chain(repeat_n(json!(NO_READINGS), readings.saturating_sub(2)));
+    let state = [json!(i64::from(sensor.working)), json!(0)].into_iter().chain(measured);
     let kind = i64::from(sensor.communication == TorqueSensorCommunication::Rs485);
     json!([[kind, connection, payload], state.collect::<Value>()])
 }
