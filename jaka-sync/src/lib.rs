@@ -51,11 +51,13 @@ pub use methods::*;
 pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
 pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
+pub use robot::{
+    AnalogCondition, AnalogInput, Explanation, ForceComponent, ForceLimit, Guard, GuardTrip, Input, InputCondition,
+    Motion, MotionEnd, MotionStatus, NotGuarded, NotReached, NotShown, Numbering, Outcome, Path, Robot, RobotStop,
+    StatusProblem, Target, TcpBox, TripReason,
+};
 #[cfg(feature = "preflight")]
 pub use robot::{CheckItem, Finding, Preflight, Verdict};
-pub use robot::{
-    Explanation, Motion, MotionEnd, MotionStatus, NotReached, Outcome, Path, Robot, RobotStop, StatusProblem, Target,
-};
 #[cfg(feature = "motion")]
 pub use robot::{LimitPolicy, Unchecked};
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};

@@ -2,10 +2,14 @@
 
 mod batch;
 mod explain;
+mod guard;
+mod inputs;
+mod io_wait;
 mod latch;
 #[cfg_attr(not(feature = "motion"), path = "robot/no_limits.rs")]
 mod limits;
 mod motion;
+mod not_shown;
 mod outcome;
 mod position;
 mod power;
@@ -13,10 +17,12 @@ mod power;
 mod preflight;
 mod readiness;
 mod rest;
+mod run_until;
 mod status;
 mod stops;
 mod target;
 mod trouble;
+mod vigil;
 mod wait;
 mod watch;
 
@@ -28,11 +34,15 @@ use jaka_proto::messages::status::RobotStatus;
 
 use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
+pub(crate) use self::guard::Armed;
+pub use self::guard::{ForceComponent, ForceLimit, Guard, GuardTrip, NotGuarded, TcpBox, TripReason};
+pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 use self::latch::Latch;
 use self::limits::Checks;
 #[cfg(feature = "motion")]
 pub use self::limits::{LimitPolicy, Unchecked};
 pub use self::motion::{Motion, Path};
+pub use self::not_shown::NotShown;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 #[cfg(feature = "preflight")]
@@ -186,7 +196,7 @@ impl<S: MotionStatus> Robot<S> {
     /// was accepted is reported by the [`MotionEnd`].
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
         let since = self.clock().stopwatch();
-        self.send(motion, timeout)?;
+        self.send(motion, timeout, None)?;
         Ok(self.wait(since.left_of(timeout)))
     }
 
@@ -200,10 +210,11 @@ impl<S: MotionStatus> Robot<S> {
     /// packet shows a stop) and [`ErrorKind::NotSentInTime`]; and, with limits, after `ErrorKind::BeyondLimit` and
     /// `ErrorKind::NotChecked`.
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
-        self.send(motion, self.client.timeout_of(M::INFO))
+        self.send(motion, self.client.timeout_of(M::INFO), None)
     }
 
-    fn send<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<(), Error> {
+    /// Sends a motion, under a guard if there is one, which lets it out or not.
+    fn send<M: Motion>(&mut self, motion: &M, timeout: Duration, guard: Option<&Armed>) -> Result<(), Error> {
         let since = self.clock().stopwatch();
         self.client.link().check_open(M::INFO.name)?;
         self.check_latch()?;
@@ -212,7 +223,8 @@ impl<S: MotionStatus> Robot<S> {
         let end = self.check_limits(motion, &begin, left())?;
         self.rests = false;
         let gate = self.gate();
-        let sent = self.client.call_through(Some(&gate), motion, left());
+        let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
+        let sent = self.client.call_through(Some(&guarded), motion, left());
         self.frame_changes = begin.frames.changes;
         match sent {
             Ok(()) => {
@@ -258,13 +270,18 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none.
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
+        self.wait_unless(timeout, &|| false)
+    }
+
+    /// The same, and gives up waiting once it is to; then the outcome is [`Outcome::Deadline`].
+    fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> MotionEnd {
         let since = self.clock().stopwatch();
         let Some(batch) = self.batch.take() else {
             let (waited, packets) = (Duration::ZERO, Vec::new());
-            return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None };
+            return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None, stop: None };
         };
         let mut wait = Wait::new(batch, self.client.link().frame_changes(), self.grace);
-        let outcome = self.watch(&mut wait, timeout);
+        let outcome = self.watch(&mut wait, timeout, gives_up);
         self.rests = wait.failure.is_none() && outcome.is_at_rest();
         if outcome.latches() {
             self.latch.set(&outcome);
@@ -273,7 +290,8 @@ impl<S: MotionStatus> Robot<S> {
             // The motions may go on: they can be waited for again.
             self.batch = Some(wait.batch);
         }
-        MotionEnd { outcome, waited: since.passed(), packets: wait.packets.into(), not_answered: wait.failure }
+        let (waited, packets) = (since.passed(), wait.packets.into());
+        MotionEnd { outcome, waited, packets, not_answered: wait.failure, stop: None }
     }
 
     /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.

@@ -1,7 +1,7 @@
 //! Stopping from another thread.
 
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_proto::Command;
 use jaka_proto::exchange::TextOnly;
@@ -48,8 +48,14 @@ impl StopHandle {
     /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
     /// the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
+        self.stop_and_tell().1
+    }
+
+    /// The same, and when the stop had been written, if it was.
+    pub(crate) fn stop_and_tell(&self) -> (Option<Instant>, Result<(), Error>) {
         let outgoing = Outgoing::of(self.link.clock(), StopProgram::INFO, self.timeout).by(Right::Stop);
-        let write = &mut |out: &mut _| StopProgram::new().write_request(out);
-        self.link.call(&outgoing, write, &mut String::new(), &mut TextOnly)
+        let sent = self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out));
+        let written = sent.is_ok().then(|| self.link.clock().now());
+        (written, sent.and_then(|sent| self.link.wait(&sent, &mut String::new(), &mut TextOnly)))
     }
 }

@@ -19,7 +19,8 @@ use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
 use self::target::Targets;
-use crate::{Error, ErrorKind, MotionStatus, Robot, ServoConfig, ServoReport};
+use crate::robot::Armed;
+use crate::{Error, ErrorKind, Guard, MotionStatus, Robot, ServoConfig, ServoReport};
 
 /// How a [`Stream`] runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,12 +126,30 @@ impl<S: MotionStatus> Robot<S> {
     /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
     /// [`ErrorKind::BeyondLimit`] if the arm is beyond one, and [`ErrorKind::InvalidArgument`] if the dynamics are beyond the limits.
     pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_, S>, Error> {
+        self.begin_stream(config, None)
+    }
+
+    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes goes out in the next servo
+    /// period after the packet.
+    ///
+    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    ///
+    /// # Errors
+    /// As [`stream`](Self::stream). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already), [`ErrorKind::NotShown`] (packets do not show what it
+    /// needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a [`ForceLimit`](crate::ForceLimit): how fast the tool of a stream is, and how it brakes, does not
+    /// follow from targets of joints.
+    pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
+        let armed = self.arm_for(ServoJ::INFO, &guard.into(), "stream_until")?;
+        self.begin_stream(config, Some(armed))
+    }
+
+    fn begin_stream(&mut self, config: &StreamConfig, guard: Option<Armed>) -> Result<Stream<'_, S>, Error> {
         config.check()?;
         let (robot, config) = (self.lent(), config.clone());
         let (ready, begun) = mpsc::sync_channel::<Result<(Arc<Targets>, Generator), Error>>(1);
         let spawned = thread::Builder::new().name("jaka stream".to_owned()).spawn(move || {
             let mut robot = robot;
-            cycle::run(&mut robot, &config, &ready)
+            cycle::run(&mut robot, &config, guard.as_ref(), &ready)
         });
         let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
         match begun.recv() {

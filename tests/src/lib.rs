@@ -5,6 +5,7 @@ use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type};
 use proptest::prelude::*;
 use serde_json::{Map, Number, Value};
 
+mod hand_fed;
 mod recording_buffer;
 mod reserved_port;
 mod seeds;
@@ -12,6 +13,7 @@ mod skipped;
 pub mod soak;
 pub mod witness;
 
+pub use hand_fed::HandFed;
 pub use recording_buffer::{RecordingBuffer, events, recorded, requests};
 pub use reserved_port::ReservedPort;
 pub use seeds::seeds;

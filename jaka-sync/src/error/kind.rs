@@ -12,7 +12,7 @@ use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
 use super::{Disconnect, Error};
-use crate::{Explanation, Outcome, StatusProblem};
+use crate::{Explanation, GuardTrip, NotGuarded, NotShown, Outcome, StatusProblem};
 
 /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
 #[derive(Debug)]
@@ -93,6 +93,40 @@ pub enum ErrorKind {
         /// What the last one says about the arm; none for a type of the user's own.
         says: Option<String>,
     },
+    /// Status packets do not show what was asked of them: an input, a force. Nothing was sent.
+    NotShown {
+        /// What was asked, in words.
+        what: String,
+        /// Why they do not show it, and what helps.
+        reason: NotShown,
+    },
+    /// A wait for an input has ended, because the status is no longer known. Nothing was sent.
+    WaitEnded {
+        /// What was waited for, in words.
+        what: String,
+        /// Why the status is not known, and what helps.
+        problem: StatusProblem,
+    },
+    /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is not known.
+    NotGuarded {
+        /// `cmdName` of the motion.
+        command: String,
+        /// Why not, and what helps.
+        reason: NotGuarded,
+    },
+    /// The guard of a motion has tripped.
+    GuardTripped {
+        /// Which condition, by which packet, and what followed.
+        trip: Arc<GuardTrip>,
+    },
+    /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not accepted: the arm may move, and
+    /// nobody judges the guard.
+    NotStopped {
+        /// What failed first.
+        first: Error,
+        /// Why the stop was not accepted.
+        stopping: Error,
+    },
     /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
     /// program that must do without it, [`Robot::allow_motion_without_status`](crate::Robot::allow_motion_without_status).
     StatusUnknown {
@@ -142,8 +176,7 @@ pub enum ErrorKind {
         /// How long ago.
         late: Duration,
     },
-    /// The system has no thread for a stream. Nothing was sent. Needs the feature `stream`.
-    #[cfg(feature = "stream")]
+    /// The system has no thread for a stream or a guard. Nothing was sent.
     Thread {
         /// Why not, in the system's words.
         source: io::Error,
@@ -235,6 +268,7 @@ impl ErrorKind {
             | Self::StatusTimeout { .. } => Group::Timeout,
             Self::Disconnected { .. } => Group::Disconnected,
             Self::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Group::Disconnected,
+            Self::NotStopped { stopping, .. } if stopping.is_disconnected() => Group::Disconnected,
             Self::ServoModeNotLeft { .. }
             | Self::ReplyLost { .. }
             | Self::UnexpectedReply { .. }
@@ -245,11 +279,17 @@ impl ErrorKind {
             | Self::NotAcknowledged { .. }
             | Self::RestNotSeen { .. }
             | Self::NotLanded { .. }
+            | Self::NotShown { .. }
+            | Self::WaitEnded { .. }
+            | Self::NotGuarded { .. }
+            | Self::GuardTripped { .. }
+            | Self::NotStopped { .. }
+            | Self::Thread { .. }
             | Self::UnexpectedStatus { .. } => Group::Other,
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
             #[cfg(feature = "stream")]
-            Self::Departed { .. } | Self::SetPointLate { .. } | Self::Thread { .. } => Group::Other,
+            Self::Departed { .. } | Self::SetPointLate { .. } => Group::Other,
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { .. } => Group::Other,
         }
@@ -263,8 +303,10 @@ impl ErrorKind {
             | Self::SetPointsUnanswered { .. }
             | Self::RestNotSeen { .. }
             | Self::NotLanded { .. }
+            | Self::NotStopped { .. }
             | Self::ServoModeNotLeft { .. } => true,
             Self::Disconnected { sent, .. } => *sent,
+            Self::GuardTripped { trip } => !trip.is_before_start,
             Self::InvalidArgument(_)
             | Self::NotInFirmware(_)
             | Self::Connect { .. }
@@ -277,11 +319,15 @@ impl ErrorKind {
             | Self::SessionEnded { .. }
             | Self::StatusTimeout { .. }
             | Self::NotAcknowledged { .. }
+            | Self::NotShown { .. }
+            | Self::NotGuarded { .. }
+            | Self::WaitEnded { .. }
+            | Self::Thread { .. }
             | Self::UnexpectedStatus { .. } => false,
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => false,
             #[cfg(feature = "stream")]
-            Self::Departed { .. } | Self::SetPointLate { .. } | Self::Thread { .. } => false,
+            Self::Departed { .. } | Self::SetPointLate { .. } => false,
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { .. } => false,
         }
@@ -290,20 +336,19 @@ impl ErrorKind {
     /// The error below. Where its text is part of this one's, the error below that.
     pub(super) fn cause(&self) -> Option<&(dyn StdError + 'static)> {
         match self {
-            Self::Connect { source, .. } => Some(source),
+            Self::Connect { source, .. } | Self::Thread { source } => Some(source),
             Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source } => Some(source),
             Self::Disconnected { cause, .. } => Some(&**cause),
             Self::ServoModeNotLeft { leaving, .. } => leaving.source(),
             Self::RestNotSeen { first, .. } => first.as_ref().and_then(|first| first.source()),
             Self::NotLanded { first, .. } => first.source(),
-            Self::StatusUnknown { problem } => problem.source(),
+            Self::NotStopped { first, .. } => first.source(),
+            Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => problem.source(),
             Self::NotAcknowledged { outcome } => outcome.cause(),
             #[cfg(feature = "motion")]
             Self::ModelMismatch { source } => Some(source),
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } => None,
-            #[cfg(feature = "stream")]
-            Self::Thread { source } => Some(source),
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { source, .. } => Some(source),
             #[cfg(feature = "stream")]
@@ -319,6 +364,9 @@ impl ErrorKind {
             | Self::NotReady { .. }
             | Self::SetPointsUnanswered { .. }
             | Self::SessionEnded { .. }
+            | Self::NotShown { .. }
+            | Self::NotGuarded { .. }
+            | Self::GuardTripped { .. }
             | Self::StatusTimeout { .. } => None,
         }
     }
@@ -373,6 +421,15 @@ impl fmt::Display for ErrorKind {
             Self::StatusUnknown { problem } => {
                 write!(f, "not sent, because the state of the robot is unknown: {problem}")
             }
+            Self::NotShown { what, reason } => write!(f, "it is not known whether {what}: {reason}"),
+            Self::WaitEnded { what, problem } => {
+                write!(f, "the wait has ended, because it is not known any more whether {what}: {problem}")
+            }
+            Self::NotGuarded { command, reason } => write!(f, "`{command}` was not sent under a guard: {reason}"),
+            Self::GuardTripped { trip } => write!(f, "the guard tripped: {trip}"),
+            Self::NotStopped { first, stopping } => {
+                write!(f, "{first}; and the stop that followed was not accepted, so the arm may still move: {stopping}")
+            }
             Self::NotReady { explanation } => write!(f, "the robot cannot do this now: {explanation}"),
             Self::SetPointsUnanswered { count, oldest } => write!(
                 f,
@@ -393,8 +450,7 @@ impl fmt::Display for ErrorKind {
             Self::SetPointLate { late } => {
                 write!(f, "a set-point is {late:.1?} late: the machine was too busy to send it in time")
             }
-            #[cfg(feature = "stream")]
-            Self::Thread { .. } => f.write_str("the system has no thread for the stream"),
+            Self::Thread { .. } => f.write_str("the system has no thread for this"),
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { priority, source } if source.kind() == io::ErrorKind::PermissionDenied => write!(
                 f,

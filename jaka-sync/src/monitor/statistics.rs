@@ -1,5 +1,6 @@
 //! How regularly packets come.
 
+use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 /// How many status packets have come since the monitor began, and how regularly.
@@ -27,6 +28,8 @@ pub struct MonitorStatistics {
     pub jitter: Duration,
     /// The longest time between two packets.
     pub longest_gap: Duration,
+    /// The longest time between two of the last 33 packets; `None` before 11 have come since the monitor connected.
+    pub recent_gap: Option<Duration>,
 }
 
 /// What is counted while packets come.
@@ -38,7 +41,13 @@ pub(super) struct Counters {
     gaps: u32,
     gaps_total: Duration,
     deviations: Duration,
+    /// The last gaps, since the connection was made.
+    recent: VecDeque<Duration>,
 }
+
+/// How many gaps are kept, and how many there must be.
+const RECENT: usize = 32;
+const ENOUGH: usize = 10;
 
 impl Counters {
     /// A packet came that can be read.
@@ -55,17 +64,23 @@ impl Counters {
         if self.gaps > 1 {
             self.deviations += gap.abs_diff(last_gap);
         }
+        if self.recent.len() == RECENT {
+            self.recent.pop_front();
+        }
+        self.recent.push_back(gap);
         self.last = Some((now, gap));
     }
 
     /// The time that follows is not a gap between packets: the connection was lost.
     pub(super) fn interrupted(&mut self) {
         self.last = None;
+        self.recent.clear();
     }
 
     pub(super) fn statistics(&self) -> MonitorStatistics {
         MonitorStatistics {
             period: self.gaps_total.checked_div(self.gaps),
+            recent_gap: self.recent.iter().max().filter(|_| self.recent.len() >= ENOUGH).copied(),
             jitter: self.deviations.checked_div(self.gaps.saturating_sub(1)).unwrap_or_default(),
             ..self.counted
         }
@@ -89,6 +104,26 @@ mod tests {
         assert_eq!((found.packets, found.longest_gap), (5, Duration::from_millis(20)));
         assert_eq!(found.period, Some(Duration::from_millis(40) / 3));
         assert_eq!(found.jitter, Duration::from_millis(5));
+    }
+
+    #[test]
+    fn the_recent_gap_is_that_of_the_last_packets_of_a_connection() {
+        let mut counters = Counters::default();
+        let mut now = Instant::now();
+        let mut after = |counters: &mut Counters, ms| {
+            now += Duration::from_millis(ms);
+            counters.packet(now);
+            counters.statistics().recent_gap
+        };
+        let gaps = [0, 50, 8, 8, 8, 8, 8, 8, 8, 8];
+        assert!(gaps.into_iter().all(|ms| after(&mut counters, ms).is_none()));
+        assert_eq!(after(&mut counters, 8), Some(Duration::from_millis(50)));
+        // 50 ms are forgotten when 32 others have come.
+        let found: Vec<_> = (0..23).map(|_| after(&mut counters, 9)).collect();
+        assert_eq!(found[21], Some(Duration::from_millis(50)));
+        assert_eq!(found[22], Some(Duration::from_millis(9)));
+        counters.interrupted();
+        assert_eq!(after(&mut counters, 8), None);
     }
 
     #[test]

@@ -38,6 +38,8 @@ pub enum Path {
     Line {
         /// Its speed in mm/s.
         speed: f64,
+        /// Its acceleration in mm/s²; none where the controller chooses it.
+        acceleration: Option<f64>,
     },
     /// The tool centre point on an arc.
     Arc {
@@ -45,6 +47,8 @@ pub enum Path {
         through: Pose,
         /// The speed of the tool centre point in mm/s.
         speed: f64,
+        /// Its acceleration in mm/s²; none where the controller chooses it.
+        acceleration: Option<f64>,
     },
     /// The request does not determine it.
     Unknown,
@@ -95,7 +99,7 @@ impl Motion for MoveL {
     }
 
     fn path(&self) -> Path {
-        Path::Line { speed: self.speed }
+        Path::Line { speed: self.speed, acceleration: self.acceleration }
     }
 
     fn tolerance(&self) -> f64 {
@@ -113,7 +117,7 @@ impl Motion for MoveC {
     }
 
     fn path(&self) -> Path {
-        Path::Arc { through: self.mid_pose, speed: self.speed }
+        Path::Arc { through: self.mid_pose, speed: self.speed, acceleration: Some(self.acceleration) }
     }
 
     fn tolerance(&self) -> f64 {

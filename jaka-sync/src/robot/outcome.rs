@@ -9,6 +9,7 @@ use jaka_proto::ControllerEvent;
 use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
 
+use super::{GuardTrip, TripReason};
 use crate::{Disconnect, Error, Snapshot};
 
 /// How a motion ended, or why it is not known to have ended.
@@ -45,6 +46,8 @@ pub enum Outcome {
     },
     /// The motion has not ended within the timeout, and the arm may still move. Leave it, wait again, or stop it.
     Deadline,
+    /// The guard of [`Robot::run_until`](crate::Robot::run_until) has tripped: the arm was stopped, or nothing was sent.
+    Guard(Arc<GuardTrip>),
     /// Status packets that can be read no longer come; the arm may still move.
     StatusLost {
         /// What ended the connection; `None` if it is open.
@@ -92,6 +95,7 @@ impl fmt::Display for Outcome {
                 write!(f, "the controller reports {event}: {message}")
             }
             Self::ControllerError { code, message, .. } => write!(f, "the controller reports code {code}: {message}"),
+            Self::Guard(trip) => write!(f, "the guard tripped: {trip}"),
             Self::Deadline => f.write_str("the motion has not ended in time; the arm may still move"),
             Self::StatusLost { cause: None, unreadable: None } => {
                 f.write_str("status packets stopped coming; the arm may still move")
@@ -119,6 +123,9 @@ pub struct MotionEnd {
     pub packets: Vec<Arc<Snapshot>>,
     /// Why the query for the position failed, if it did: then the outcome is not [`Outcome::Reached`].
     pub not_answered: Option<Error>,
+    /// Of a motion under a guard: the stop that was sent, because the guard tripped or because nobody would have judged it any longer. An error if the controller
+    /// has not accepted it: the arm may still move. None where none was sent.
+    pub stop: Option<Result<(), Error>>,
 }
 
 impl MotionEnd {
@@ -128,6 +135,19 @@ impl MotionEnd {
     /// The motion ended otherwise, or its target is not known.
     pub fn reached(self) -> Result<(), NotReached> {
         if self.outcome.is_reached() { Ok(()) } else { Err(NotReached(Box::new(self))) }
+    }
+
+    /// The trip, if the guard has ended the motion, and was stopped as it should be; and this as an error otherwise, also where a packet could not be judged.
+    ///
+    /// # Errors
+    /// The motion ended otherwise, or the controller has not accepted the stop.
+    pub fn guarded(self) -> Result<Arc<GuardTrip>, NotReached> {
+        match &self.outcome {
+            Outcome::Guard(trip) if trip.reason == TripReason::Holds && !matches!(self.stop, Some(Err(_))) => {
+                Ok(Arc::clone(trip))
+            }
+            _ => Err(NotReached(Box::new(self))),
+        }
     }
 
     /// `Ok` if the arm is at rest and nothing shows that it is not where it was sent; for motions whose target is
@@ -154,6 +174,13 @@ impl NotReached {
 impl fmt::Display for NotReached {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.outcome.fmt(f)?;
+        match &self.0.stop {
+            Some(Ok(())) => f.write_str("; the arm was told to stop")?,
+            Some(Err(error)) => {
+                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?
+            }
+            None => {}
+        }
         match &self.0.not_answered {
             Some(error) => write!(f, "; the query for its position failed: {error}"),
             None => Ok(()),

@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_proto::wire::DecodeError;
 
 use super::{Explanation, MotionStatus, Outcome, Robot, trouble};
-use crate::{Disconnect, Error, ErrorKind, Snapshot};
+use crate::{Disconnect, Error, ErrorKind, Monitor, Snapshot};
 
 /// Why the state of a robot is not known.
 #[derive(Debug, Clone)]
@@ -74,7 +74,7 @@ impl StdError for StatusProblem {
 
 impl<S: MotionStatus> Robot<S> {
     /// The newest packet, if it is fresh and can be read. If none has come lately, waits a little for one.
-    fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
+    pub(super) fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
         let now = self.monitor.fresh_packet();
         if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
             return readable::<S>(now);
@@ -83,6 +83,11 @@ impl<S: MotionStatus> Robot<S> {
         // Its result is what `fresh_packet` says next.
         let _ = self.monitor.watch(patience, |_| self.monitor.fresh_packet().ok());
         readable::<S>(self.monitor.fresh_packet())
+    }
+
+    /// The newest packet, if it is fresh and can be read.
+    pub(super) fn fresh_status(&self) -> Result<Arc<Snapshot>, StatusProblem> {
+        fresh_status(&self.monitor)
     }
 
     /// The same for what must not be done without it; `None` if the program has allowed motion without it.
@@ -131,6 +136,11 @@ impl<S: MotionStatus> Robot<S> {
     }
 }
 
+/// The newest packet, if it is fresh and can be read.
+pub(super) fn fresh_status<S: MotionStatus>(monitor: &Monitor<S>) -> Result<Arc<Snapshot>, StatusProblem> {
+    readable(monitor.fresh_packet())
+}
+
 fn readable<S: MotionStatus>(
     snapshot: Result<Arc<Snapshot<S>>, StatusProblem>,
 ) -> Result<Arc<Snapshot>, StatusProblem> {
@@ -151,6 +161,6 @@ fn check_stops(newest: &Snapshot) -> Result<(), Error> {
     Err(ErrorKind::NotReady { explanation }.into())
 }
 
-fn unknown(problem: StatusProblem) -> Error {
+pub(super) fn unknown(problem: StatusProblem) -> Error {
     ErrorKind::StatusUnknown { problem }.into()
 }

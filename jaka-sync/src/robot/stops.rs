@@ -145,17 +145,23 @@ impl RobotStop {
     /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the
     /// next motion is refused.
     pub fn stop(&self) -> Result<(), Error> {
+        self.stop_and_tell().1
+    }
+
+    /// The same, and when the stop had been written, if it was.
+    pub(super) fn stop_and_tell(&self) -> (Option<Instant>, Result<(), Error>) {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
         self.stops.wait_until_braked();
         self.stops.sent.fetch_max(number, Ordering::SeqCst);
-        if let Err(error) = self.handle.stop() {
+        let (written, accepted) = self.handle.stop_and_tell();
+        if accepted.is_ok() {
+            self.stops.taken.fetch_max(number, Ordering::SeqCst);
+            self.waker.wake();
+        } else {
             // A program that learned of it, or acknowledged it, did not know that it would fail.
             self.stops.begun.fetch_add(1, Ordering::SeqCst);
-            return Err(error);
         }
-        self.stops.taken.fetch_max(number, Ordering::SeqCst);
-        self.waker.wake();
-        Ok(())
+        (written, accepted)
     }
 }

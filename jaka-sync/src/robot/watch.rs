@@ -29,8 +29,8 @@ struct Heard {
 
 impl<S: MotionStatus> Robot<S> {
     /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error and the deadline end
-    /// the wait at once, also while an answer is outstanding.
-    pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration) -> Outcome {
+    /// the wait at once, also while an answer is outstanding; and so does `gives_up`, as the deadline does.
+    pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration, gives_up: &dyn Fn() -> bool) -> Outcome {
         let since = self.clock().stopwatch();
         let mut heard = Heard { at: since.began(), number: 0, unreadable: None };
         loop {
@@ -39,7 +39,8 @@ impl<S: MotionStatus> Robot<S> {
             let patience = left.min(silence).min(self.query_in(wait));
             let found = self.monitor.watch(patience, |newest| {
                 let newest = newest.map(S::snapshot);
-                self.observe(newest.as_ref(), wait, &mut heard)
+                let next = self.observe(newest.as_ref(), wait, &mut heard);
+                next.or_else(|| gives_up().then_some(Next::Ended(Outcome::Deadline)))
             });
             match found {
                 Ok(Some(Next::Ended(outcome))) => return self.told(outcome),

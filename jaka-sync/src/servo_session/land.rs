@@ -146,6 +146,7 @@ pub(super) fn lets_land(error: &Error) -> bool {
         | ErrorKind::NotInFirmware(_)
         | ErrorKind::Refused { .. }
         | ErrorKind::UnexpectedReply { .. }
+        | ErrorKind::GuardTripped { .. }
         | ErrorKind::StatusUnknown { .. } => true,
         #[cfg(feature = "motion")]
         ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,

@@ -11,6 +11,7 @@ use jaka_proto::messages::servo::ServoJ;
 use super::StreamConfig;
 use super::departure::Departure;
 use super::target::{Order, Targets};
+use crate::robot::Armed;
 use crate::servo_session::SetPoint;
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
 
@@ -29,6 +30,7 @@ impl Drop for Ends {
 pub(super) fn run<S: MotionStatus>(
     robot: &mut Robot<S>,
     config: &StreamConfig,
+    guard: Option<&Armed>,
     ready: &Ready,
 ) -> Result<ServoReport, Error> {
     let mut session = match robot.enter_servo_mode(&config.servo) {
@@ -45,7 +47,7 @@ pub(super) fn run<S: MotionStatus>(
     if ready.send(Ok((Arc::clone(&targets), generator.clone()))).is_err() {
         targets.land();
     }
-    let ended = go(&mut session, &mut generator, &targets, config);
+    let ended = go(&mut session, &mut generator, &targets, (config, guard));
     let rest = &mut |_: &_| (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints));
     let result = match ended {
         Ok(()) => session.land_by(rest),
@@ -84,7 +86,7 @@ fn go<S: MotionStatus>(
     session: &mut ServoSession<'_, S>,
     generator: &mut Generator,
     targets: &Targets,
-    config: &StreamConfig,
+    (config, guard): (&StreamConfig, Option<&Armed>),
 ) -> Result<(), Error> {
     let mut departure = Departure::new(generator.joints(), generator.period_s(), config.max_departure_deg);
     let mut order: Option<Order> = None;
@@ -93,6 +95,7 @@ fn go<S: MotionStatus>(
         if cycle.follows_gap {
             generator.paused();
         }
+        guard.map_or(Ok(()), Armed::check)?;
         if targets.is_landing() {
             return Ok(());
         }

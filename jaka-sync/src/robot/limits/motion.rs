@@ -62,8 +62,8 @@ impl<S: MotionStatus> Robot<S> {
                 let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
                 return self.check_end_move(info, from, to, pace, since.left_of(timeout));
             }
-            (Place::Pose(to), Path::Line { speed }) => checker.check_line(from, to, tcp_pace(speed)).map(Some),
-            (Place::Pose(to), Path::Arc { through, speed }) => {
+            (Place::Pose(to), Path::Line { speed, .. }) => checker.check_line(from, to, tcp_pace(speed)).map(Some),
+            (Place::Pose(to), Path::Arc { through, speed, .. }) => {
                 checker.check_arc(from, through, to, tcp_pace(speed)).map(Some)
             }
             _ => return Err(self.not_checked(info.name, Unchecked::Path)),

@@ -1,0 +1,166 @@
+//! A guard that judges packets.
+
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+#[cfg(feature = "stream")]
+use jaka_proto::CommandInfo;
+
+use super::condition::Judge;
+use super::{Guard, Trip};
+#[cfg(feature = "stream")]
+use super::{NotGuarded, TripReason};
+use crate::robot::MotionStatus;
+use crate::robot::readiness::unknown;
+use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
+
+/// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never waits for a judgement.
+///
+/// A clone is the same guard.
+#[derive(Debug, Clone)]
+pub(crate) struct Armed(Arc<Shared>);
+
+#[derive(Debug)]
+struct Shared {
+    /// Locked while a packet is judged, which may take as long as the user's question does. The monitor's board and `progress` may be locked under it.
+    judging: Mutex<Judging>,
+    /// Nothing is locked under it.
+    progress: Mutex<Progress>,
+}
+
+#[derive(Debug)]
+struct Judging {
+    judges: Vec<Judge>,
+    /// The number of the last packet that was judged.
+    last: u64,
+}
+
+#[derive(Debug, Default)]
+struct Progress {
+    trip: Option<Trip>,
+    /// Why the status was not known before the motion was let out, if that was so: then it is not any more.
+    blind: Option<StatusProblem>,
+    /// True once the motion was let out.
+    has_begun: bool,
+}
+
+impl Armed {
+    /// A guard that has judged the newest packet, and judges all that follow.
+    fn new<S: MotionStatus>(
+        guard: &Guard,
+        monitor: &Monitor<S>,
+        newest: impl FnOnce() -> Result<Arc<Snapshot>, StatusProblem>,
+    ) -> Result<Self, StatusProblem> {
+        let judges = guard.conditions.iter().cloned().map(Judge::new).collect();
+        let judging = Mutex::new(Judging { judges, last: 0 });
+        let shared = Arc::new(Shared { judging, progress: Mutex::default() });
+        // Locked until the newest packet is judged: those that come meanwhile wait for it.
+        let mut judging = lock(&shared.judging);
+        let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());
+        monitor.observe_first(move |snapshot| {
+            let Some(shared) = weak.upgrade() else { return ControlFlow::Break(()) };
+            let trip = lock(&shared.judging).judge(&S::snapshot(snapshot));
+            if trip.is_some() && lock(&shared.progress).trip.is_none() {
+                lock(&shared.progress).trip = trip;
+                // At once: the user's observers, which may take their time, come before the monitor itself wakes anybody.
+                waker.wake();
+            }
+            ControlFlow::Continue(())
+        });
+        let trip = judging.judge(&newest()?);
+        lock(&shared.progress).trip = trip;
+        drop(judging);
+        Ok(Self(shared))
+    }
+
+    /// Why the guard has tripped, if it has.
+    pub(crate) fn trip(&self) -> Option<Trip> {
+        lock(&self.0.progress).trip.clone()
+    }
+
+    /// Lets the motion out, unless the guard has tripped: from here on, a trip calls for a stop. Blocks nothing and uses no connection, as a gate must.
+    pub(crate) fn let_out(&self) -> Result<(), Error> {
+        let mut progress = lock(&self.0.progress);
+        if let Some(trip) = progress.trip.clone() {
+            return Err(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into());
+        }
+        if let Some(problem) = progress.blind.clone() {
+            return Err(unknown(problem));
+        }
+        progress.has_begun = true;
+        Ok(())
+    }
+
+    /// Fails once the guard has tripped.
+    #[cfg(feature = "stream")]
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self.trip() {
+            Some(trip) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
+            None => Ok(()),
+        }
+    }
+
+    /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where that is the reason.
+    pub(crate) fn shut(&self, blind: Option<StatusProblem>) -> bool {
+        let mut progress = lock(&self.0.progress);
+        progress.blind = blind;
+        progress.has_begun
+    }
+
+    /// True if the motion was let out.
+    pub(crate) fn has_begun(&self) -> bool {
+        lock(&self.0.progress).has_begun
+    }
+}
+
+impl Judging {
+    /// Judges a packet: the first condition that trips, if one does.
+    fn judge(&mut self, packet: &Arc<Snapshot>) -> Option<Trip> {
+        if packet.number <= self.last {
+            return None;
+        }
+        self.last = packet.number;
+        let (condition, reason, text) = self.judges.iter_mut().enumerate().find_map(|(condition, judge)| {
+            let reason = judge.judge(packet)?;
+            Some((condition, reason, judge.condition().to_string()))
+        })?;
+        Some(Trip { condition, text, reason, packet: Arc::clone(packet) })
+    }
+}
+
+/// Every change is made whole before the lock is left.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl<S: MotionStatus> Robot<S> {
+    /// Arms a guard: it has judged the newest packet, which is fresh, when this returns. If none has come lately, waits a little for one.
+    pub(crate) fn arm(&self, guard: &Guard, timeout: Duration) -> Result<Armed, StatusProblem> {
+        self.status_now(timeout)?;
+        Armed::new(guard, self.monitor(), || self.fresh_status())
+    }
+
+    /// Arms a guard for set-points, which is to be asked in each cycle ([`Armed::check`]). Fails if it has tripped already, cannot be judged, or has a limit of force, for which the speed of
+    /// the tool would have to be known.
+    #[cfg(feature = "stream")]
+    pub(crate) fn arm_for(&self, info: &'static CommandInfo, guard: &Guard, call: &str) -> Result<Armed, Error> {
+        guard.check(call)?;
+        self.check_latch()?;
+        let attach = |kind: ErrorKind| self.client.link().attach(kind.into());
+        if guard.force_limits().next().is_some() {
+            let (command, reason) = (info.name.to_owned(), NotGuarded::SpeedUnknown);
+            return Err(attach(ErrorKind::NotGuarded { command, reason }));
+        }
+        let armed = self
+            .arm(guard, self.monitor.stale_after())
+            .map_err(|problem| self.client.link().attach(unknown(problem)))?;
+        match armed.trip() {
+            None => Ok(armed),
+            Some(Trip { reason: TripReason::NotShown(reason), .. }) => {
+                Err(attach(ErrorKind::NotShown { what: guard.to_string(), reason }))
+            }
+            Some(trip) => Err(attach(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) })),
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! One condition of a guard, and its judgement of packets.
+
+use std::fmt;
+
+use jaka_proto::check::InvalidArgument;
+
+use super::force::{ForceLimit, contact_force};
+use super::trip::TripReason;
+use super::{Question, TcpBox};
+use crate::Snapshot;
+use crate::robot::inputs::{AnalogCondition, InputCondition, When};
+
+/// One condition of a guard.
+#[derive(Debug, Clone)]
+pub(in crate::robot) enum Condition {
+    Input(InputCondition),
+    Analog(AnalogCondition),
+    Inside(TcpBox),
+    Outside(TcpBox),
+    Force(ForceLimit),
+    Question(Question),
+}
+
+/// A condition, and what it must know of packets before.
+#[derive(Debug)]
+pub(super) struct Judge {
+    condition: Condition,
+    /// Whether the level of an edge was there in the packet before.
+    held: Option<bool>,
+    /// What the sensor read in the first packet.
+    start: Option<[f64; 6]>,
+}
+
+impl Judge {
+    pub(super) fn new(condition: Condition) -> Self {
+        Self { condition, held: None, start: None }
+    }
+
+    /// Judges the next packet: why it trips, if it does.
+    pub(super) fn judge(&mut self, packet: &Snapshot) -> Option<TripReason> {
+        match self.holds(packet) {
+            Ok(holds) => {
+                let held = self.held.replace(holds);
+                let trips = holds && (self.condition.when() == When::Level || held == Some(false));
+                trips.then_some(TripReason::Holds)
+            }
+            Err(reason) => Some(reason),
+        }
+    }
+
+    fn holds(&mut self, packet: &Snapshot) -> Result<bool, TripReason> {
+        let holds = match &self.condition {
+            Condition::Input(condition) => condition.holds(packet),
+            Condition::Analog(condition) => condition.holds(packet),
+            Condition::Inside(tcp_box) => tcp_box.contains(packet),
+            Condition::Outside(tcp_box) => tcp_box.contains(packet).map(|contains| !contains),
+            Condition::Force(limit) => {
+                contact_force(packet).map(|now| limit.holds(self.start.get_or_insert(now), &now))
+            }
+            Condition::Question(question) => return question.holds(&packet.status).ok_or(TripReason::Panicked),
+        };
+        holds.map_err(TripReason::NotShown)
+    }
+
+    pub(super) fn condition(&self) -> &Condition {
+        &self.condition
+    }
+}
+
+impl Condition {
+    fn when(&self) -> When {
+        match self {
+            Self::Input(InputCondition { when, .. }) | Self::Analog(AnalogCondition { when, .. }) => *when,
+            Self::Inside(_) | Self::Outside(_) | Self::Force(_) | Self::Question(_) => When::Level,
+        }
+    }
+
+    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+        match self {
+            Self::Input(condition) => condition.check(call),
+            Self::Analog(condition) => condition.check(call),
+            Self::Inside(tcp_box) | Self::Outside(tcp_box) => tcp_box.check(call),
+            Self::Force(limit) => limit.check(call),
+            Self::Question(_) => Ok(()),
+        }
+    }
+
+    /// What a packet says of the input that the condition is about, if it is about one.
+    pub(in crate::robot) fn says(&self, packet: &Snapshot) -> Option<String> {
+        match self {
+            Self::Input(condition) => condition.says(packet),
+            Self::Analog(condition) => condition.says(packet),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(condition) => condition.fmt(f),
+            Self::Analog(condition) => condition.fmt(f),
+            Self::Inside(tcp_box) => write!(f, "the tool centre point is in {tcp_box}"),
+            Self::Outside(tcp_box) => write!(f, "the tool centre point is outside {tcp_box}"),
+            Self::Force(limit) => limit.fmt(f),
+            Self::Question(question) => f.write_str(&question.text),
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! Forces at the tool, and how fast a tool may be that is to stop by them.
+
+use std::fmt;
+use std::time::Duration;
+
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::wire::{DecodeError, Typed};
+
+use super::{Condition, Guard};
+use crate::Snapshot;
+use crate::robot::not_shown::{Field, NotShown};
+
+/// A change of the contact force since the start of a motion, in either direction, by which the motion is stopped.
+///
+/// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared with the last packet before the motion. The sensor must
+/// report that it works and no error, before the motion and in each packet. Of the six values the document states neither units nor order nor axes: taken are fx, fy, fz, tx, ty, tz, N and
+/// Nm, as of `set_compliance_condition` (4.71, vendor's texts). The vendor's English page has them hold once the sensor is initialised; packets do not tell whether it is. Push against the tool
+/// by hand and look at packets before anything relies on it.
+///
+/// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests, it goes on for a period of the packets, for a reaction, and for its
+/// braking: `speed * (period + reaction) + speed² / (2 * braking)`. That must not be longer than the overtravel, 1 mm by default. The period is the longest time between two of the last 33 packets. A motion
+/// that is faster is not sent, and neither is one whose tool speed or braking is not known: it has to be a `move_l` or `move_c` with an acceleration, from rest.
+///
+/// | packets each | reaction | braking | permitted with 1 mm |
+/// |---|---|---|---|
+/// | 8 ms | 20 ms | 500 mm/s² | 20.6 mm/s |
+/// | 30 ms | 20 ms | 500 mm/s² | 15.3 mm/s |
+/// | 100 ms | 20 ms | 500 mm/s² | 7.8 mm/s |
+///
+/// The bound counts from where the force has changed by the limit, which a soft thing reaches later. It holds as long as packets come as regularly as before, the link and the controller
+/// react in time, and the controller brakes so. If packets stay away for three such periods (and 100 ms), the arm is stopped.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_sync::motion::MoveL;
+/// use jaka_sync::{ForceComponent, ForceLimit, Robot};
+///
+/// let mut robot = Robot::connect("10.5.5.100")?;
+/// let down = MoveL::relative([0.0, 0.0, -50.0, 0.0, 0.0, 0.0], 5.0).acceleration(500.0);
+/// let contact = ForceLimit::new(ForceComponent::Fz, 10.0).overtravel(0.5);
+/// robot.run_until(&down, contact, Duration::from_secs(20))?.guarded()?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use = "a limit does nothing until a motion runs under it"]
+pub struct ForceLimit {
+    component: ForceComponent,
+    change: f64,
+    overtravel_mm: f64,
+    reaction: Duration,
+    braking: Option<f64>,
+}
+
+/// Which of the six values of the contact force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ForceComponent {
+    /// The first value, taken to be the force along x.
+    Fx,
+    /// The second value, taken to be the force along y.
+    Fy,
+    /// The third value, taken to be the force along z.
+    Fz,
+    /// The fourth value, taken to be the torque about x.
+    Tx,
+    /// The fifth value, taken to be the torque about y.
+    Ty,
+    /// The sixth value, taken to be the torque about z.
+    Tz,
+    /// The length of the first three values together, taken to be the force in any direction.
+    Force,
+}
+
+impl ForceLimit {
+    /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm.
+    pub fn new(component: ForceComponent, change: f64) -> Self {
+        Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
+    }
+
+    /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is ours.
+    pub fn overtravel(mut self, mm: f64) -> Self {
+        self.overtravel_mm = mm;
+        self
+    }
+
+    /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until the stop is written, a cycle of the
+    /// controller of 8 ms, and the rest for the network.
+    pub fn reaction(mut self, time: Duration) -> Self {
+        self.reaction = time;
+        self
+    }
+
+    /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No source says how a controller brakes on `stop_program`.
+    pub fn braking(mut self, mm_s2: f64) -> Self {
+        self.braking = Some(mm_s2);
+        self
+    }
+
+    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+        let numbers =
+            [("change", self.change), ("overtravel", self.overtravel_mm), ("braking", self.braking.unwrap_or(1.0))];
+        let odd = numbers.into_iter().find(|(_, value)| !value.is_finite() || *value <= 0.0);
+        odd.map_or(Ok(()), |(name, value)| {
+            Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0", false))
+        })
+    }
+
+    /// Whether the force has changed by the limit since the start.
+    pub(super) fn holds(&self, start: &[f64; 6], now: &[f64; 6]) -> bool {
+        let change = |i: usize| now[i] - start[i];
+        let found = match self.component {
+            ForceComponent::Fx => change(0),
+            ForceComponent::Fy => change(1),
+            ForceComponent::Fz => change(2),
+            ForceComponent::Tx => change(3),
+            ForceComponent::Ty => change(4),
+            ForceComponent::Tz => change(5),
+            ForceComponent::Force => (0..3).map(|i| change(i).powi(2)).sum::<f64>().sqrt(),
+        };
+        found.abs() > self.change
+    }
+
+    /// Compares the speed of a motion, in mm/s, and its acceleration with what is permitted where packets come each `period`.
+    pub(in crate::robot) fn check_speed(
+        &self,
+        speed: f64,
+        acceleration: Option<f64>,
+        period: Duration,
+    ) -> Result<(), NotGuarded> {
+        let braking_mm_s2 = self.braking.or(acceleration).ok_or(NotGuarded::BrakingUnknown)?;
+        let (overtravel_mm, reaction) = (self.overtravel_mm, self.reaction);
+        let time = (period + reaction).as_secs_f64();
+        // The positive root of speed * time + speed² / (2 * braking) = overtravel.
+        let permitted_mm_s = braking_mm_s2 * ((time * time + 2.0 * overtravel_mm / braking_mm_s2).sqrt() - time);
+        if speed <= permitted_mm_s {
+            return Ok(());
+        }
+        Err(NotGuarded::TooFast { speed_mm_s: speed, permitted_mm_s, overtravel_mm, period, reaction, braking_mm_s2 })
+    }
+}
+
+/// What the sensor reads, if it works.
+pub(super) fn contact_force(packet: &Snapshot) -> Result<[f64; 6], NotShown> {
+    let name = "torque_sensor";
+    let state = match (Field { packet, name }).shown(packet.status.torque_sensor.as_ref())? {
+        Typed::Known(report) => &report.state,
+        Typed::Raw(value) => {
+            let source = DecodeError::unfit("settings and state of the sensor", &value.to_string()).in_field(name);
+            return Err(NotShown::Unfit { source });
+        }
+    };
+    match &state.error_code {
+        _ if !state.working => Err(NotShown::SensorOff),
+        Typed::Known(0) => Ok(state.contact_force),
+        Typed::Known(code) => Err(NotShown::SensorError { code: code.to_string() }),
+        Typed::Raw(code) => Err(NotShown::SensorError { code: code.to_string() }),
+    }
+}
+
+impl From<ForceLimit> for Guard {
+    fn from(limit: ForceLimit) -> Self {
+        Self::of(Condition::Force(limit))
+    }
+}
+
+impl fmt::Display for ForceLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let component = match self.component {
+            ForceComponent::Fx => "component fx of the contact force",
+            ForceComponent::Fy => "component fy of the contact force",
+            ForceComponent::Fz => "component fz of the contact force",
+            ForceComponent::Tx => "component tx of the contact force",
+            ForceComponent::Ty => "component ty of the contact force",
+            ForceComponent::Tz => "component tz of the contact force",
+            ForceComponent::Force => "the contact force",
+        };
+        write!(f, "{component} has changed by more than {}", self.change)
+    }
+}
+
+/// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum NotGuarded {
+    /// The motion is too fast.
+    TooFast {
+        /// The speed of the motion, in mm/s.
+        speed_mm_s: f64,
+        /// The speed that is permitted, in mm/s.
+        permitted_mm_s: f64,
+        /// The overtravel that is allowed, in mm.
+        overtravel_mm: f64,
+        /// The longest time between two of the last packets.
+        period: Duration,
+        /// How long the reaction is taken to last.
+        reaction: Duration,
+        /// With which deceleration the tool is taken to brake, in mm/s².
+        braking_mm_s2: f64,
+    },
+    /// The speed of the tool centre point does not follow from the motion: only that of a line or an arc does.
+    SpeedUnknown,
+    /// The motion does not say its acceleration, and the limit says nothing of the braking.
+    BrakingUnknown,
+    /// The arm moves, or motions wait that were started before: what the sensor reads at the start does not count then.
+    Moving,
+    /// Too few packets have come in time to know their period.
+    PeriodUnknown,
+}
+
+impl fmt::Display for NotGuarded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFast { speed_mm_s, permitted_mm_s, overtravel_mm, period, reaction, braking_mm_s2 } => write!(
+                f,
+                "at {speed_mm_s} mm/s the tool goes on for more than {overtravel_mm} mm after a contact; permitted are {permitted_mm_s:.2} mm/s, with up to \
+                 {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2} mm/s²"
+            ),
+            Self::SpeedUnknown => f.write_str(
+                "the speed of the tool does not follow from it; move on a line or an arc towards a contact (`move_l`, `move_c`)",
+            ),
+            Self::BrakingUnknown => {
+                f.write_str("it does not say with which acceleration, from which the braking follows; give it one")
+            }
+            Self::Moving => f.write_str("the arm must be at rest before, and no other motion may be waiting"),
+            Self::PeriodUnknown => f.write_str("too few status packets have come to know their period; wait for more"),
+        }
+    }
+}
+
+impl std::error::Error for NotGuarded {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn permitted(period_ms: u64, braking: f64) -> f64 {
+        let limit = ForceLimit::new(ForceComponent::Fz, 1.0);
+        match limit.check_speed(1e6, Some(braking), Duration::from_millis(period_ms)) {
+            Err(NotGuarded::TooFast { permitted_mm_s, .. }) => permitted_mm_s,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn the_permitted_speed_uses_up_the_overtravel() {
+        for (period, braking, expected) in [(8, 500.0, 20.6), (30, 500.0, 15.3), (100, 500.0, 7.8)] {
+            let speed = permitted(period, braking);
+            let time = f64::from(u32::try_from(period).expect("it is short") + 20) / 1000.0;
+            assert!((speed * time + speed * speed / (2.0 * braking) - 1.0).abs() < 1e-9, "{speed}");
+            assert!((speed - expected).abs() < 0.05, "{period}: {speed}");
+            let limit = ForceLimit::new(ForceComponent::Fz, 1.0);
+            let period = Duration::from_millis(period);
+            assert!(limit.check_speed(speed - 1e-6, Some(braking), period).is_ok());
+            assert_eq!(limit.check_speed(1.0, None, period), Err(NotGuarded::BrakingUnknown));
+            assert!(limit.braking(braking).check_speed(speed - 1e-6, None, period).is_ok());
+        }
+    }
+
+    #[test]
+    fn a_change_counts_in_either_direction_and_from_the_start() {
+        let start = [1.0, 2.0, 3.0, 0.0, 0.0, 0.0];
+        let fz = ForceLimit::new(ForceComponent::Fz, 5.0);
+        assert!(!fz.holds(&start, &[9.0, 9.0, 8.0, 9.0, 9.0, 9.0]));
+        assert!(
+            fz.holds(&start, &[0.0, 0.0, 8.1, 0.0, 0.0, 0.0]) && fz.holds(&start, &[0.0, 0.0, -2.1, 0.0, 0.0, 0.0])
+        );
+        let force = ForceLimit::new(ForceComponent::Force, 5.0);
+        assert!(
+            !force.holds(&start, &[4.0, 6.0, 3.0, 9.0, 9.0, 9.0])
+                && force.holds(&start, &[4.0, 6.1, 3.0, 0.0, 0.0, 0.0])
+        );
+    }
+}

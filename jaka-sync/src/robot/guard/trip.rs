@@ -1,0 +1,74 @@
+//! A guard that has tripped.
+
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::Snapshot;
+use crate::robot::not_shown::NotShown;
+
+/// A guard that has tripped, and what followed.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct GuardTrip {
+    /// Which condition of the guard: 0 for the first.
+    pub condition: usize,
+    /// The condition in words.
+    pub text: String,
+    /// Why it tripped: the condition holds, or it cannot be judged.
+    pub reason: TripReason,
+    /// The packet that tripped it.
+    pub packet: Arc<Snapshot>,
+    /// From the arrival of the packet until the stop had been written, for a motion. None where no stop was written: nothing had been sent by then
+    /// ([`is_before_start`](Self::is_before_start)), it could not be written, or a stream landed.
+    pub reaction: Option<Duration>,
+    /// True if nothing was sent, because the guard had tripped before the motion went out.
+    pub is_before_start: bool,
+    /// True if the arm was then seen at rest, by two answers of the controller that agree.
+    pub is_at_rest: bool,
+}
+
+/// Why a guard has tripped.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum TripReason {
+    /// The condition holds.
+    Holds,
+    /// The packet does not show what the condition is about.
+    NotShown(NotShown),
+    /// The question of the user's own panicked.
+    Panicked,
+}
+
+/// The first condition that tripped.
+#[derive(Debug, Clone)]
+pub(crate) struct Trip {
+    pub(super) condition: usize,
+    pub(super) text: String,
+    pub(crate) reason: TripReason,
+    pub(crate) packet: Arc<Snapshot>,
+}
+
+impl Trip {
+    /// What is told of it where no stop was written.
+    pub(crate) fn report(self) -> GuardTrip {
+        let Self { condition, text, reason, packet } = self;
+        GuardTrip { condition, text, reason, packet, reaction: None, is_before_start: false, is_at_rest: false }
+    }
+
+    /// What is told of it where nothing was sent.
+    pub(crate) fn before_start(self) -> GuardTrip {
+        GuardTrip { is_before_start: true, ..self.report() }
+    }
+}
+
+impl fmt::Display for GuardTrip {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.reason {
+            TripReason::Holds => write!(f, "{}", self.text)?,
+            TripReason::NotShown(reason) => write!(f, "it is not known whether {}: {reason}", self.text)?,
+            TripReason::Panicked => write!(f, "the question panicked that says whether {}", self.text)?,
+        }
+        if self.is_before_start { f.write_str("; nothing was sent") } else { Ok(()) }
+    }
+}

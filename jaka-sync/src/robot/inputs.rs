@@ -1,0 +1,265 @@
+//! Inputs of the controller as status packets show them, and how a program numbers them.
+
+use std::fmt;
+
+use jaka_proto::check::InvalidArgument;
+#[cfg(doc)]
+use jaka_proto::messages::status::RobotStatus;
+
+use super::not_shown::{Field, NotShown};
+use crate::Snapshot;
+
+/// Whether a program counts inputs from 0 or from 1: said once, so that no call has to guess.
+///
+/// Packets of port 10000 list inputs without numbers. Here a number is the place in such a list, counted as is said: with
+/// [`FromOne`](Self::FromOne), 3 is the third input of the list. Whether a pendant or the print on a cabinet counts in the same way, and whether the
+/// indices of commands (4.25) do, differs between controllers: switch the input by hand and look at a packet (`jaka status`) before anything relies on it.
+/// The first eight inputs of the cabinet's list are its own, of which the controller occupies the first; the document calls the others Modbus inputs (4.26).
+///
+/// ```
+/// use jaka_sync::Numbering;
+///
+/// const IO: Numbering = Numbering::FromOne;
+/// assert_eq!(IO.tool(2).to_string(), "digital input 2 of the tool (counted from 1)");
+/// assert_eq!(IO.cabinet(3).rises().to_string(), "digital input 3 of the cabinet (counted from 1) goes high");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Numbering {
+    /// The first input is number 0.
+    FromZero,
+    /// The first input is number 1.
+    FromOne,
+}
+
+impl Numbering {
+    /// A digital input in the list of the cabinet ([`RobotStatus::digital_inputs`]).
+    pub const fn cabinet(self, number: usize) -> Input {
+        Input(Place { side: Side::Cabinet, number, numbering: self })
+    }
+
+    /// A digital input of the tool ([`RobotStatus::tool_digital_inputs`]).
+    pub const fn tool(self, number: usize) -> Input {
+        Input(Place { side: Side::Tool, number, numbering: self })
+    }
+
+    /// An analog input of the cabinet ([`RobotStatus::analog_inputs`]).
+    pub const fn cabinet_analog(self, number: usize) -> AnalogInput {
+        AnalogInput(Place { side: Side::Cabinet, number, numbering: self })
+    }
+
+    /// An analog input of the tool ([`RobotStatus::tool_analog_inputs`]).
+    pub const fn tool_analog(self, number: usize) -> AnalogInput {
+        AnalogInput(Place { side: Side::Tool, number, numbering: self })
+    }
+}
+
+/// Where an input is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Place {
+    side: Side,
+    number: usize,
+    numbering: Numbering,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Side {
+    Cabinet,
+    Tool,
+}
+
+/// A digital input, from a [`Numbering`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Input(Place);
+
+/// An analog input, from a [`Numbering`]. The document states no unit for its value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct AnalogInput(Place);
+
+/// Whether something is so, or becomes so from one packet to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum When {
+    Level,
+    Edge,
+}
+
+/// A level or an edge of a digital input, to wait for or to guard a motion by.
+///
+/// An edge is seen between two packets. One that is gone again before the next packet comes, some 30 to 100 ms later, is missed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InputCondition {
+    pub(super) input: Input,
+    pub(super) high: bool,
+    pub(super) when: When,
+}
+
+/// A level or an edge of an analog input, to wait for or to guard a motion by. Edges as of [`InputCondition`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AnalogCondition {
+    pub(super) input: AnalogInput,
+    pub(super) above: bool,
+    pub(super) threshold: f64,
+    pub(super) when: When,
+}
+
+impl Input {
+    /// While it is high.
+    pub const fn is_high(self) -> InputCondition {
+        InputCondition { input: self, high: true, when: When::Level }
+    }
+
+    /// While it is low.
+    pub const fn is_low(self) -> InputCondition {
+        InputCondition { input: self, high: false, when: When::Level }
+    }
+
+    /// When it goes from low to high.
+    pub const fn rises(self) -> InputCondition {
+        InputCondition { input: self, high: true, when: When::Edge }
+    }
+
+    /// When it goes from high to low.
+    pub const fn falls(self) -> InputCondition {
+        InputCondition { input: self, high: false, when: When::Edge }
+    }
+
+    /// Its level in a packet.
+    pub(super) fn read(self, packet: &Snapshot) -> Result<bool, NotShown> {
+        let status = &packet.status;
+        let (list, name) = match self.0.side {
+            Side::Cabinet => (&status.digital_inputs, "digital_inputs"),
+            Side::Tool => (&status.tool_digital_inputs, "tool_digital_inputs"),
+        };
+        self.0.read(list.as_ref(), Field { packet, name })
+    }
+}
+
+impl AnalogInput {
+    /// While its value is above a threshold.
+    pub const fn is_above(self, threshold: f64) -> AnalogCondition {
+        AnalogCondition { input: self, above: true, threshold, when: When::Level }
+    }
+
+    /// While its value is below a threshold.
+    pub const fn is_below(self, threshold: f64) -> AnalogCondition {
+        AnalogCondition { input: self, above: false, threshold, when: When::Level }
+    }
+
+    /// When its value goes above a threshold.
+    pub const fn rises_above(self, threshold: f64) -> AnalogCondition {
+        AnalogCondition { input: self, above: true, threshold, when: When::Edge }
+    }
+
+    /// When its value goes below a threshold.
+    pub const fn falls_below(self, threshold: f64) -> AnalogCondition {
+        AnalogCondition { input: self, above: false, threshold, when: When::Edge }
+    }
+
+    /// Its value in a packet.
+    pub(super) fn read(self, packet: &Snapshot) -> Result<f64, NotShown> {
+        let status = &packet.status;
+        let (list, name) = match self.0.side {
+            Side::Cabinet => (&status.analog_inputs, "analog_inputs"),
+            Side::Tool => (&status.tool_analog_inputs, "tool_analog_inputs"),
+        };
+        self.0.read(list.as_ref(), Field { packet, name })
+    }
+}
+
+impl InputCondition {
+    /// Whether the input has the level.
+    pub(super) fn holds(&self, packet: &Snapshot) -> Result<bool, NotShown> {
+        Ok(self.input.read(packet)? == self.high)
+    }
+
+    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+        self.input.0.check(call)
+    }
+
+    /// What a packet says of the input.
+    pub(super) fn says(&self, packet: &Snapshot) -> Option<String> {
+        let level = if self.input.read(packet).ok()? { "high" } else { "low" };
+        Some(format!("{} is {level}", self.input))
+    }
+}
+
+impl AnalogCondition {
+    /// Whether the value is beyond the threshold.
+    pub(super) fn holds(&self, packet: &Snapshot) -> Result<bool, NotShown> {
+        let value = self.input.read(packet)?;
+        Ok(if self.above { value > self.threshold } else { value < self.threshold })
+    }
+
+    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+        self.input.0.check(call)?;
+        if self.threshold.is_finite() {
+            return Ok(());
+        }
+        Err(InvalidArgument::new(call, "threshold", self.threshold.to_string(), "a finite number", false))
+    }
+
+    /// What a packet says of the input.
+    pub(super) fn says(&self, packet: &Snapshot) -> Option<String> {
+        Some(format!("{} is at {}", self.input, self.input.read(packet).ok()?))
+    }
+}
+
+impl Place {
+    /// Its place in a list, counted from 0; none for a number 0 that is counted from 1.
+    fn index(self) -> Option<usize> {
+        match self.numbering {
+            Numbering::FromZero => Some(self.number),
+            Numbering::FromOne => self.number.checked_sub(1),
+        }
+    }
+
+    fn check(self, call: &str) -> Result<(), InvalidArgument> {
+        let invalid = || InvalidArgument::new(call, "input", "0", "at least 1, since inputs are counted from 1", false);
+        self.index().map(drop).ok_or_else(invalid)
+    }
+
+    fn read<T: Copy>(self, list: Option<&Vec<T>>, field: Field<'_>) -> Result<T, NotShown> {
+        let list = field.shown(list)?;
+        let too_short = || NotShown::TooShort { field: field.name.to_owned(), count: list.len() };
+        self.index().and_then(|index| list.get(index)).copied().ok_or_else(too_short)
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let side = match self.side {
+            Side::Cabinet => "cabinet",
+            Side::Tool => "tool",
+        };
+        let first = match self.numbering {
+            Numbering::FromZero => 0,
+            Numbering::FromOne => 1,
+        };
+        write!(f, "input {} of the {side} (counted from {first})", self.number)
+    }
+}
+
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "digital {}", self.0)
+    }
+}
+
+impl fmt::Display for AnalogInput {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "analog {}", self.0)
+    }
+}
+
+impl fmt::Display for InputCondition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verb = if self.when == When::Edge { "goes" } else { "is" };
+        write!(f, "{} {verb} {}", self.input, if self.high { "high" } else { "low" })
+    }
+}
+
+impl fmt::Display for AnalogCondition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verb = if self.when == When::Edge { "goes" } else { "is" };
+        write!(f, "{} {verb} {} {}", self.input, if self.above { "above" } else { "below" }, self.threshold)
+    }
+}

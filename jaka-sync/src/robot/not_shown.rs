@@ -1,0 +1,72 @@
+//! What status packets do not show.
+
+use std::error::Error as StdError;
+use std::fmt;
+
+use jaka_proto::wire::DecodeError;
+
+use crate::Snapshot;
+
+/// Why status packets do not show what is asked of them.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum NotShown {
+    /// The packet does not have the field.
+    Absent {
+        /// Its name in [`RobotStatus`](crate::status::RobotStatus).
+        field: String,
+    },
+    /// The packet has the field in a form that does not fit.
+    Unfit {
+        /// Which field, and why.
+        source: DecodeError,
+    },
+    /// The list does not have so many elements.
+    TooShort {
+        /// The list's name in [`RobotStatus`](crate::status::RobotStatus).
+        field: String,
+        /// How many it has.
+        count: usize,
+    },
+    /// The force sensor does not report that it works: switch it on.
+    SensorOff,
+    /// The force sensor reports an error.
+    SensorError {
+        /// Its code, as the controller writes it.
+        code: String,
+    },
+}
+
+impl fmt::Display for NotShown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Absent { field } => write!(f, "status packets of this controller do not have `{field}`"),
+            Self::Unfit { source } => write!(f, "the newest status packet cannot be read: {source}"),
+            Self::TooShort { field, count } => write!(f, "`{field}` of the status packet has {count} elements"),
+            Self::SensorOff => f.write_str("the sensor does not report that it works; switch it on"),
+            Self::SensorError { code } => write!(f, "the sensor reports error {code}"),
+        }
+    }
+}
+
+impl StdError for NotShown {}
+
+/// A field of a packet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Field<'p> {
+    pub(super) packet: &'p Snapshot,
+    pub(super) name: &'static str,
+}
+
+impl Field<'_> {
+    /// Its value, or why there is none.
+    pub(super) fn shown<T>(self, value: Option<T>) -> Result<T, NotShown> {
+        value.ok_or_else(|| {
+            let unfit = self.packet.unfit.iter().find(|error| error.is_in(self.name));
+            match unfit {
+                Some(source) => NotShown::Unfit { source: source.clone() },
+                None => NotShown::Absent { field: self.name.to_owned() },
+            }
+        })
+    }
+}

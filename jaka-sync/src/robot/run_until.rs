@@ -1,0 +1,265 @@
+//! Motions under a guard.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_proto::CommandInfo;
+
+use super::guard::{Armed, Guard, NotGuarded, Trip, TripReason};
+use super::readiness::unknown;
+use super::vigil::{self, Vigil};
+use super::{GuardTrip, Motion, MotionEnd, MotionStatus, Outcome, Path, Robot, RobotStop};
+use crate::monitor::Waker;
+use crate::{Error, ErrorKind, Monitor, StatusProblem};
+
+/// How long an arm that was stopped is waited for until it rests.
+const REST: Duration = Duration::from_secs(2);
+
+/// How long is waited for packets, to know their period.
+const PERIOD_WITHIN: Duration = Duration::from_secs(2);
+
+/// For how long at least packets may stay away under a limit of force.
+const SHORTEST_SILENCE: Duration = Duration::from_millis(100);
+
+impl<S: MotionStatus> Robot<S> {
+    /// Runs a motion under a guard: sends it, and waits until it has ended or the guard has tripped, upon which the arm is stopped. [`Guard`] tells what can
+    /// be expected of that, and what not: it is **not a safety function**.
+    ///
+    /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends nothing ([`GuardTrip::is_before_start`]). A thread of its own
+    /// writes the stop, also while this one waits for the reply to the motion. If the guard tripped, the arm is then waited for until it rests, for 2 s at most.
+    ///
+    /// Since nobody judges the guard after this call, the arm is stopped in each way out in which it may still move: at the deadline, when the status is lost or
+    /// stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller. [`MotionEnd::stop`] tells whether the stop was accepted.
+    ///
+    /// ```no_run
+    /// use std::time::Duration;
+    /// use jaka_sync::motion::MoveL;
+    /// use jaka_sync::{Numbering, Robot};
+    ///
+    /// const IO: Numbering = Numbering::FromOne;
+    /// let mut robot = Robot::connect("10.5.5.100")?;
+    /// let down = MoveL::relative([0.0, 0.0, -50.0, 0.0, 0.0, 0.0], 20.0).acceleration(200.0);
+    /// let trip = robot.run_until(&down, IO.tool(1).rises(), Duration::from_secs(10))?.guarded()?;
+    /// println!("{trip}; the stop was written after {:?}", trip.reaction);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`run`](Self::run); where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`] says if the controller has not accepted that. Nothing was sent after
+    /// [`ErrorKind::NotShown`] (packets do not show what the guard needs), [`ErrorKind::NotGuarded`] (a [`ForceLimit`](crate::ForceLimit) permits less speed), [`ErrorKind::StatusUnknown`], also with
+    /// [`allow_motion_without_status`](Self::allow_motion_without_status), and [`ErrorKind::Thread`].
+    pub fn run_until<M: Motion>(
+        &mut self,
+        motion: &M,
+        guard: impl Into<Guard>,
+        timeout: Duration,
+    ) -> Result<MotionEnd, Error> {
+        let (since, guard) = (self.clock().stopwatch(), guard.into());
+        guard.check("run_until")?;
+        self.client.link().check_open(M::INFO.name)?;
+        self.check_latch()?;
+        let left = || since.left_of(timeout);
+        let fresh_for = self.check_speed(M::INFO, motion.path(), &guard, left())?;
+        let armed = self.arm(&guard, left()).map_err(|problem| self.client.link().attach(unknown(problem)))?;
+        if let Some(trip) = armed.trip() {
+            return self.not_begun(&guard, trip, since.passed());
+        }
+        let sentry = Sentry::new(self, armed, fresh_for);
+        let (result, stopped) = thread::scope(|scope| {
+            let relieved = Relieved(&sentry);
+            let spawned = thread::Builder::new().name("jaka guard".to_owned()).spawn_scoped(scope, || sentry.keep());
+            let watching = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
+            let sent = self.send(motion, left(), Some(&sentry.armed));
+            let result = sent.map(|()| self.wait_unless(left(), &|| sentry.has_failed()));
+            drop(relieved);
+            // A panic there has been reported; nothing was stopped by it.
+            Ok::<_, Error>((result, watching.join().unwrap_or_default()))
+        })?;
+        match (result, sentry.armed.trip()) {
+            (Ok(end), _) => Ok(self.end_of_guarded(&sentry, end, stopped)),
+            (Err(_), Some(trip)) if !sentry.armed.has_begun() => self.not_begun(&guard, trip, since.passed()),
+            (Err(error), _) => Err(self.error_of_guarded(&sentry, error, stopped)),
+        }
+    }
+
+    /// Fails if the guard has a limit of force by which the motion could not be stopped in time; and says how old the newest packet may become.
+    fn check_speed(
+        &self,
+        info: &'static CommandInfo,
+        path: Path,
+        guard: &Guard,
+        timeout: Duration,
+    ) -> Result<Duration, Error> {
+        if guard.force_limits().next().is_none() {
+            return Ok(Duration::MAX);
+        }
+        let refused = |reason: NotGuarded| {
+            self.client.link().attach(ErrorKind::NotGuarded { command: info.name.to_owned(), reason }.into())
+        };
+        let (Path::Line { speed, acceleration } | Path::Arc { speed, acceleration, .. }) = path else {
+            return Err(refused(NotGuarded::SpeedUnknown));
+        };
+        // A status that is not known is told by the guard.
+        let is_in_position = self.status_now(timeout).map_or(true, |newest| newest.status.in_position == Some(true));
+        if self.has_motions() || !is_in_position {
+            return Err(refused(NotGuarded::Moving));
+        }
+        let period = || self.monitor.statistics().recent_gap;
+        let patience = timeout.min(PERIOD_WITHIN);
+        let period = self.monitor.watch(patience, |_| period()).ok().flatten();
+        let period = period.ok_or_else(|| refused(NotGuarded::PeriodUnknown))?;
+        guard.force_limits().try_for_each(|limit| limit.check_speed(speed, acceleration, period)).map_err(refused)?;
+        Ok((period * 3).max(SHORTEST_SILENCE))
+    }
+
+    /// The end where the guard has tripped before the motion went out.
+    fn not_begun(&self, guard: &Guard, trip: Trip, waited: Duration) -> Result<MotionEnd, Error> {
+        if let TripReason::NotShown(reason) = trip.reason {
+            return Err(self.client.link().attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()));
+        }
+        let packets = vec![Arc::clone(&trip.packet)];
+        let outcome = Outcome::Guard(Arc::new(trip.before_start()));
+        Ok(MotionEnd { outcome, waited, packets, not_answered: None, stop: None })
+    }
+
+    /// How the motion ended, by the wait for it and by what the sentry did; and a stop where the arm may still move.
+    fn end_of_guarded(&mut self, sentry: &Sentry<S>, mut end: MotionEnd, stopped: Option<Stopped>) -> MotionEnd {
+        let may_move =
+            matches!(end.outcome, Outcome::Deadline | Outcome::StatusLost { .. } | Outcome::ControllerError { .. });
+        let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&sentry.stop, None))) else { return end };
+        let is_accepted = self.take(&stopped);
+        // What packets show against the arm itself counts before that.
+        let is_by_sentry =
+            matches!(end.outcome, Outcome::Deadline | Outcome::Stopped | Outcome::Reached | Outcome::AtRest);
+        match stopped.why.filter(|_| is_by_sentry) {
+            Some(Why::Trip(trip)) => {
+                let reaction = stopped.written.map(|at| at.saturating_duration_since(trip.packet.received));
+                let rest = if is_accepted { self.comes_to_rest(REST) } else { Ok(false) };
+                self.rests = matches!(rest, Ok(true));
+                end.outcome = Outcome::Guard(Arc::new(GuardTrip { reaction, is_at_rest: self.rests, ..trip.report() }));
+                end.not_answered = rest.err();
+            }
+            Some(Why::Blind(problem)) => {
+                end.outcome = lost(problem);
+                self.latch.set(&end.outcome);
+            }
+            None => {}
+        }
+        end.stop = Some(stopped.accepted);
+        end
+    }
+
+    /// The error of a motion whose reply did not come: it may run, and nobody judges the guard any longer.
+    fn error_of_guarded(&mut self, sentry: &Sentry<S>, first: Error, stopped: Option<Stopped>) -> Error {
+        let may_run = sentry.armed.has_begun() && first.may_have_run();
+        let Some(stopped) = stopped.or_else(|| may_run.then(|| Stopped::new(&sentry.stop, None))) else { return first };
+        self.take(&stopped);
+        match stopped.accepted {
+            Err(stopping) if may_run => self.client.link().attach(ErrorKind::NotStopped { first, stopping }.into()),
+            _ => first,
+        }
+    }
+
+    /// Takes note of a stop: true if it was accepted. Its motion is not waited for any more then.
+    fn take(&mut self, stopped: &Stopped) -> bool {
+        if stopped.accepted.is_ok() {
+            self.latch.report_stops();
+            self.batch = None;
+            self.checks.unsettle();
+        }
+        stopped.accepted.is_ok()
+    }
+}
+
+/// Stops the arm where the guard trips, or the status is no longer known.
+#[derive(Debug)]
+struct Sentry<S> {
+    monitor: Arc<Monitor<S>>,
+    waker: Waker,
+    stop: RobotStop,
+    armed: Armed,
+    /// With an older packet the arm is stopped.
+    fresh_for: Duration,
+    /// Nobody waits for the motion any more.
+    is_relieved: AtomicBool,
+    /// The stop was not accepted.
+    has_failed: AtomicBool,
+}
+
+impl<S: MotionStatus> Sentry<S> {
+    fn new(robot: &Robot<S>, armed: Armed, fresh_for: Duration) -> Self {
+        let (monitor, stop) = (Arc::clone(&robot.monitor), robot.stop_handle());
+        let waker = monitor.waker();
+        let (is_relieved, has_failed) = (AtomicBool::default(), AtomicBool::default());
+        Self { monitor, waker, stop, armed, fresh_for, is_relieved, has_failed }
+    }
+
+    /// Watches until it is relieved, or has stopped the arm. Where the motion has not gone out, the gate keeps it back.
+    fn keep(&self) -> Option<Stopped> {
+        let is_relieved = || self.is_relieved.load(Ordering::SeqCst);
+        let (why, blind) = match vigil::keep(&self.monitor, &self.armed, (Duration::MAX, self.fresh_for), is_relieved) {
+            Vigil::Tripped(trip) => (Why::Trip(trip), None),
+            Vigil::Blind(problem) => (Why::Blind(problem.clone()), Some(problem)),
+            Vigil::Over(_) => return None,
+        };
+        if !self.armed.shut(blind) || is_relieved() {
+            return None;
+        }
+        let stopped = Stopped::new(&self.stop, Some(why));
+        if stopped.accepted.is_err() {
+            self.has_failed.store(true, Ordering::SeqCst);
+            self.waker.wake();
+        }
+        Some(stopped)
+    }
+
+    fn has_failed(&self) -> bool {
+        self.has_failed.load(Ordering::SeqCst)
+    }
+}
+
+/// A stop that was sent, or was to be.
+#[derive(Debug)]
+struct Stopped {
+    /// None where only the end of the wait called for it.
+    why: Option<Why>,
+    written: Option<Instant>,
+    accepted: Result<(), Error>,
+}
+
+#[derive(Debug)]
+enum Why {
+    Trip(Trip),
+    Blind(StatusProblem),
+}
+
+impl Stopped {
+    fn new(stop: &RobotStop, why: Option<Why>) -> Self {
+        let (written, accepted) = stop.stop_and_tell();
+        Self { why, written, accepted }
+    }
+}
+
+/// Relieves the sentry when it is dropped; where that is by a panic, the arm is stopped.
+struct Relieved<'s, S: MotionStatus>(&'s Sentry<S>);
+
+impl<S: MotionStatus> Drop for Relieved<'_, S> {
+    fn drop(&mut self) {
+        self.0.is_relieved.store(true, Ordering::SeqCst);
+        self.0.waker.wake();
+        if thread::panicking() && self.0.armed.has_begun() {
+            // The panic is what the program learns of.
+            let _ = self.0.stop.stop();
+        }
+    }
+}
+
+fn lost(problem: StatusProblem) -> Outcome {
+    match problem {
+        StatusProblem::Ended { cause } => Outcome::StatusLost { cause: Some(cause), unreadable: None },
+        StatusProblem::Unreadable { source } => Outcome::StatusLost { cause: None, unreadable: Some(source) },
+        _ => Outcome::StatusLost { cause: None, unreadable: None },
+    }
+}

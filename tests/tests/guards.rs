@@ -1,0 +1,293 @@
+//! Motions under a guard: what the controller receives, and how the motion ends.
+
+mod contact;
+mod links;
+mod streams;
+
+use std::sync::Arc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays, Fault, StatusFault};
+use jaka_sync::motion::JointMove;
+use jaka_sync::program::StopProgram;
+use jaka_sync::{
+    Client, Command, Config, ErrorKind, Guard, GuardTrip, Monitor, MotionEnd, NotShown, Numbering, Outcome, Robot,
+    TcpBox, TripReason,
+};
+use jaka_tests::HandFed;
+
+/// Longer than anything takes.
+const LONG: Duration = Duration::from_secs(60);
+
+const IO: Numbering = Numbering::FromOne;
+
+/// How far the motion goes: for some four seconds.
+const FAR: f64 = 100.0;
+
+/// A controller that sends a packet each 5 ms, and a robot that is powered up.
+fn ready(config: &Config) -> (Controller, Robot) {
+    let builder = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(5));
+    let controller = builder.start().expect("loopback has free ports");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
+    monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("it is enabled");
+    let client = config.connect_client(controller.command_addr()).expect("the controller listens");
+    (controller, Robot::new(client, monitor))
+}
+
+/// For which packets are stale only after a time that no machine is busy for.
+fn patient() -> Config {
+    Config::new().stale_after(LONG).reply_timeout(LONG)
+}
+
+fn motion() -> JointMove {
+    JointMove::absolute([FAR, 90.0, 90.0, 90.0, -90.0, 0.0], 25.0).acceleration(500.0)
+}
+
+/// The names of the requests that have come.
+fn names(controller: &Controller) -> Vec<String> {
+    let name = |text: &String| jaka_proto::Envelope::read(text).ok()?.command.map(|name| name.into_owned());
+    controller.requests().iter().filter_map(name).collect()
+}
+
+/// How often a command has come.
+fn count(controller: &Controller, command: &str) -> usize {
+    names(controller).iter().filter(|name| *name == command).count()
+}
+
+/// Waits until the arm moves.
+fn wait_for_motion(controller: &Controller) {
+    let since = Instant::now();
+    while controller.state().joint_position.0[0] < 1.0 {
+        assert!(since.elapsed() < LONG, "the arm does not move");
+        thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// Runs the motion under a guard, and does something once the arm moves.
+fn disturbed(
+    controller: &Controller,
+    robot: &mut Robot,
+    guard: impl Into<Guard> + Send,
+    disturb: impl FnOnce() + Send,
+) -> MotionEnd {
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            wait_for_motion(controller);
+            disturb();
+        });
+        robot.run_until(&motion(), guard, LONG).expect("the motion is accepted")
+    })
+}
+
+/// The arm is at rest, and not where the motion leads.
+fn assert_stopped_on_the_way(controller: &Controller) {
+    let state = controller.state();
+    let at = state.joint_position.0[0];
+    assert!(state.at_rest && at > 0.0 && at < FAR - 1.0, "it is at {at}");
+    assert_eq!(count(controller, StopProgram::INFO.name), 1, "{:?}", names(controller));
+}
+
+fn trip(end: MotionEnd) -> Arc<GuardTrip> {
+    end.guarded().unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn a_guard_that_holds_before_the_start_sends_nothing() {
+    let (mut controller, mut robot) = HandFed::new(LONG);
+    controller.packet_to(&robot, r#""din": [1], "actual_position": [10, 0, 500, 0, 0, 0]"#);
+    let outside = TcpBox::from_corners([0.0, -1.0, 0.0], [9.0, 1.0, 900.0]);
+    let guards = [
+        Guard::from(IO.cabinet(1).is_high()),
+        Guard::from(IO.cabinet(1).rises()).or(outside.is_left()),
+        Guard::when("always", |_| true),
+        Guard::when("a question that panics", |_| panic!("as it should")),
+    ];
+    for (guard, expected) in guards.into_iter().zip([0, 1, 0, 0]) {
+        let text = guard.to_string();
+        let end = robot.run_until(&motion(), guard, LONG).expect("that is an end");
+        let Outcome::Guard(trip) = &end.outcome else { panic!("{text}: {end:?}") };
+        assert!(trip.is_before_start && trip.reaction.is_none() && end.stop.is_none(), "{end:?}");
+        assert_eq!((trip.condition, trip.packet.number), (expected, 1), "{text}");
+    }
+    drop(robot);
+    assert_eq!(controller.received(), "");
+}
+
+#[test]
+fn a_guard_that_packets_do_not_show_is_an_error_before_the_start() {
+    let (mut controller, mut robot) = HandFed::new(LONG);
+    controller.packet_to(&robot, r#""din": [0, 0], "tio_ain": ["a"]"#);
+    let the_box = TcpBox::from_corners([0.0; 3], [1.0; 3]);
+    let absent = |field: &str| NotShown::Absent { field: field.to_owned() };
+    for (guard, expected) in [
+        (Guard::from(IO.tool(1).is_high()), absent("tool_digital_inputs")),
+        (IO.cabinet(3).rises().into(), NotShown::TooShort { field: "digital_inputs".to_owned(), count: 2 }),
+        (the_box.is_entered(), absent("actual_position")),
+        (Guard::when("never", |_| false).or(the_box.is_left()), absent("actual_position")),
+    ] {
+        let error = robot.run_until(&motion(), guard.clone(), LONG).expect_err("it cannot be judged");
+        let ErrorKind::NotShown { what, reason } = error.kind() else { panic!("{guard}: {error:?}") };
+        assert_eq!((what, reason), (&guard.to_string(), &expected));
+        assert!(!error.may_have_run());
+    }
+    let error = robot.run_until(&motion(), IO.tool_analog(1).is_above(2.0), LONG).expect_err("it cannot be read");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::Unfit { .. }, .. }), "{error:?}");
+    let odd = TcpBox::from_corners([0.0, f64::NAN, 0.0], [1.0; 3]).is_left();
+    for guard in [IO.cabinet(0).is_high().into(), odd] {
+        let error = robot.run_until(&motion(), guard, LONG).expect_err("there is no such thing");
+        assert!(error.is_invalid_argument(), "{error:?}");
+    }
+    drop(robot);
+    assert_eq!(controller.received(), "");
+}
+
+#[test]
+fn without_a_known_status_nothing_is_sent_under_a_guard_whatever_is_allowed() {
+    let (controller, robot) = HandFed::new(Duration::from_millis(50));
+    let mut robot = robot.allow_motion_without_status();
+    let error = robot.run_until(&motion(), Guard::when("never", |_| false), LONG).expect_err("no packet has come");
+    assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
+    drop(robot);
+    assert_eq!(controller.received(), "");
+}
+
+#[test]
+fn an_input_stops_the_motion() {
+    let (controller, mut robot) = ready(&patient());
+    let high = || controller.set_state(|state| state.digital_inputs[4] = true);
+    let guard = Guard::from(IO.tool(1).rises()).or(IO.cabinet(5).rises());
+    let end = disturbed(&controller, &mut robot, guard, high);
+    assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
+    let trip = trip(end);
+    assert_eq!((trip.condition, &*trip.text), (1, "digital input 5 of the cabinet (counted from 1) goes high"));
+    assert_eq!(trip.packet.status.digital_inputs.as_ref().and_then(|inputs| inputs.get(4)), Some(&true));
+    assert!(trip.is_at_rest && !trip.is_before_start, "{trip:?}");
+    assert!(trip.reaction.is_some_and(|reaction| reaction < LONG), "{trip:?}");
+    assert_stopped_on_the_way(&controller);
+    // The stop was told: the next motion goes out, and reaches its target.
+    let back = JointMove::absolute([0.0, 90.0, 90.0, 90.0, -90.0, 0.0], 90.0).acceleration(500.0);
+    let guard = IO.tool(1).rises();
+    robot.run_until(&back, guard, LONG).expect("nothing keeps it back").reached().expect("the guard does not trip");
+    assert_eq!(count(&controller, StopProgram::INFO.name), 1);
+}
+
+#[test]
+fn a_box_and_a_question_stop_the_motion() {
+    let (controller, mut robot) = ready(&patient());
+    let pose = controller.state().tcp_pose;
+    let around = TcpBox::from_corners([pose.x - 20.0, pose.y - 20.0, 0.0], [pose.x + 20.0, pose.y + 20.0, 2000.0]);
+    let end = robot.run_until(&motion(), around.is_left(), LONG).expect("the motion is accepted");
+    let trip = trip(end);
+    let at = trip.packet.status.actual_position.expect("packets have it");
+    assert!((at.x - pose.x).abs().max((at.y - pose.y).abs()) > 20.0, "{at:?}");
+    assert_stopped_on_the_way(&controller);
+
+    let (controller, mut robot) = ready(&patient());
+    let question = Guard::when("joint 1 is beyond 5 deg", |status| {
+        status.joint_actual_position.is_some_and(|joints| joints.0[0] > 5.0)
+    });
+    let end = robot.run_until(&motion(), question, LONG).expect("the motion is accepted");
+    assert!(end.guarded().is_ok_and(|trip| trip.text == "joint 1 is beyond 5 deg"));
+    assert_stopped_on_the_way(&controller);
+}
+
+#[test]
+fn what_cannot_be_judged_stops_the_motion() {
+    let (controller, mut robot) = ready(&patient());
+    let panics = Guard::when("joint 1 is small", |status| {
+        assert!(status.joint_actual_position.is_none_or(|joints| joints.0[0] < 5.0));
+        false
+    });
+    let end = robot.run_until(&motion(), panics, LONG).expect("the motion is accepted");
+    let Outcome::Guard(trip) = &end.outcome else { panic!("{end:?}") };
+    assert_eq!(trip.reason, TripReason::Panicked);
+    assert!(end.guarded().is_err(), "it is not known whether it holds");
+    assert_stopped_on_the_way(&controller);
+
+    let (controller, mut robot) = ready(&patient());
+    let unfit = || controller.set_status([("din".to_owned(), "on".into())]);
+    let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), unfit);
+    let Outcome::Guard(trip) = &end.outcome else { panic!("{end:?}") };
+    assert!(matches!(trip.reason, TripReason::NotShown(NotShown::Unfit { .. })), "{trip:?}");
+    assert_stopped_on_the_way(&controller);
+}
+
+#[test]
+fn a_status_that_is_silent_or_lost_stops_the_motion() {
+    let config = patient().stale_after(Duration::from_millis(200));
+    let (controller, mut robot) = ready(&config);
+    let silent = || controller.status_fault(StatusFault::Silent);
+    let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), silent);
+    assert!(matches!(end.outcome, Outcome::StatusLost { cause: None, .. }), "{end:?}");
+    assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
+    assert_eq!(count(&controller, StopProgram::INFO.name), 1);
+    let error = robot.start(&motion()).expect_err("nobody has looked");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } }), "{error:?}");
+
+    let (controller, mut robot) = ready(&patient());
+    let lost = || controller.status_fault(StatusFault::CloseAfter(0));
+    let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), lost);
+    assert!(matches!(end.outcome, Outcome::StatusLost { cause: Some(_), .. }), "{end:?}");
+    assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
+    assert_eq!(count(&controller, StopProgram::INFO.name), 1);
+}
+
+#[test]
+fn the_deadline_stops_the_motion() {
+    let (controller, mut robot) = ready(&patient());
+    let end = robot.run_until(&motion(), IO.cabinet(1).rises(), Duration::from_millis(800));
+    let end = end.expect("the motion is accepted");
+    assert!(matches!(end.outcome, Outcome::Deadline) && matches!(end.stop, Some(Ok(()))), "{end:?}");
+    let text = end.reached().expect_err("it was not").to_string();
+    assert!(text.ends_with("; the arm was told to stop"), "{text}");
+    let since = Instant::now();
+    while !controller.state().at_rest {
+        assert!(since.elapsed() < LONG, "the arm goes on");
+    }
+    assert_stopped_on_the_way(&controller);
+}
+
+#[test]
+fn the_stop_does_not_wait_for_the_reply_to_the_motion() {
+    let (controller, mut robot) = ready(&patient());
+    controller.inject_for(JointMove::INFO.name, Fault::Hold);
+    let high = || {
+        controller.set_state(|state| state.digital_inputs[0] = true);
+        assert!(controller.wait_for_requests(2, LONG), "the stop comes");
+        assert_eq!(names(&controller), [JointMove::INFO.name, StopProgram::INFO.name]);
+        controller.release();
+    };
+    let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), high);
+    assert!(trip(end).is_at_rest);
+    assert_stopped_on_the_way(&controller);
+}
+
+#[test]
+fn a_stop_that_is_refused_is_told_at_once() {
+    let (controller, mut robot) = ready(&patient());
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call stop_program failed", "cmdName": "stop_program"}"#;
+    controller.inject_for(StopProgram::INFO.name, Fault::Instead(refusal.to_vec()));
+    let high = || controller.set_state(|state| state.digital_inputs[0] = true);
+    let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), high);
+    assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{end:?}");
+    assert!(matches!(&end.outcome, Outcome::Guard(trip) if !trip.is_at_rest), "{end:?}");
+    let text = end.guarded().expect_err("the arm may still move").to_string();
+    assert!(text.contains("the stop that followed was not accepted, so the arm may still move"), "{text}");
+    let error = robot.start(&motion()).expect_err("nobody has looked");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+}
+
+#[test]
+fn a_refused_motion_is_an_error_and_a_protective_stop_goes_first() {
+    let (controller, mut robot) = ready(&patient());
+    // Beyond what joint 3 of a Zu 5 can do.
+    let beyond = JointMove::absolute([0.0, 90.0, 180.0, 90.0, -90.0, 0.0], 25.0);
+    let error = robot.run_until(&beyond, IO.cabinet(1).rises(), LONG).expect_err("it is refused");
+    assert!(error.is_refused(), "{error:?}");
+    assert_eq!(count(&controller, StopProgram::INFO.name), 0);
+    let collide = || controller.collide();
+    let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), collide);
+    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{end:?}");
+}

@@ -1,0 +1,65 @@
+//! Streams under a guard.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sync::jaka_motion::{Limits, Model};
+use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
+use jaka_sync::{Command, ErrorKind, ForceComponent, ForceLimit, NotGuarded, NotShown, ServoConfig, StreamConfig};
+
+use super::{IO, LONG, count, names, patient, ready, wait_for_motion};
+
+fn config() -> StreamConfig {
+    let servo = ServoConfig::new().step_count(4).max_unanswered(LONG).rest_timeout(LONG);
+    StreamConfig::new().servo(servo).max_gap(LONG).max_departure(1000.0)
+}
+
+#[test]
+fn a_guard_lands_a_stream() {
+    let (controller, robot) = ready(&patient());
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let stream = robot.stream_until(&config(), IO.cabinet(1).is_high()).expect("the input is low");
+    let mut target = stream.joints();
+    target[0] += 170.0;
+    stream.set_joints(target).expect("it is within limits");
+    wait_for_motion(&controller);
+    controller.set_state(|state| state.digital_inputs[0] = true);
+    let handle = stream.handle();
+    let since = Instant::now();
+    let because = loop {
+        assert!(since.elapsed() < LONG, "the stream goes on");
+        match handle.set_joints(target) {
+            Ok(()) => thread::sleep(Duration::from_millis(5)),
+            Err(error) => break error.to_string(),
+        }
+    };
+    assert!(
+        because.contains("the guard tripped: digital input 1 of the cabinet (counted from 1) is high"),
+        "{because}"
+    );
+    let error = stream.land().expect_err("the guard has ended it");
+    let ErrorKind::GuardTripped { trip } = error.kind() else { panic!("{error:?}") };
+    assert!(error.may_have_run() && !trip.is_before_start && trip.reaction.is_none());
+    assert_eq!(trip.packet.status.digital_inputs.as_ref().and_then(|inputs| inputs.first()), Some(&true));
+    let at = controller.state().joint_position.0[0];
+    assert!(controller.state().at_rest && !controller.state().servo_mode && at < 165.0, "it is at {at}");
+    let all = names(&controller);
+    let last = all.iter().rposition(|name| name == ServoJ::INFO.name).expect("set-points came");
+    assert_eq!(all[last + 1], SetServoMode::INFO.name, "{:?}", &all[last..]);
+    assert!(all[last + 2..].iter().all(|name| name == IsInServomove::INFO.name), "{:?}", &all[last..]);
+
+    // The input is still high: servo mode is not asked for.
+    let entered = count(&controller, SetServoMode::INFO.name);
+    let error = robot.stream_until(&config(), IO.cabinet(1).is_high()).expect_err("the input is high");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { trip } if trip.is_before_start), "{error:?}");
+    assert!(!error.may_have_run());
+    let error = robot.stream_until(&config(), IO.cabinet(1000).is_high()).expect_err("there is no such input");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::TooShort { .. }, .. }), "{error:?}");
+    let error = robot
+        .stream_until(&config(), ForceLimit::new(ForceComponent::Fz, 1.0))
+        .expect_err("how fast it is, is unknown");
+    let reason = NotGuarded::SpeedUnknown;
+    assert!(matches!(error.kind(), ErrorKind::NotGuarded { reason: found, .. } if *found == reason), "{error:?}");
+    assert_eq!(count(&controller, SetServoMode::INFO.name), entered);
+}
