@@ -8,7 +8,8 @@ use crate::State;
 /// How an input changes by itself as the controller's time goes on, for [`Builder::input`](crate::Builder::input) and
 /// [`Controller::input`](crate::Controller::input).
 ///
-/// Inputs are given by their place in the list of the [`State`] and of status packets, from 0. Outside of the times that are given, an input stays as it is.
+/// Inputs are given by their place in the list of the [`State`] and of status packets, from 0. Outside of the times that are given, an
+/// input stays as it is.
 ///
 /// ```
 /// use std::time::Duration;

@@ -18,6 +18,7 @@ mod preflight;
 mod readiness;
 mod rest;
 mod run_until;
+mod sentry;
 mod status;
 mod stops;
 mod target;

@@ -129,15 +129,15 @@ impl<S: MotionStatus> Robot<S> {
         self.begin_stream(config, None)
     }
 
-    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes goes out in the next servo
-    /// period after the packet.
+    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes
+    /// goes out in the next servo period after the packet.
     ///
     /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
     /// # Errors
-    /// As [`stream`](Self::stream). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already), [`ErrorKind::NotShown`] (packets do not show what it
-    /// needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a [`ForceLimit`](crate::ForceLimit): how fast the tool of a stream is, and how it brakes, does not
-    /// follow from targets of joints.
+    /// As [`stream`](Self::stream). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a
+    /// [`ForceLimit`](crate::ForceLimit): how fast the tool of a stream is, and how it brakes, does not follow from targets of joints.
     pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
         let armed = self.arm_for(ServoJ::INFO, &guard.into(), "stream_until")?;
         self.begin_stream(config, Some(armed))

@@ -4,16 +4,19 @@ mod contact;
 mod links;
 mod streams;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::{Controller, Delays, Fault, StatusFault};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
+use jaka_sync::status::RobotStatus;
 use jaka_sync::{
-    Client, Command, Config, ErrorKind, Guard, GuardTrip, Monitor, MotionEnd, NotShown, Numbering, Outcome, Robot,
-    TcpBox, TripReason,
+    Command, Config, ErrorKind, Guard, GuardTrip, Monitor, MotionEnd, MotionStatus, NotShown, Numbering, Outcome,
+    Robot, TcpBox, TripReason,
 };
 use jaka_tests::HandFed;
 
@@ -290,4 +293,34 @@ fn a_refused_motion_is_an_error_and_a_protective_stop_goes_first() {
     let collide = || controller.collide();
     let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), collide);
     assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{end:?}");
+}
+
+/// Packets of a type of the user's own, which says what it means by code that panics at the end.
+struct Odd(RobotStatus);
+
+impl Decode for Odd {
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        RobotStatus::decode(reader).map(Self)
+    }
+}
+
+impl MotionStatus for Odd {
+    fn robot_status(&self) -> RobotStatus {
+        assert!(self.0.joint_actual_position.is_none_or(|joints| joints.0[0] < 5.0), "as it should");
+        self.0.clone()
+    }
+}
+
+#[test]
+fn a_type_of_packets_that_panics_leaves_no_motion_without_its_guard() {
+    let (controller, robot) = ready(&patient());
+    drop(robot);
+    assert!(controller.wait_for_disconnect(LONG));
+    let monitor = patient().connect_monitor::<Odd>(controller.status_addr()).expect("the controller listens");
+    let client = patient().connect_client(controller.command_addr()).expect("the controller listens");
+    let mut robot = Robot::<Odd>::with_monitor(client, monitor);
+    let end = catch_unwind(AssertUnwindSafe(|| robot.run_until(&motion(), Guard::when("never", |_| false), LONG)));
+    // Which thread meets it first is not certain.
+    assert!(end.is_err() || end.is_ok_and(|end| end.is_ok_and(|end| matches!(end.stop, Some(Ok(()))))));
+    assert!(count(&controller, StopProgram::INFO.name) >= 1, "{:?}", names(&controller));
 }

@@ -39,15 +39,16 @@ use crate::Robot;
 /// ```
 ///
 /// # What it can do, and what not
-/// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware 1.5.14) to 100 ms, and which do not tell how
-/// old they are. From what happens until the arm rests it takes
+/// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware 1.5.14) to 100 ms, and
+/// which do not tell how old they are. From what happens until the arm rests it takes
 /// - up to a period of the packets, until one shows it, and however long the network holds that packet;
-/// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms ([`GuardTrip::reaction`] has it), then the network, and the
-///   controller until it acts on `stop_program`;
+/// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms ([`GuardTrip::reaction`] has it), then the
+///   network, and the controller until it acts on `stop_program`;
 /// - the braking, of which no source says how the controller does it.
 ///
-/// What a packet shows for less than a period can be missed. A packet that does not show what the guard needs trips it, too, and so does a question that panics:
-/// unknown is not good. If packets stay away for [`Config::stale_after`](crate::Config::stale_after), the arm is stopped.
+/// What a packet shows for less than a period can be missed. A packet that does not show what the guard needs trips it, too, and so does a
+/// question that panics: unknown is not good. If packets stay away for [`Config::stale_after`](crate::Config::stale_after), the arm is
+/// stopped.
 ///
 /// Newer firmware is said to have a condition of its own that ends a `movc` at a digital input (one client's remark, not in the document): where a
 /// controller has it, it reacts without packets and network. It is not in this SDK, because no source shows how it is used.

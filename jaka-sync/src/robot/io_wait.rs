@@ -12,8 +12,8 @@ use crate::{Error, ErrorKind, Snapshot, StatusProblem};
 impl<S: MotionStatus> Robot<S> {
     /// Waits for a level or an edge of a digital input, and returns the packet that shows it.
     ///
-    /// Nothing is sent: status packets tell it. A level counts at once if the newest packet has it. An edge is one between two packets after the call; one that is gone
-    /// again within a period of the packets, 30 to 100 ms, is missed.
+    /// Nothing is sent: status packets tell it. A level counts at once if the newest packet has it. An edge is one between two packets
+    /// after the call; one that is gone again within a period of the packets, 30 to 100 ms, is missed.
     ///
     /// ```no_run
     /// use std::time::Duration;
@@ -26,8 +26,9 @@ impl<S: MotionStatus> Robot<S> {
     /// ```
     ///
     /// # Errors
-    /// After `timeout` [`ErrorKind::StateTimeout`], which tells what the last packet says of the input. At once [`ErrorKind::NotShown`] if a packet does not show the
-    /// input, [`ErrorKind::WaitEnded`] if packets stay away, cannot be read, or their connection is lost, and [`ErrorKind::InvalidArgument`] for a number 0 that is counted from 1.
+    /// After `timeout` [`ErrorKind::StateTimeout`], which tells what the last packet says of the input. At once [`ErrorKind::NotShown`] if
+    /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, cannot be read, or their connection is lost, and
+    /// [`ErrorKind::InvalidArgument`] for a number 0 that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         self.wait_for(&condition.into(), "wait_for_input", timeout)
     }

@@ -1,18 +1,16 @@
 //! Motions under a guard.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::CommandInfo;
 
-use super::guard::{Armed, Guard, NotGuarded, Trip, TripReason};
+use super::guard::{Guard, NotGuarded, Trip, TripReason};
 use super::readiness::unknown;
-use super::vigil::{self, Vigil};
-use super::{GuardTrip, Motion, MotionEnd, MotionStatus, Outcome, Path, Robot, RobotStop};
-use crate::monitor::Waker;
-use crate::{Error, ErrorKind, Monitor, StatusProblem};
+use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
+use super::{GuardTrip, Motion, MotionEnd, MotionStatus, Outcome, Path, Robot};
+use crate::{Error, ErrorKind};
 
 /// How long an arm that was stopped is waited for until it rests.
 const REST: Duration = Duration::from_secs(2);
@@ -24,14 +22,16 @@ const PERIOD_WITHIN: Duration = Duration::from_secs(2);
 const SHORTEST_SILENCE: Duration = Duration::from_millis(100);
 
 impl<S: MotionStatus> Robot<S> {
-    /// Runs a motion under a guard: sends it, and waits until it has ended or the guard has tripped, upon which the arm is stopped. [`Guard`] tells what can
-    /// be expected of that, and what not: it is **not a safety function**.
+    /// Runs a motion under a guard: sends it, and waits until it has ended or the guard has tripped, upon which the arm is stopped.
+    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
-    /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends nothing ([`GuardTrip::is_before_start`]). A thread of its own
-    /// writes the stop, also while this one waits for the reply to the motion. If the guard tripped, the arm is then waited for until it rests, for 2 s at most.
+    /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends nothing
+    /// ([`GuardTrip::is_before_start`]). A thread of its own writes the stop, also while this one waits for the reply to the motion. If the
+    /// guard tripped, the arm is then waited for until it rests, for 2 s at most.
     ///
-    /// Since nobody judges the guard after this call, the arm is stopped in each way out in which it may still move: at the deadline, when the status is lost or
-    /// stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller. [`MotionEnd::stop`] tells whether the stop was accepted.
+    /// Since nobody judges the guard after this call, the arm is stopped in each way out in which it may still move: at the deadline, when
+    /// the status is lost or stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
+    /// [`MotionEnd::stop`] tells whether the stop was accepted.
     ///
     /// ```no_run
     /// use std::time::Duration;
@@ -47,8 +47,9 @@ impl<S: MotionStatus> Robot<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`run`](Self::run); where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`] says if the controller has not accepted that. Nothing was sent after
-    /// [`ErrorKind::NotShown`] (packets do not show what the guard needs), [`ErrorKind::NotGuarded`] (a [`ForceLimit`](crate::ForceLimit) permits less speed), [`ErrorKind::StatusUnknown`], also with
+    /// As [`run`](Self::run); where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`] says if the controller has
+    /// not accepted that. Nothing was sent after [`ErrorKind::NotShown`] (packets do not show what the guard needs),
+    /// [`ErrorKind::NotGuarded`] (a [`ForceLimit`](crate::ForceLimit) permits less speed), [`ErrorKind::StatusUnknown`], also with
     /// [`allow_motion_without_status`](Self::allow_motion_without_status), and [`ErrorKind::Thread`].
     pub fn run_until<M: Motion>(
         &mut self,
@@ -74,12 +75,14 @@ impl<S: MotionStatus> Robot<S> {
             let sent = self.send(motion, left(), Some(&sentry.armed));
             let result = sent.map(|()| self.wait_unless(left(), &|| sentry.has_failed()));
             drop(relieved);
-            // A panic there has been reported; nothing was stopped by it.
+            // A panic there has been reported, and has stopped the arm.
             Ok::<_, Error>((result, watching.join().unwrap_or_default()))
         })?;
         match (result, sentry.armed.trip()) {
             (Ok(end), _) => Ok(self.end_of_guarded(&sentry, end, stopped)),
-            (Err(_), Some(trip)) if !sentry.armed.has_begun() => self.not_begun(&guard, trip, since.passed()),
+            (Err(error), Some(trip)) if matches!(error.kind(), ErrorKind::GuardTripped { .. }) => {
+                self.not_begun(&guard, trip, since.passed())
+            }
             (Err(error), _) => Err(self.error_of_guarded(&sentry, error, stopped)),
         }
     }
@@ -170,96 +173,5 @@ impl<S: MotionStatus> Robot<S> {
             self.checks.unsettle();
         }
         stopped.accepted.is_ok()
-    }
-}
-
-/// Stops the arm where the guard trips, or the status is no longer known.
-#[derive(Debug)]
-struct Sentry<S> {
-    monitor: Arc<Monitor<S>>,
-    waker: Waker,
-    stop: RobotStop,
-    armed: Armed,
-    /// With an older packet the arm is stopped.
-    fresh_for: Duration,
-    /// Nobody waits for the motion any more.
-    is_relieved: AtomicBool,
-    /// The stop was not accepted.
-    has_failed: AtomicBool,
-}
-
-impl<S: MotionStatus> Sentry<S> {
-    fn new(robot: &Robot<S>, armed: Armed, fresh_for: Duration) -> Self {
-        let (monitor, stop) = (Arc::clone(&robot.monitor), robot.stop_handle());
-        let waker = monitor.waker();
-        let (is_relieved, has_failed) = (AtomicBool::default(), AtomicBool::default());
-        Self { monitor, waker, stop, armed, fresh_for, is_relieved, has_failed }
-    }
-
-    /// Watches until it is relieved, or has stopped the arm. Where the motion has not gone out, the gate keeps it back.
-    fn keep(&self) -> Option<Stopped> {
-        let is_relieved = || self.is_relieved.load(Ordering::SeqCst);
-        let (why, blind) = match vigil::keep(&self.monitor, &self.armed, (Duration::MAX, self.fresh_for), is_relieved) {
-            Vigil::Tripped(trip) => (Why::Trip(trip), None),
-            Vigil::Blind(problem) => (Why::Blind(problem.clone()), Some(problem)),
-            Vigil::Over(_) => return None,
-        };
-        if !self.armed.shut(blind) || is_relieved() {
-            return None;
-        }
-        let stopped = Stopped::new(&self.stop, Some(why));
-        if stopped.accepted.is_err() {
-            self.has_failed.store(true, Ordering::SeqCst);
-            self.waker.wake();
-        }
-        Some(stopped)
-    }
-
-    fn has_failed(&self) -> bool {
-        self.has_failed.load(Ordering::SeqCst)
-    }
-}
-
-/// A stop that was sent, or was to be.
-#[derive(Debug)]
-struct Stopped {
-    /// None where only the end of the wait called for it.
-    why: Option<Why>,
-    written: Option<Instant>,
-    accepted: Result<(), Error>,
-}
-
-#[derive(Debug)]
-enum Why {
-    Trip(Trip),
-    Blind(StatusProblem),
-}
-
-impl Stopped {
-    fn new(stop: &RobotStop, why: Option<Why>) -> Self {
-        let (written, accepted) = stop.stop_and_tell();
-        Self { why, written, accepted }
-    }
-}
-
-/// Relieves the sentry when it is dropped; where that is by a panic, the arm is stopped.
-struct Relieved<'s, S: MotionStatus>(&'s Sentry<S>);
-
-impl<S: MotionStatus> Drop for Relieved<'_, S> {
-    fn drop(&mut self) {
-        self.0.is_relieved.store(true, Ordering::SeqCst);
-        self.0.waker.wake();
-        if thread::panicking() && self.0.armed.has_begun() {
-            // The panic is what the program learns of.
-            let _ = self.0.stop.stop();
-        }
-    }
-}
-
-fn lost(problem: StatusProblem) -> Outcome {
-    match problem {
-        StatusProblem::Ended { cause } => Outcome::StatusLost { cause: Some(cause), unreadable: None },
-        StatusProblem::Unreadable { source } => Outcome::StatusLost { cause: None, unreadable: Some(source) },
-        _ => Outcome::StatusLost { cause: None, unreadable: None },
     }
 }

@@ -32,6 +32,9 @@ pub(super) fn keep<S: MotionStatus>(
         if let Some(trip) = armed.trip() {
             return Vigil::Tripped(trip);
         }
+        if let Some(problem) = armed.broken() {
+            return Vigil::Blind(problem);
+        }
         let newest = match fresh_status(monitor) {
             Ok(newest) => newest,
             Err(problem) => return Vigil::Blind(problem),
@@ -46,7 +49,8 @@ pub(super) fn keep<S: MotionStatus>(
         }
         // Just after the newest packet has become stale, if no other comes.
         let fresh = monitor.stale_after().min(fresh_for).saturating_sub(age) + Duration::from_millis(1);
-        let is_news = || armed.trip().is_some() || is_called_off() || fresh_status(monitor).is_err();
+        let is_news =
+            || armed.trip().is_some() || armed.broken().is_some() || is_called_off() || fresh_status(monitor).is_err();
         // What it found is seen above.
         let _ = monitor.watch(left.min(fresh), |_| is_news().then_some(()));
     }

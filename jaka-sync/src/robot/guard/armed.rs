@@ -1,11 +1,14 @@
 //! A guard that judges packets.
 
 use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
 use std::time::Duration;
 
 #[cfg(feature = "stream")]
 use jaka_proto::CommandInfo;
+use jaka_proto::wire::DecodeError;
 
 use super::condition::Judge;
 use super::{Guard, Trip};
@@ -15,7 +18,8 @@ use crate::robot::MotionStatus;
 use crate::robot::readiness::unknown;
 use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
 
-/// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never waits for a judgement.
+/// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never
+/// waits for a judgement.
 ///
 /// A clone is the same guard.
 #[derive(Debug, Clone)]
@@ -23,7 +27,8 @@ pub(crate) struct Armed(Arc<Shared>);
 
 #[derive(Debug)]
 struct Shared {
-    /// Locked while a packet is judged, which may take as long as the user's question does. The monitor's board and `progress` may be locked under it.
+    /// Locked while a packet is judged, which may take as long as the user's question does. The monitor's board and `progress` may be
+    /// locked under it.
     judging: Mutex<Judging>,
     /// Nothing is locked under it.
     progress: Mutex<Progress>,
@@ -43,6 +48,8 @@ struct Progress {
     blind: Option<StatusProblem>,
     /// True once the motion was let out.
     has_begun: bool,
+    /// True once a packet's own type has panicked: then no packet is judged any more.
+    is_broken: bool,
 }
 
 impl Armed {
@@ -60,18 +67,22 @@ impl Armed {
         let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());
         monitor.observe_first(move |snapshot| {
             let Some(shared) = weak.upgrade() else { return ControlFlow::Break(()) };
-            let trip = lock(&shared.judging).judge(&S::snapshot(snapshot));
-            if trip.is_some() && lock(&shared.progress).trip.is_none() {
-                lock(&shared.progress).trip = trip;
+            let judged = catch_unwind(AssertUnwindSafe(|| lock(&shared.judging).judge(&S::snapshot(snapshot))));
+            if shared.take(judged) {
                 // At once: the user's observers, which may take their time, come before the monitor itself wakes anybody.
                 waker.wake();
             }
             ControlFlow::Continue(())
         });
         let trip = judging.judge(&newest()?);
-        lock(&shared.progress).trip = trip;
+        shared.take(Ok(trip));
         drop(judging);
         Ok(Self(shared))
+    }
+
+    /// Why packets are not judged any more, if they are not.
+    pub(crate) fn broken(&self) -> Option<StatusProblem> {
+        lock(&self.0.progress).broken()
     }
 
     /// Why the guard has tripped, if it has.
@@ -79,13 +90,14 @@ impl Armed {
         lock(&self.0.progress).trip.clone()
     }
 
-    /// Lets the motion out, unless the guard has tripped: from here on, a trip calls for a stop. Blocks nothing and uses no connection, as a gate must.
+    /// Lets the motion out, unless the guard has tripped: from here on, a trip calls for a stop. Blocks nothing and uses no connection, as
+    /// a gate must.
     pub(crate) fn let_out(&self) -> Result<(), Error> {
         let mut progress = lock(&self.0.progress);
         if let Some(trip) = progress.trip.clone() {
             return Err(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into());
         }
-        if let Some(problem) = progress.blind.clone() {
+        if let Some(problem) = progress.blind.clone().or_else(|| progress.broken()) {
             return Err(unknown(problem));
         }
         progress.has_begun = true;
@@ -95,9 +107,10 @@ impl Armed {
     /// Fails once the guard has tripped.
     #[cfg(feature = "stream")]
     pub(crate) fn check(&self) -> Result<(), Error> {
-        match self.trip() {
-            Some(trip) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
-            None => Ok(()),
+        match (self.trip(), self.broken()) {
+            (Some(trip), _) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
+            (None, Some(problem)) => Err(unknown(problem)),
+            (None, None) => Ok(()),
         }
     }
 
@@ -111,6 +124,27 @@ impl Armed {
     /// True if the motion was let out.
     pub(crate) fn has_begun(&self) -> bool {
         lock(&self.0.progress).has_begun
+    }
+}
+
+impl Shared {
+    /// Takes a judgement, none where a packet's own type has panicked: true if it is news.
+    fn take(&self, judged: thread::Result<Option<Trip>>) -> bool {
+        let mut progress = lock(&self.progress);
+        match judged {
+            Ok(None) => return false,
+            Ok(Some(_)) if progress.trip.is_some() => return false,
+            Ok(trip) => progress.trip = trip,
+            Err(_) => progress.is_broken = true,
+        }
+        true
+    }
+}
+
+impl Progress {
+    fn broken(&self) -> Option<StatusProblem> {
+        let source = || DecodeError::unfit("a packet that the program's own type accepts", "a panic");
+        self.is_broken.then(|| StatusProblem::Unreadable { source: source() })
     }
 }
 
@@ -141,8 +175,8 @@ impl<S: MotionStatus> Robot<S> {
         Armed::new(guard, self.monitor(), || self.fresh_status())
     }
 
-    /// Arms a guard for set-points, which is to be asked in each cycle ([`Armed::check`]). Fails if it has tripped already, cannot be judged, or has a limit of force, for which the speed of
-    /// the tool would have to be known.
+    /// Arms a guard for set-points, which is to be asked in each cycle ([`Armed::check`]). Fails if it has tripped already, cannot be
+    /// judged, or has a limit of force, for which the speed of the tool would have to be known.
     #[cfg(feature = "stream")]
     pub(crate) fn arm_for(&self, info: &'static CommandInfo, guard: &Guard, call: &str) -> Result<Armed, Error> {
         guard.check(call)?;

@@ -12,14 +12,17 @@ use crate::robot::not_shown::{Field, NotShown};
 
 /// A change of the contact force since the start of a motion, in either direction, by which the motion is stopped.
 ///
-/// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared with the last packet before the motion. The sensor must
-/// report that it works and no error, before the motion and in each packet. Of the six values the document states neither units nor order nor axes: taken are fx, fy, fz, tx, ty, tz, N and
-/// Nm, as of `set_compliance_condition` (4.71, vendor's texts). The vendor's English page has them hold once the sensor is initialised; packets do not tell whether it is. Push against the tool
-/// by hand and look at packets before anything relies on it.
+/// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared with the last
+/// packet before the motion. The sensor must report that it works and no error, before the motion and in each packet. Of the six values the
+/// document states neither units nor order nor axes: taken are fx, fy, fz, tx, ty, tz, N and Nm, as of `set_compliance_condition` (4.71,
+/// vendor's texts). The vendor's English page has them hold once the sensor is initialised; packets do not tell whether it is. Push against
+/// the tool by hand and look at packets before anything relies on it.
 ///
-/// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests, it goes on for a period of the packets, for a reaction, and for its
-/// braking: `speed * (period + reaction) + speed² / (2 * braking)`. That must not be longer than the overtravel, 1 mm by default. The period is the longest time between two of the last 33 packets. A motion
-/// that is faster is not sent, and neither is one whose tool speed or braking is not known: it has to be a `move_l` or `move_c` with an acceleration, from rest.
+/// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests, it goes on for a
+/// period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² / (2 * braking)`. That must not be
+/// longer than the overtravel, 1 mm by default. The period is the longest time between two of the last 33 packets. A motion that is faster
+/// is not sent, and neither is one whose tool speed or braking is not known: it has to be a `move_l` or `move_c` with an acceleration, from
+/// rest. All of it is about the tool centre point; other points of a tool that turns may be faster.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|
@@ -27,8 +30,9 @@ use crate::robot::not_shown::{Field, NotShown};
 /// | 30 ms | 20 ms | 500 mm/s² | 15.3 mm/s |
 /// | 100 ms | 20 ms | 500 mm/s² | 7.8 mm/s |
 ///
-/// The bound counts from where the force has changed by the limit, which a soft thing reaches later. It holds as long as packets come as regularly as before, the link and the controller
-/// react in time, and the controller brakes so. If packets stay away for three such periods (and 100 ms), the arm is stopped.
+/// The bound counts from where the force has changed by the limit, which a soft thing reaches later. It holds as long as packets come as
+/// regularly as before, the link and the controller react in time, and the controller brakes so. If packets stay away for three such
+/// periods (and 100 ms), the arm is stopped.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -83,14 +87,15 @@ impl ForceLimit {
         self
     }
 
-    /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until the stop is written, a cycle of the
-    /// controller of 8 ms, and the rest for the network.
+    /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until
+    /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network.
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self
     }
 
-    /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No source says how a controller brakes on `stop_program`.
+    /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No source says how a
+    /// controller brakes on `stop_program`.
     pub fn braking(mut self, mm_s2: f64) -> Self {
         self.braking = Some(mm_s2);
         self

@@ -1,0 +1,118 @@
+//! A thread that stops a motion under a guard.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::guard::{Armed, Trip};
+use super::vigil::{self, Vigil};
+use super::{MotionStatus, Outcome, Robot, RobotStop};
+use crate::monitor::Waker;
+use crate::{Error, Monitor, StatusProblem};
+
+/// Stops the arm where the guard trips, or the status is no longer known.
+#[derive(Debug)]
+pub(super) struct Sentry<S> {
+    monitor: Arc<Monitor<S>>,
+    waker: Waker,
+    pub(super) stop: RobotStop,
+    pub(super) armed: Armed,
+    /// With an older packet the arm is stopped.
+    fresh_for: Duration,
+    /// Nobody waits for the motion any more.
+    is_relieved: AtomicBool,
+    /// The stop was not accepted.
+    has_failed: AtomicBool,
+}
+
+impl<S: MotionStatus> Sentry<S> {
+    pub(super) fn new(robot: &Robot<S>, armed: Armed, fresh_for: Duration) -> Self {
+        let (monitor, stop) = (Arc::clone(&robot.monitor), robot.stop_handle());
+        let waker = monitor.waker();
+        let (is_relieved, has_failed) = (AtomicBool::default(), AtomicBool::default());
+        Self { monitor, waker, stop, armed, fresh_for, is_relieved, has_failed }
+    }
+
+    /// Watches until it is relieved, or has stopped the arm. Where the motion has not gone out, the gate keeps it back.
+    pub(super) fn keep(&self) -> Option<Stopped> {
+        let _on_watch = OnWatch(self);
+        let is_relieved = || self.is_relieved.load(Ordering::SeqCst);
+        let (why, blind) = match vigil::keep(&self.monitor, &self.armed, (Duration::MAX, self.fresh_for), is_relieved) {
+            Vigil::Tripped(trip) => (Why::Trip(trip), None),
+            Vigil::Blind(problem) => (Why::Blind(problem.clone()), Some(problem)),
+            Vigil::Over(_) => return None,
+        };
+        if !self.armed.shut(blind) || is_relieved() {
+            return None;
+        }
+        let stopped = Stopped::new(&self.stop, Some(why));
+        if stopped.accepted.is_err() {
+            self.has_failed.store(true, Ordering::SeqCst);
+            self.waker.wake();
+        }
+        Some(stopped)
+    }
+
+    /// Stops the arm where the thread panics. The panic is what the program learns of, or that the motion was stopped.
+    fn stop_in_panic(&self) {
+        if thread::panicking() && self.armed.shut(None) {
+            let _ = self.stop.stop();
+        }
+    }
+
+    pub(super) fn has_failed(&self) -> bool {
+        self.has_failed.load(Ordering::SeqCst)
+    }
+}
+
+/// A stop that was sent, or was to be.
+#[derive(Debug)]
+pub(super) struct Stopped {
+    /// None where only the end of the wait called for it.
+    pub(super) why: Option<Why>,
+    pub(super) written: Option<Instant>,
+    pub(super) accepted: Result<(), Error>,
+}
+
+#[derive(Debug)]
+pub(super) enum Why {
+    Trip(Trip),
+    Blind(StatusProblem),
+}
+
+impl Stopped {
+    pub(super) fn new(stop: &RobotStop, why: Option<Why>) -> Self {
+        let (written, accepted) = stop.stop_and_tell();
+        Self { why, written, accepted }
+    }
+}
+
+/// Relieves the sentry when it is dropped; where that is by a panic, the arm is stopped.
+pub(super) struct Relieved<'s, S: MotionStatus>(pub(super) &'s Sentry<S>);
+
+impl<S: MotionStatus> Drop for Relieved<'_, S> {
+    fn drop(&mut self) {
+        self.0.is_relieved.store(true, Ordering::SeqCst);
+        self.0.waker.wake();
+        self.0.stop_in_panic();
+    }
+}
+
+/// On the sentry's own thread: a packet's type may panic.
+struct OnWatch<'s, S: MotionStatus>(&'s Sentry<S>);
+
+impl<S: MotionStatus> Drop for OnWatch<'_, S> {
+    fn drop(&mut self) {
+        self.0.stop_in_panic();
+    }
+}
+
+/// How a motion ends whose status is not known any more.
+pub(super) fn lost(problem: StatusProblem) -> Outcome {
+    match problem {
+        StatusProblem::Ended { cause } => Outcome::StatusLost { cause: Some(cause), unreadable: None },
+        StatusProblem::Unreadable { source } => Outcome::StatusLost { cause: None, unreadable: Some(source) },
+        _ => Outcome::StatusLost { cause: None, unreadable: None },
+    }
+}
