@@ -8,6 +8,7 @@ mod branches;
 mod checker;
 mod closed_form;
 mod fit;
+mod follower;
 mod frames;
 #[cfg(feature = "generator")]
 mod generator;
@@ -30,6 +31,7 @@ pub use beyond::{Beyond, Exceeded, Way};
 pub use branches::Branches;
 pub use checker::{Checker, JointPace, TcpPace};
 pub use fit::{Fit, FitError, Tolerance};
+pub use follower::Follower;
 pub use frames::Frames;
 #[cfg(feature = "generator")]
 pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, Step};

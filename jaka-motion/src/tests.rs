@@ -8,6 +8,7 @@ mod checker;
 mod conventions;
 mod differences;
 mod fit;
+mod follower;
 #[cfg(feature = "generator")]
 mod generator;
 mod hostile;

@@ -1,0 +1,203 @@
+//! Set-points along a trajectory, one a period, at a rate that may change at any time.
+
+use jaka_proto::messages::types::JointPosition;
+
+use crate::limits::Limits;
+use crate::trajectory::Trajectory;
+
+/// Makes one set-point a period along a [`Trajectory`], and can pause, slow down, go on and stop on its curve at any time.
+///
+/// It has a trajectory time, which advances in each period by the *rate* times the period. The rate goes smoothly to the scale that is asked for: 1 for the
+/// trajectory's own pace, 0 for a standstill.
+///
+/// # What is promised
+/// Whenever the scale changes, and however often:
+/// - Each set-point is where the trajectory is at the trajectory time: also while it is paused or stops, the arm is led along the curve and nowhere else.
+/// - The rate is from 0 to 1, so that the joints are nowhere faster than in the trajectory.
+/// - The second differences of the set-points, divided by the square of the period, are within the joint accelerations of the limits if those of the trajectory are.
+///   Which change of the rate leaves room for that, [`Trajectory::rate_change`] says, and each set-point is compared before it is returned.
+/// - The rate's own change goes up to that in 0.1 s, which is ours; it goes down faster only where the curve leaves less room.
+///
+/// Where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room: [`periods_to_rest`](Self::periods_to_rest) says how long
+/// a stop takes.
+///
+/// Nothing is allocated but in `new`. It shares the trajectory's pieces with it, and holds some hundred bytes in addition.
+#[derive(Debug, Clone)]
+pub struct Follower {
+    trajectory: Trajectory,
+    duration_s: f64,
+    /// Of each joint, in deg/s².
+    accelerations: [f64; 6],
+    period_s: f64,
+    scale: f64,
+    state: State,
+    /// That of the set-point before.
+    before: State,
+}
+
+/// How far the trajectory was followed.
+#[derive(Debug, Clone, Copy)]
+struct State {
+    time_s: f64,
+    rate: f64,
+    /// By how much the rate has changed in the last period.
+    change: f64,
+    joints: JointPosition,
+    /// How far that is from the set-point before, in degrees.
+    step: [f64; 6],
+}
+
+/// In how many seconds the change of the rate reaches what the curve allows.
+const CHANGE_REACHED_S: f64 = 0.1;
+/// How often the change of the rate is halved where it is too much for a joint.
+const HALVINGS: u32 = 16;
+/// What rounding may add to an acceleration, in deg/s²: the joint positions have some 16 digits.
+const ROUNDING: f64 = 1e-6;
+
+impl Follower {
+    /// For an arm at rest where the trajectory starts, with a set-point each so many seconds, at the scale 1.
+    ///
+    /// Accelerations are compared with those of the limits.
+    pub fn new(trajectory: Trajectory, limits: &Limits, period_s: f64) -> Self {
+        let state = State { time_s: 0.0, rate: 1.0, change: 0.0, joints: trajectory.start(), step: [0.0; 6] };
+        let (duration_s, accelerations) = (trajectory.duration_s(), *limits.joint_accelerations());
+        Self { trajectory, duration_s, accelerations, period_s, scale: 1.0, state, before: state }
+    }
+
+    /// Asks for a scale of the trajectory's pace, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and what is not a number as 0.
+    ///
+    /// Before the first set-point the rate is this at once.
+    pub fn set_scale(&mut self, scale: f64) {
+        self.scale = if scale.is_nan() { 0.0 } else { scale.clamp(0.0, 1.0) };
+        if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step == [0.0; 6] {
+            self.state.rate = self.scale;
+        }
+    }
+
+    /// The set-point a period after the last one.
+    pub fn advance(&mut self) -> JointPosition {
+        self.before = self.state;
+        self.state = self.within_accelerations(self.wanted_change());
+        self.state.joints
+    }
+
+    /// No set-point has come when one was due: what comes next starts from standstill at the last one.
+    pub fn paused(&mut self) {
+        (self.state.rate, self.state.change, self.state.step) = (0.0, 0.0, [0.0; 6]);
+    }
+
+    /// The last set-point was not sent: what comes next follows the one before. Once after each [`advance`](Self::advance).
+    pub fn take_back(&mut self) {
+        self.state = self.before;
+    }
+
+    /// The last set-point, or where the trajectory starts.
+    pub fn joints(&self) -> JointPosition {
+        self.state.joints
+    }
+
+    /// The trajectory time of the last set-point, in seconds.
+    pub fn time_s(&self) -> f64 {
+        self.state.time_s
+    }
+
+    /// How fast the trajectory time goes, from 0 to 1.
+    pub fn rate(&self) -> f64 {
+        self.state.rate
+    }
+
+    /// Whether the last set-point is where the trajectory ends.
+    pub fn is_at_end(&self) -> bool {
+        self.state.time_s >= self.duration_s
+    }
+
+    /// Whether the trajectory time stands still: in a pause, after a stop, or at the end.
+    pub fn is_at_rest(&self) -> bool {
+        self.state.rate == 0.0 || self.is_at_end()
+    }
+
+    /// In how many periods it would be at rest if the scale were 0 from now on; none if that takes more than `most`.
+    pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
+        let mut stopping = self.clone();
+        stopping.set_scale(0.0);
+        for periods in 0..=most {
+            if stopping.is_at_rest() {
+                return Some(periods);
+            }
+            stopping.advance();
+        }
+        None
+    }
+
+    /// The trajectory.
+    pub fn trajectory(&self) -> &Trajectory {
+        &self.trajectory
+    }
+
+    /// The period in seconds.
+    pub fn period_s(&self) -> f64 {
+        self.period_s
+    }
+
+    /// By how much the rate is to change in the next period.
+    fn wanted_change(&self) -> f64 {
+        let State { time_s, rate, change, .. } = self.state;
+        let (from_s, to_s) = (time_s - rate * self.period_s, time_s + self.period_s);
+        let allowed = self.trajectory.rate_change_between(from_s, to_s, rate).max(0.0);
+        // From 0 to 1 in one period is the most that there is.
+        let most = (allowed * self.period_s).min(1.0);
+        let jerk = most * (self.period_s / CHANGE_REACHED_S).min(1.0);
+        let wanted = change_towards(self.scale - rate, jerk);
+        wanted.clamp(change - jerk, change + jerk).clamp(-most, most).clamp(-rate, 1.0 - rate)
+    }
+
+    /// The next state with as much of a change of the rate as leaves each joint within its acceleration.
+    fn within_accelerations(&self, wanted: f64) -> State {
+        let next = self.changed(wanted);
+        if self.fits(&next) {
+            return next;
+        }
+        // As fast as before: then the accelerations are means of those of the trajectory.
+        let (mut fitting, mut least, mut most) = (self.changed(0.0), 0.0, wanted);
+        for _ in 0..HALVINGS {
+            let change = f64::midpoint(least, most);
+            let next = self.changed(change);
+            if self.fits(&next) {
+                (fitting, least) = (next, change);
+            } else {
+                most = change;
+            }
+        }
+        fitting
+    }
+
+    fn changed(&self, change: f64) -> State {
+        let rate = self.state.rate + change;
+        // Rounding leaves it next to where it is to be.
+        let rate = if (rate - self.scale).abs() < 1e-12 { self.scale } else { rate };
+        let time_s = (self.state.time_s + rate * self.period_s).min(self.duration_s);
+        let joints = if time_s < self.duration_s { self.trajectory.at(time_s).joints } else { self.trajectory.end() };
+        let step = std::array::from_fn(|joint| joints.0[joint] - self.state.joints.0[joint]);
+        State { time_s, rate, change, joints, step }
+    }
+
+    fn fits(&self, next: &State) -> bool {
+        let squared = self.period_s * self.period_s;
+        (0..6).all(|joint| {
+            let acceleration = (next.step[joint] - self.state.step[joint]).abs() / squared;
+            acceleration <= self.accelerations[joint] * (1.0 + 1e-9) + ROUNDING
+        })
+    }
+}
+
+/// By how much the rate changes in a period to be off by nothing as soon as it can, where the change itself changes by `jerk` a period at most: changes of
+/// `k` periods that become smaller by that end at nothing.
+fn change_towards(off: f64, jerk: f64) -> f64 {
+    if jerk <= 0.0 {
+        return 0.0;
+    }
+    let left = off.abs() / jerk;
+    let periods = (0.5 * ((1.0 + 8.0 * left).sqrt() - 1.0)).floor();
+    let change = jerk * (left + 0.5 * periods * (periods + 1.0)) / (periods + 1.0);
+    change.copysign(off)
+}
