@@ -7,6 +7,8 @@ mod clock;
 mod config;
 mod connection;
 mod error;
+#[cfg(feature = "stream")]
+mod follow;
 mod link;
 mod methods;
 mod monitor;
@@ -29,6 +31,10 @@ pub use call::Call;
 pub use client::Client;
 pub use config::Config;
 pub use error::{Disconnect, Error, ErrorKind};
+#[cfg(feature = "stream")]
+pub use follow::{
+    FollowConfig, FollowEnd, FollowHandle, FollowLag, FollowOutcome, FollowProgress, FollowRun, NotCompleted,
+};
 /// Kinematics and limits. Needs the feature `motion`.
 #[cfg(feature = "motion")]
 pub use jaka_motion;

@@ -1,6 +1,8 @@
 //! Servo mode: set-points at the controller's own pace.
 
 mod course;
+#[cfg(feature = "stream")]
+mod departure;
 mod enter;
 #[cfg(feature = "stream")]
 mod generated;
@@ -21,6 +23,10 @@ use std::time::Duration;
 
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
+#[cfg(feature = "stream")]
+pub(crate) use self::generated::{Seen, SetPoints, Supervision};
+#[cfg(feature = "stream")]
+pub(crate) use self::land::lets_land;
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;

@@ -1,7 +1,6 @@
 //! Smooth motions to targets and velocities that any thread gives at any time.
 
 mod cycle;
-mod departure;
 mod handle;
 mod target;
 

@@ -12,6 +12,7 @@ mod exchange;
 mod faults;
 mod firmware;
 mod first_program;
+mod follow;
 mod generator;
 mod guards;
 mod hostile_text;

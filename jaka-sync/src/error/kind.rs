@@ -160,7 +160,24 @@ pub enum ErrorKind {
         /// How far they differ.
         source: jaka_motion::FitError,
     },
-    /// A joint does not follow the set-points of a stream, which has landed. Find out what holds it. Needs the feature `stream`.
+    /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was sent. Needs the feature `stream`.
+    #[cfg(feature = "stream")]
+    Trajectory {
+        /// Which limit, and where: the way-point before, the time, the joint.
+        source: jaka_motion::TrajectoryError,
+    },
+    /// A trajectory was not started, because the arm is not where it starts: move it there first, or set
+    /// [`FollowConfig::approach`](crate::FollowConfig::approach). Nothing that moves the arm was sent. Needs the feature `stream`.
+    #[cfg(feature = "stream")]
+    NotAtStart {
+        /// The joint that is the furthest away, 1 to 6.
+        joint: usize,
+        /// Where it is to be by the controller's answer, in degrees.
+        at_deg: f64,
+        /// Where the trajectory has it at the start, in degrees.
+        start_deg: f64,
+    },
+    /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds it. Needs the feature `stream`.
     #[cfg(feature = "stream")]
     Departed {
         /// The joint, 1 to 6.
@@ -170,13 +187,13 @@ pub enum ErrorKind {
         /// How far that is from all its set-points of the last half second, in degrees.
         off_deg: f64,
     },
-    /// A set-point of a stream was due too long ago: the machine was too busy for it. The stream has ended. Needs the feature `stream`.
+    /// A set-point of a stream or a trajectory was due too long ago: the machine was too busy for it. It has ended. Needs the feature `stream`.
     #[cfg(feature = "stream")]
     SetPointLate {
         /// How long ago.
         late: Duration,
     },
-    /// The system has no thread for a stream or a guard. Nothing was sent.
+    /// The system has no thread for a stream, a trajectory or a guard. Nothing was sent.
     Thread {
         /// Why not, in the system's words.
         source: io::Error,
@@ -289,7 +306,9 @@ impl ErrorKind {
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => Group::Other,
             #[cfg(feature = "stream")]
-            Self::Departed { .. } | Self::SetPointLate { .. } => Group::Other,
+            Self::Trajectory { .. } | Self::NotAtStart { .. } | Self::Departed { .. } | Self::SetPointLate { .. } => {
+                Group::Other
+            }
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { .. } => Group::Other,
         }
@@ -327,7 +346,9 @@ impl ErrorKind {
             #[cfg(feature = "motion")]
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::ModelMismatch { .. } => false,
             #[cfg(feature = "stream")]
-            Self::Departed { .. } | Self::SetPointLate { .. } => false,
+            Self::Trajectory { .. } | Self::NotAtStart { .. } | Self::Departed { .. } | Self::SetPointLate { .. } => {
+                false
+            }
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { .. } => false,
         }
@@ -352,7 +373,9 @@ impl ErrorKind {
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { source, .. } => Some(source),
             #[cfg(feature = "stream")]
-            Self::Departed { .. } | Self::SetPointLate { .. } => None,
+            Self::Trajectory { source } => source.source(),
+            #[cfg(feature = "stream")]
+            Self::NotAtStart { .. } | Self::Departed { .. } | Self::SetPointLate { .. } => None,
             Self::InvalidArgument(_)
             | Self::NotInFirmware(_)
             | Self::PortInAddress { .. }
@@ -441,6 +464,15 @@ impl fmt::Display for ErrorKind {
             }
             Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
+            #[cfg(feature = "stream")]
+            Self::Trajectory { source } => write!(f, "the trajectory was not started: {source}"),
+            #[cfg(feature = "stream")]
+            Self::NotAtStart { joint, at_deg, start_deg } => write!(
+                f,
+                "the trajectory was not started: it starts with joint {joint} at {start_deg:.3} deg, and the arm has it at {at_deg:.3} deg, {:.3} deg \
+                 away; move the arm there first, or set `FollowConfig::approach`",
+                (start_deg - at_deg).abs()
+            ),
             #[cfg(feature = "stream")]
             Self::Departed { joint, at_deg, off_deg } => write!(
                 f,

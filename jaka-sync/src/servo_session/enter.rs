@@ -14,6 +14,15 @@ use crate::{Error, ErrorKind, Explanation, MotionStatus, Robot};
 
 impl<'r, S: MotionStatus> ServoSession<'r, S> {
     pub(crate) fn enter(robot: &'r mut Robot<S>, config: &ServoConfig) -> Result<Self, Error> {
+        Self::enter_after(robot, config, |_| Ok(()))
+    }
+
+    /// The same, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by then.
+    pub(crate) fn enter_after(
+        robot: &'r mut Robot<S>,
+        config: &ServoConfig,
+        check: impl FnOnce(&mut Robot<S>) -> Result<(), Error>,
+    ) -> Result<Self, Error> {
         check_step_count(config)?;
         config.rates.check_themselves()?;
         #[cfg(feature = "realtime")]
@@ -22,6 +31,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         if robot.client().call(&IsInServomove::new())?.in_servo_mode {
             return Err(robot.not_ready(Explanation::ServoModeOn));
         }
+        check(robot)?;
         if let Some(filter) = &config.filter {
             robot.client().call(filter)?;
         }

@@ -1,50 +1,137 @@
-//! Set-points that are generated within limits, for a stream.
+//! Set-points that are generated within limits, for streams and for the following of trajectories.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_motion::Checker;
 use jaka_proto::messages::types::JointPosition;
 
 use super::ServoSession;
+use super::departure::Departure;
 use super::set_point::SetPoint;
 use crate::clock::Clock;
-use crate::{Error, MotionStatus};
+use crate::robot::Armed;
+use crate::{Error, ErrorKind, MotionStatus, Outcome};
 
-/// A cycle that has begun, and how late it is.
-#[derive(Debug)]
-pub(crate) struct Cycle {
-    pub(crate) late: Duration,
-    /// The arm is taken to stand: it had no set-points for so long.
-    pub(crate) follows_gap: bool,
+/// What makes set-points, one a cycle.
+pub(crate) trait SetPoints {
+    /// True if no more are to come.
+    fn is_done(&mut self) -> bool;
+
+    /// The next one.
+    fn next(&mut self) -> JointPosition;
+
+    /// No set-point had come when one was due: the next one starts from standstill.
+    fn paused(&mut self);
+
+    /// The last one was not sent.
+    fn take_back(&mut self);
+
+    /// The last one was sent.
+    fn sent(&mut self);
+
+    /// A packet shows the joints.
+    fn seen(&mut self, _packet: &Seen) {}
 }
+
+/// The joints of a packet.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Seen {
+    number: u64,
+    pub(crate) joints: JointPosition,
+    pub(crate) received: Instant,
+}
+
+/// What ends generated set-points: joints that do not follow, a machine that is too slow, and a guard.
+#[derive(Debug)]
+pub(crate) struct Supervision<'g> {
+    departure: Departure,
+    max_gap: Duration,
+    guard: Option<&'g Armed>,
+}
+
+impl<'g> Supervision<'g> {
+    /// For an arm at rest.
+    pub(crate) fn new(start: JointPosition, period: Duration, max_departure_deg: f64, max_gap: Duration) -> Self {
+        Self { departure: Departure::new(start, period.as_secs_f64(), max_departure_deg), max_gap, guard: None }
+    }
+
+    /// Under a guard.
+    pub(crate) fn guarded(self, guard: Option<&'g Armed>) -> Self {
+        Self { guard, ..self }
+    }
+}
+
+/// How long the next packet may take: they come each 100 ms or sooner.
+const NEXT_PACKET: Duration = Duration::from_millis(250);
 
 impl<S: MotionStatus> ServoSession<'_, S> {
     /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
-        let [_, start] = self.course.last_joints()?;
-        Some((self.robot.limits()?, start))
+        Some((self.robot.limits()?, self.last_joints()?))
     }
 
     pub(crate) fn clock(&self) -> &Clock {
         self.robot.clock()
     }
 
-    /// The joints of the newest packet, and its number, unless it is this one.
-    pub(crate) fn actual_joints_after(&self, number: u64) -> Option<(u64, JointPosition)> {
+    /// Where the joints are to be at the last set-point, where that is known.
+    pub(crate) fn last_joints(&self) -> Option<JointPosition> {
+        self.course.last_joints().map(|[_, last]| last)
+    }
+
+    /// Sends a set-point in each cycle until no more are to come. After an error the session is to be ended.
+    pub(crate) fn send_all(
+        &mut self,
+        set_points: &mut impl SetPoints,
+        supervision: &mut Supervision<'_>,
+    ) -> Result<(), Error> {
+        loop {
+            let late = self.wait_for_cycle();
+            // The arm is taken to stand: it had no set-points for so long.
+            if late >= self.config.gap() {
+                set_points.paused();
+            }
+            supervision.guard.map_or(Ok(()), Armed::check)?;
+            if set_points.is_done() {
+                return Ok(());
+            }
+            if late > supervision.max_gap {
+                return Err(ErrorKind::SetPointLate { late }.into());
+            }
+            if let Some(seen) = self.seen_after(supervision.departure.packet()) {
+                supervision.departure.check(seen.number, seen.joints)?;
+                set_points.seen(&seen);
+            }
+            let joints = set_points.next();
+            let sent = self.send_checked(SetPoint::Joints(joints), Some(joints));
+            sent.inspect_err(|_| set_points.take_back())?;
+            self.report.late(late, self.config.period());
+            supervision.departure.sent(joints);
+            set_points.sent();
+        }
+    }
+
+    /// What must be acknowledged after the session has ended with an error. Packets are late: after a refusal the next one is waited for, which may show the reason.
+    pub(crate) fn shown_after(&self, error: &Error) -> Option<Outcome> {
+        let monitor = self.robot.monitor();
+        if error.is_refused() && self.robot.unacknowledged().is_none() {
+            let seen = monitor.last_known_packet().map_or(0, |packet| packet.number);
+            // If none comes, none shows it.
+            let _ = monitor.watch(NEXT_PACKET, |newest| newest.filter(|newest| newest.number > seen).map(drop));
+        }
+        self.robot.unacknowledged()
+    }
+
+    /// In how many periods the arm is braked straight on from the last set-point.
+    pub(crate) fn periods_to_brake(&self) -> u32 {
+        let step = self.course.step();
+        step.map_or(0, |step| self.config.rates.periods_to_brake(&step, self.config.period()))
+    }
+
+    /// The joints of the newest packet, unless it has this number.
+    fn seen_after(&self, number: u64) -> Option<Seen> {
         let packet = self.robot.monitor().last_known_packet().filter(|packet| packet.number != number)?;
-        S::snapshot(&packet).status.joint_actual_position.map(|joints| (packet.number, joints))
-    }
-
-    /// Waits for the next cycle.
-    pub(crate) fn begin_cycle(&mut self) -> Cycle {
-        let late = self.wait_for_cycle();
-        Cycle { late, follows_gap: late >= self.config.gap() }
-    }
-
-    /// Sends a set-point in this cycle. After an error the session is to be ended.
-    pub(crate) fn send_generated(&mut self, joints: JointPosition, cycle: &Cycle) -> Result<(), Error> {
-        self.send_checked(SetPoint::Joints(joints), Some(joints))?;
-        self.report.late(cycle.late, self.config.period());
-        Ok(())
+        let (number, received) = (packet.number, packet.received);
+        S::snapshot(&packet).status.joint_actual_position.map(|joints| Seen { number, joints, received })
     }
 }

@@ -139,7 +139,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 }
 
 /// Whether the arm is braked after this error: where set-points still reach a controller that follows them.
-pub(super) fn lets_land(error: &Error) -> bool {
+pub(crate) fn lets_land(error: &Error) -> bool {
     match error.kind() {
         ErrorKind::NotAcknowledged { outcome } => matches!(outcome, Outcome::Stopped),
         ErrorKind::InvalidArgument(_)

@@ -31,23 +31,29 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
         let landed = self.come_to_rest();
-        self.report_landing(landed)
+        self.leave_landed(landed)?;
+        Ok(std::mem::take(&mut self.report))
     }
 
     /// The same, braked in another way.
     #[cfg(feature = "stream")]
-    pub(crate) fn land_by(mut self, braking: Braking<'_>) -> Result<ServoReport, Error> {
+    pub(crate) fn land_by(&mut self, braking: Braking<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
-        self.report_landing(landed)
+        self.leave_landed(landed)
     }
 
-    fn report_landing(mut self, landed: Result<(), Error>) -> Result<ServoReport, Error> {
+    /// What the session did, once it has ended.
+    #[cfg(feature = "stream")]
+    pub(crate) fn into_report(mut self) -> ServoReport {
+        std::mem::take(&mut self.report)
+    }
+
+    fn leave_landed(&mut self, landed: Result<(), Error>) -> Result<(), Error> {
         let answers = self.last_answers();
         let left = self.leave();
         let first = answers.err().or(self.refusal.take()).or(landed.err());
         match (first, left) {
-            (None, Ok(())) => Ok(std::mem::take(&mut self.report)),
-            (Some(error), Ok(())) => Err(error),
+            (first, Ok(())) => first.map_or(Ok(()), Err),
             (first, Err(leaving)) => Err(not_left(first, leaving)),
         }
     }
@@ -65,7 +71,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// Ends the session because of an error: by a landing, where set-points are still followed, and servo mode is left.
-    pub(super) fn end(&mut self, first: Error) -> Error {
+    pub(crate) fn end(&mut self, first: Error) -> Error {
         let landed = if self.is_open && lets_land(&first) { self.come_to_rest() } else { Ok(()) };
         self.end_landed(first, landed)
     }

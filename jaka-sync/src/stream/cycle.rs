@@ -3,16 +3,16 @@
 use std::sync::Arc;
 use std::sync::mpsc::SyncSender;
 
-use jaka_motion::{Generator, GeneratorError, Goal};
+use jaka_motion::{Generator, GeneratorError, Goal, Step};
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
-use super::departure::Departure;
 use super::target::{Order, Targets};
 use crate::robot::Armed;
-use crate::servo_session::SetPoint;
+use crate::servo_session::{SetPoint, SetPoints, Supervision};
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
 
 type Ready = SyncSender<Result<(Arc<Targets>, Generator), Error>>;
@@ -47,10 +47,14 @@ pub(super) fn run<S: MotionStatus>(
     if ready.send(Ok((Arc::clone(&targets), generator.clone()))).is_err() {
         targets.land();
     }
-    let ended = go(&mut session, &mut generator, &targets, (config, guard));
+    let (start, period) = (generator.joints(), config.servo.period());
+    let supervision = Supervision::new(start, period, config.max_departure_deg, config.max_gap);
+    let mut supervision = supervision.guarded(guard);
+    let mut led = Led { generator: &mut generator, targets: &targets, order: None, last: None };
+    let ended = session.send_all(&mut led, &mut supervision);
     let rest = &mut |_: &_| (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints));
     let result = match ended {
-        Ok(()) => session.land_by(rest),
+        Ok(()) => session.land_by(rest).map(|()| session.into_report()),
         Err(error) => Err(session.end_by(error, rest)),
     };
     targets.end(result.as_ref().err().map_or_else(|| "it has landed".to_owned(), ToString::to_string));
@@ -81,41 +85,44 @@ fn generator<S: MotionStatus>(session: &ServoSession<'_, S>, config: &StreamConf
     })
 }
 
-/// Cycle by cycle, until it is to land.
-fn go<S: MotionStatus>(
-    session: &mut ServoSession<'_, S>,
-    generator: &mut Generator,
-    targets: &Targets,
-    (config, guard): (&StreamConfig, Option<&Armed>),
-) -> Result<(), Error> {
-    let mut departure = Departure::new(generator.joints(), generator.period_s(), config.max_departure_deg);
-    let mut order: Option<Order> = None;
-    loop {
-        let cycle = session.begin_cycle();
-        if cycle.follows_gap {
-            generator.paused();
-        }
-        guard.map_or(Ok(()), Armed::check)?;
-        if targets.is_landing() {
-            return Ok(());
-        }
-        order = targets.order().or(order);
-        let Some(order) = order else { continue };
-        if cycle.late > config.max_gap {
-            return Err(ErrorKind::SetPointLate { late: cycle.late }.into());
-        }
-        if let Some((number, joints)) = session.actual_joints_after(departure.packet()) {
-            departure.check(number, joints)?;
-        }
-        let goal = targets.goal(&order);
-        let step = generator.next(&goal);
-        let joints = step.joints;
-        session.send_generated(joints, &cycle).inspect_err(|_| generator.take_back())?;
-        departure.sent(joints);
-        let is_there = !matches!(goal, Goal::Joints(target) if target.max_distance(&joints) > THERE_DEG);
-        targets.sent(step, &order, is_there && generator.is_at_rest());
-    }
+/// What the generator makes of the orders of the handles.
+struct Led<'s> {
+    generator: &'s mut Generator,
+    targets: &'s Targets,
+    /// None before the first one.
+    order: Option<Order>,
+    /// The last goal, and the set-point on the way to it.
+    last: Option<(Goal, Step)>,
 }
 
 /// How far from its target a joint may be that has reached it, in degrees.
 const THERE_DEG: f64 = 1e-4;
+
+impl SetPoints for Led<'_> {
+    fn is_done(&mut self) -> bool {
+        self.targets.is_landing()
+    }
+
+    fn next(&mut self) -> JointPosition {
+        self.order = self.targets.order().or(self.order);
+        let goal = self.order.map_or(Goal::Rest, |order| self.targets.goal(&order));
+        let step = self.generator.next(&goal);
+        let joints = step.joints;
+        self.last = Some((goal, step));
+        joints
+    }
+
+    fn paused(&mut self) {
+        self.generator.paused();
+    }
+
+    fn take_back(&mut self) {
+        self.generator.take_back();
+    }
+
+    fn sent(&mut self) {
+        let (Some(order), Some((goal, step))) = (&self.order, self.last.take()) else { return };
+        let is_there = !matches!(goal, Goal::Joints(target) if target.max_distance(&step.joints) > THERE_DEG);
+        self.targets.sent(step, order, is_there && self.generator.is_at_rest());
+    }
+}

@@ -18,7 +18,7 @@ pub enum Unchecked {
     Frames,
     /// A motion before it has not been waited for, and a frame was changed since. Wait for its end.
     FramesInQueue,
-    /// The robot has no limits, by which a stream knows the arm: see [`Robot::with_limits`](crate::Robot::with_limits).
+    /// The robot has no limits, by which streams and trajectories know the arm: see [`Robot::with_limits`](crate::Robot::with_limits).
     NoLimits,
 }
 
@@ -32,7 +32,7 @@ impl fmt::Display for Unchecked {
                 "the arm's pose does not fit its joint positions: a frame is changing, or the arm moves; try again"
             }
             Self::NoLimits => {
-                "the robot has none, and a stream knows the arm by them; give it limits with `Robot::with_limits`"
+                "the robot has none, by which streams and trajectories know the arm; give it limits with `Robot::with_limits`"
             }
             Self::FramesInQueue => "a frame was changed after a motion that has not ended; wait for its end first",
         })

@@ -1,0 +1,184 @@
+//! Trajectories, followed along their curve at any rate.
+
+mod approach;
+mod config;
+mod cycle;
+mod end;
+mod handle;
+mod lag;
+mod orders;
+mod start;
+
+use std::marker::PhantomData;
+use std::sync::{Arc, mpsc};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use jaka_motion::Trajectory;
+use jaka_proto::Command;
+use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::status::RobotStatus;
+
+pub use self::config::FollowConfig;
+pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
+pub use self::handle::{FollowHandle, FollowProgress};
+pub use self::lag::FollowLag;
+use self::orders::Orders;
+use crate::robot::Armed;
+use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
+
+/// A robot that follows a [`Trajectory`], from [`Robot::start_follow`].
+///
+/// A thread of its own sends a set-point in each servo period, as `servo_j` (4.15). Each is where the trajectory is at some time of it:
+/// [`Follower`](jaka_motion::Follower) tells how that time passes and what is promised of the set-points. A pause, another speed and a stop, by [handles](FollowHandle),
+/// change how fast it passes, smoothly; the arm is not led off the curve.
+///
+/// # How it ends
+/// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
+/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known, a set-point that the controller refuses or that is too late, or joints that do not follow,
+///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
+///   the trajectory leaves no acceleration for it, it is braked straight on: [`FollowEnd::has_left_curve`].
+/// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
+///
+/// After a late set-point nothing is skipped; after one that is late by three periods or more the arm is taken to stand, and goes on from standstill.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
+/// use jaka_sync::{FollowConfig, Robot};
+///
+/// let arm = Model::named("Zu 5").expect("a published arm");
+/// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm))?;
+/// let points = [
+///     TimedPoint::new(0.0, [0.0, 60.0, -80.0, 190.0, -90.0, 0.0]),
+///     TimedPoint::new(4.0, [10.0, 60.0, -80.0, 190.0, -90.0, 20.0]),
+/// ];
+/// let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some"))?;
+/// let run = robot.start_follow(&trajectory, &FollowConfig::new().approach(5.0))?;
+/// run.set_speed_scale(0.5)?;
+/// run.pause()?;
+/// run.resume()?;
+/// run.wait().completed()?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use = "dropping a run stops it; `wait` waits for its end"]
+#[derive(Debug)]
+pub struct FollowRun<'r, S: MotionStatus = RobotStatus> {
+    handle: FollowHandle,
+    /// None once it has been waited for.
+    thread: Option<JoinHandle<Option<FollowEnd>>>,
+    robot: PhantomData<&'r mut Robot<S>>,
+}
+
+/// Following trajectories needs the feature `stream`.
+impl<S: MotionStatus> Robot<S> {
+    /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the trajectory where it is not done
+    /// by the deadline.
+    ///
+    /// The arm must be where the trajectory starts: see [`FollowConfig::approach`].
+    ///
+    /// # Errors
+    /// As [`start_follow`](Self::start_follow). All that happens after the first set-point is told by the [`FollowEnd`].
+    pub fn follow(&mut self, trajectory: &Trajectory, deadline: Duration) -> Result<FollowEnd, Error> {
+        Ok(self.start_follow(trajectory, &FollowConfig::new().deadline(deadline))?.wait())
+    }
+
+    /// Begins to follow a trajectory.
+    ///
+    /// All of it is compared with the robot's limits before the first set-point, with the tool and the frames that the controller has now, whatever it was
+    /// compared with before; also where the limits' policy is only to warn.
+    ///
+    /// # Errors
+    /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits,
+    /// [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than where the controller's own answer says that the
+    /// joints are to be, [`ErrorKind::BeyondLimit`] if the straight way in joint space to its start is beyond a limit.
+    pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_, S>, Error> {
+        self.begin_follow(trajectory, config, None)
+    }
+
+    /// The same under a guard: when it trips, the arm is braked along the trajectory, and the run ends with [`FollowOutcome::Guard`]. The first set-point that brakes
+    /// goes out in the next servo period after the packet.
+    ///
+    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    ///
+    /// # Errors
+    /// As [`start_follow`](Self::start_follow). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a
+    /// [`ForceLimit`](crate::ForceLimit): how a trajectory brakes is not one deceleration of the tool.
+    pub fn start_follow_until(
+        &mut self,
+        trajectory: &Trajectory,
+        config: &FollowConfig,
+        guard: impl Into<Guard>,
+    ) -> Result<FollowRun<'_, S>, Error> {
+        let armed = self.arm_for(ServoJ::INFO, &guard.into(), "start_follow_until")?;
+        self.begin_follow(trajectory, config, Some(armed))
+    }
+
+    fn begin_follow(
+        &mut self,
+        trajectory: &Trajectory,
+        config: &FollowConfig,
+        guard: Option<Armed>,
+    ) -> Result<FollowRun<'_, S>, Error> {
+        config.check()?;
+        let deadline = config.deadline.and_then(|time| self.clock().now().checked_add(time));
+        let orders = Arc::new(Orders::new(config.scale, deadline));
+        let (robot, trajectory, config) = (self.lent(), trajectory.clone(), config.clone());
+        let handle = FollowHandle::new(Arc::clone(&orders), trajectory.duration());
+        let (ready, begun) = mpsc::sync_channel(1);
+        let spawned = thread::Builder::new().name("jaka follow".to_owned()).spawn(move || {
+            let mut robot = robot;
+            cycle::run(&mut robot, (&trajectory, &config), guard.as_ref(), &orders, &ready)
+        });
+        let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
+        match begun.recv() {
+            Ok(Ok(())) => Ok(FollowRun { handle, thread: Some(thread), robot: PhantomData }),
+            Ok(Err(error)) => Err(error),
+            Err(mpsc::RecvError) => Err(panicked()),
+        }
+    }
+}
+
+impl<S: MotionStatus> FollowRun<'_, S> {
+    /// A handle for another thread.
+    pub fn handle(&self) -> FollowHandle {
+        self.handle.clone()
+    }
+
+    /// Waits until the arm is at rest, or it is known that it cannot be brought to rest.
+    pub fn wait(mut self) -> FollowEnd {
+        self.end().unwrap_or_else(|| FollowEnd::lost(panicked(), &self.handle.progress()))
+    }
+
+    fn end(&mut self) -> Option<FollowEnd> {
+        self.thread.take()?.join().ok()?
+    }
+}
+
+/// What the handle does, the run does, too.
+impl<S: MotionStatus> std::ops::Deref for FollowRun<'_, S> {
+    type Target = FollowHandle;
+
+    fn deref(&self) -> &FollowHandle {
+        &self.handle
+    }
+}
+
+impl<S: MotionStatus> Drop for FollowRun<'_, S> {
+    fn drop(&mut self) {
+        if self.thread.is_none() {
+            return;
+        }
+        // It may have ended.
+        let _ = self.handle.stop();
+        let error = self.end().map_or_else(|| Some(panicked()), |end| end.error);
+        if let Some(error) = error {
+            log::warn!(target: "jaka_sync", "the trajectory of a run that was dropped did not end at rest: {error}");
+        }
+    }
+}
+
+fn panicked() -> Error {
+    ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into()
+}

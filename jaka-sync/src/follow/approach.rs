@@ -1,0 +1,100 @@
+//! The way to where a trajectory starts.
+
+use jaka_motion::{Beyond, Bound, Checker, Dynamics, Generator, GeneratorError, Goal};
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::types::JointPosition;
+
+use crate::{Error, ErrorKind};
+
+/// The way to where a trajectory starts, which is held for two periods there, so that the trajectory begins from a standstill at its start exactly.
+#[derive(Debug)]
+pub(super) struct Approach {
+    generator: Generator,
+    start: JointPosition,
+    held: u32,
+    blocked: Option<Beyond>,
+}
+
+/// How fast the last hundredth of a degree is gone that counts as being there, in deg/s.
+const NEXT_TO_NOTHING: f64 = 1.0;
+/// How near the generator gets to its goal, in degrees; with some room.
+const THERE: f64 = 2e-6;
+const PERIODS_HELD: u32 = 2;
+
+impl Approach {
+    pub(super) fn new(
+        checker: &Checker,
+        from: JointPosition,
+        start: JointPosition,
+        speed_deg_s: Option<f64>,
+        period_s: f64,
+    ) -> Result<Self, Error> {
+        let speed = speed_deg_s.unwrap_or(NEXT_TO_NOTHING);
+        let speeds = checker.limits().joint_speeds().map(|most| most.min(speed));
+        let dynamics = Dynamics::of(checker.limits()).with_speeds(speeds).map_err(invalid)?;
+        let generator = Generator::new(checker, dynamics, from, period_s).map_err(invalid)?;
+        Ok(Self { generator, start, held: 0, blocked: None })
+    }
+
+    /// True once the start was held for so long that the trajectory can begin.
+    pub(super) fn is_done(&self) -> bool {
+        self.held >= PERIODS_HELD
+    }
+
+    /// What is in the way, if something is.
+    pub(super) fn blocked(&self) -> Option<&Beyond> {
+        self.blocked.as_ref()
+    }
+
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.generator.is_at_rest()
+    }
+
+    /// The next set-point on the way.
+    pub(super) fn advance(&mut self) -> JointPosition {
+        if self.is_there() {
+            self.held += 1;
+            return self.start;
+        }
+        let step = self.generator.next(&Goal::Joints(self.start));
+        if let (Some(Bound::Limit(beyond)), true) = (step.bound, self.generator.is_at_rest() && !self.is_there()) {
+            self.blocked = Some(beyond);
+        }
+        step.joints
+    }
+
+    /// The next set-point on the way to a standstill.
+    pub(super) fn brake(&mut self) -> JointPosition {
+        if self.held > 0 { self.start } else { self.generator.next(&Goal::Rest).joints }
+    }
+
+    pub(super) fn paused(&mut self) {
+        self.generator.paused();
+    }
+
+    pub(super) fn take_back(&mut self) {
+        if self.held > 0 {
+            self.held -= 1;
+        } else {
+            self.generator.take_back();
+        }
+    }
+
+    fn is_there(&self) -> bool {
+        self.is_at_rest() && self.generator.joints().max_distance(&self.start) <= THERE
+    }
+}
+
+fn invalid(error: GeneratorError) -> Error {
+    match error {
+        GeneratorError::Start(beyond) => {
+            ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into()
+        }
+        other => {
+            let allowed = "what the robot's limits allow".to_owned();
+            InvalidArgument::new(ServoJ::INFO.name, "approach", other.to_string(), allowed, false).into()
+        }
+    }
+}

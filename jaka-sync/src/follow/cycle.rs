@@ -1,0 +1,230 @@
+//! The run's own thread.
+
+use std::sync::Arc;
+use std::sync::mpsc::SyncSender;
+use std::time::Duration;
+
+use jaka_motion::{Follower, Trajectory};
+use jaka_proto::Command;
+use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::types::JointPosition;
+
+use super::approach::Approach;
+use super::end::{FollowEnd, FollowOutcome};
+use super::lag::LagFit;
+use super::orders::Orders;
+use super::{FollowConfig, start};
+use crate::clock::Clock;
+use crate::robot::Armed;
+use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision, lets_land};
+use crate::{Error, ErrorKind, MotionStatus, Robot, ServoSession};
+
+type Ready = SyncSender<Result<(), Error>>;
+
+/// Ends the run for its handles, also where this thread panics.
+struct Ends<'o>(&'o Orders);
+
+impl Drop for Ends<'_> {
+    fn drop(&mut self) {
+        self.0.end("its thread has ended".to_owned());
+    }
+}
+
+/// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
+pub(super) fn run<S: MotionStatus>(
+    robot: &mut Robot<S>,
+    (trajectory, config): (&Trajectory, &FollowConfig),
+    guard: Option<&Armed>,
+    orders: &Arc<Orders>,
+    ready: &Ready,
+) -> Option<FollowEnd> {
+    let _ends = Ends(orders);
+    let refused = |error: Error| {
+        // The caller has the error from here.
+        let _ = ready.send(Err(error));
+        None
+    };
+    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config);
+    let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
+        Ok(session) => session,
+        Err(error) => return refused(error),
+    };
+    let mut way = match Way::new(&session, trajectory, config, orders) {
+        Ok(way) => way,
+        Err(error) => return refused(session.end_by(error, &mut |_| None)),
+    };
+    if ready.send(Ok(())).is_err() {
+        // Nobody waits where the caller's thread has ended.
+        orders.stop();
+    }
+    let mut supervision = way.supervision(config).guarded(guard);
+    let ended = session.send_all(&mut way, &mut supervision);
+    let end = way.ended(session, ended);
+    orders.end(end.to_string());
+    Some(end)
+}
+
+/// The way to where the trajectory starts, and then the trajectory.
+struct Way<'o> {
+    /// None once the arm has been at the start.
+    approach: Option<Approach>,
+    follower: Follower,
+    orders: &'o Orders,
+    is_overdue: bool,
+    lag: LagFit,
+    /// The last set-point, or where the arm was before.
+    last: JointPosition,
+    clock: Clock,
+}
+
+impl<'o> Way<'o> {
+    fn new<S: MotionStatus>(
+        session: &ServoSession<'_, S>,
+        trajectory: &Trajectory,
+        config: &FollowConfig,
+        orders: &'o Orders,
+    ) -> Result<Self, Error> {
+        let (checker, at) = session.checker_and_start().ok_or_else(start::no_limits)?;
+        // A frame may have changed since, or the arm have moved.
+        start::check_with(checker, at, trajectory, config)?;
+        let period = config.servo.period();
+        let approach = Approach::new(checker, at, trajectory.start(), config.approach_deg_s, period.as_secs_f64())?;
+        Ok(Self {
+            approach: Some(approach),
+            follower: Follower::new(trajectory.clone(), checker.limits(), period.as_secs_f64()),
+            orders,
+            is_overdue: false,
+            lag: LagFit::new(session.clock().now(), at, period),
+            last: at,
+            clock: session.clock().clone(),
+        })
+    }
+
+    fn supervision<'g>(&self, config: &FollowConfig) -> Supervision<'g> {
+        Supervision::new(self.last, config.servo.period(), config.max_departure_deg, config.max_gap)
+    }
+
+    /// Brings the arm to rest after the last set-point, and tells how the run has ended.
+    fn ended<S: MotionStatus>(mut self, mut session: ServoSession<'_, S>, ended: Result<(), Error>) -> FollowEnd {
+        let mut has_left_curve = false;
+        let error = match ended.and_then(|()| self.check_approach()) {
+            Ok(()) => session.land_by(&mut |_| None).err(),
+            Err(error) if !lets_land(&error) || self.can_brake(session.periods_to_brake()) => {
+                let ended = session.end_by(error, &mut |_| self.brake());
+                if self.approach.is_none() && session.last_joints() != Some(self.follower.joints()) {
+                    // The last one of the landing was not sent.
+                    self.follower.take_back();
+                }
+                Some(ended)
+            }
+            Err(error) => {
+                has_left_curve = true;
+                Some(session.end(error))
+            }
+        };
+        let outcome = match &error {
+            Some(error) => FollowOutcome::of(error, session.shown_after(error).as_ref()),
+            None if self.follower.is_at_end() => FollowOutcome::Completed,
+            None if self.is_overdue => FollowOutcome::Deadline,
+            None => FollowOutcome::Stopped,
+        };
+        FollowEnd {
+            outcome,
+            reached: Duration::from_secs_f64(self.follower.time_s()),
+            duration: self.follower.trajectory().duration(),
+            has_left_curve,
+            lag: self.lag.best(),
+            report: session.into_report(),
+            error,
+        }
+    }
+
+    /// Fails where something is in the way to the start.
+    fn check_approach(&self) -> Result<(), Error> {
+        let blocked = self.approach.as_ref().and_then(Approach::blocked).cloned();
+        let command = || ServoJ::INFO.name.to_owned();
+        blocked.map_or(Ok(()), |beyond| Err(ErrorKind::BeyondLimit { command: command(), beyond }.into()))
+    }
+
+    /// Whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done.
+    fn can_brake(&self, straight_on: u32) -> bool {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a period is 8 ms to 96 ms")]
+        let more = (MORE_S / self.follower.period_s()).ceil() as u32;
+        self.approach.is_some() || self.follower.periods_to_rest(straight_on.saturating_mul(2) + more).is_some()
+    }
+
+    /// The next set-point by which the arm is braked, where it is not at rest.
+    fn brake(&mut self) -> Option<SetPoint> {
+        let joints = match &mut self.approach {
+            Some(approach) if approach.is_at_rest() => return None,
+            Some(approach) => approach.brake(),
+            None if self.follower.is_at_rest() => return None,
+            None => {
+                self.follower.set_scale(0.0);
+                self.follower.advance()
+            }
+        };
+        self.tell();
+        Some(SetPoint::Joints(joints))
+    }
+
+    fn tell(&self) {
+        let rate = if self.follower.is_at_rest() || self.approach.is_some() { 0.0 } else { self.follower.rate() };
+        self.orders.followed(self.follower.time_s(), rate);
+    }
+}
+
+/// How much longer braking along the curve may take than twice braking straight on, in seconds.
+const MORE_S: f64 = 0.5;
+
+impl SetPoints for Way<'_> {
+    fn is_done(&mut self) -> bool {
+        if !self.orders.is_stopped() && self.orders.is_overdue(self.clock.now()) {
+            self.is_overdue = true;
+            self.orders.stop();
+        }
+        if self.approach.as_ref().is_some_and(Approach::is_done) {
+            self.approach = None;
+        }
+        match &self.approach {
+            Some(approach) => approach.blocked().is_some() || self.orders.is_stopped() && approach.is_at_rest(),
+            None => self.follower.is_at_end() || self.orders.is_stopped() && self.follower.is_at_rest(),
+        }
+    }
+
+    fn next(&mut self) -> JointPosition {
+        let scale = self.orders.scale();
+        self.last = match &mut self.approach {
+            Some(approach) if scale > 0.0 => approach.advance(),
+            Some(approach) => approach.brake(),
+            None => {
+                self.follower.set_scale(scale);
+                self.follower.advance()
+            }
+        };
+        self.last
+    }
+
+    fn paused(&mut self) {
+        match &mut self.approach {
+            Some(approach) => approach.paused(),
+            None => self.follower.paused(),
+        }
+    }
+
+    fn take_back(&mut self) {
+        match &mut self.approach {
+            Some(approach) => approach.take_back(),
+            None => self.follower.take_back(),
+        }
+    }
+
+    fn sent(&mut self) {
+        self.lag.sent(self.clock.now(), self.last);
+        self.tell();
+    }
+
+    fn seen(&mut self, packet: &Seen) {
+        self.lag.seen(packet.received, packet.joints);
+    }
+}

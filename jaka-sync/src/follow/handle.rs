@@ -1,0 +1,85 @@
+//! Pauses, speeds and stops, from any thread.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::config::check_scale;
+use super::orders::Orders;
+use crate::{Error, ErrorKind};
+
+/// Pauses, slows down and stops a [`FollowRun`](super::FollowRun), from any thread; all of it along the trajectory.
+#[derive(Debug, Clone)]
+pub struct FollowHandle {
+    orders: Arc<Orders>,
+    duration: Duration,
+}
+
+/// How far a trajectory was followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FollowProgress {
+    /// The trajectory time of the last set-point; the arm lags behind it.
+    pub time: Duration,
+    /// How long the trajectory takes at its own speed.
+    pub duration: Duration,
+    /// How fast the trajectory time passes: from 0 in a pause to 1.
+    pub rate: f64,
+}
+
+impl FollowHandle {
+    pub(super) fn new(orders: Arc<Orders>, duration: Duration) -> Self {
+        Self { orders, duration }
+    }
+
+    /// Slows down to a standstill on the trajectory, and stays there until [`resume`](Self::resume).
+    ///
+    /// # Errors
+    /// [`ErrorKind::SessionEnded`] if the run has ended.
+    pub fn pause(&self) -> Result<(), Error> {
+        self.check_open().map(|()| self.orders.set_paused(true))
+    }
+
+    /// Goes on after a [`pause`](Self::pause), up to the speed scale.
+    ///
+    /// # Errors
+    /// As [`pause`](Self::pause).
+    pub fn resume(&self) -> Result<(), Error> {
+        self.check_open().map(|()| self.orders.set_paused(false))
+    }
+
+    /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause goes on.
+    ///
+    /// # Errors
+    /// As [`pause`](Self::pause); [`ErrorKind::InvalidArgument`] for a scale that is not from 0 to 1.
+    pub fn set_speed_scale(&self, scale: f64) -> Result<(), Error> {
+        check_scale(scale)?;
+        self.check_open().map(|()| self.orders.set_scale(scale))
+    }
+
+    /// Slows down to a standstill on the trajectory, and ends the run there.
+    ///
+    /// It returns at once; [`FollowRun::wait`](super::FollowRun::wait) returns when the arm is at rest. It is none of the robot's stops: nothing must be acknowledged
+    /// after it, and where set-points do not reach the controller it has no effect. [`RobotStop`](crate::RobotStop) brakes likewise, and then sends `stop_program`.
+    ///
+    /// # Errors
+    /// As [`pause`](Self::pause).
+    pub fn stop(&self) -> Result<(), Error> {
+        self.check_open().map(|()| self.orders.stop())
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> FollowProgress {
+        let (time_s, rate) = self.orders.progress();
+        FollowProgress { time: Duration::from_secs_f64(time_s).min(self.duration), duration: self.duration, rate }
+    }
+
+    /// True once the run has ended: then [`FollowRun::wait`](super::FollowRun::wait) returns at once.
+    pub fn has_ended(&self) -> bool {
+        self.orders.ended().is_some()
+    }
+
+    fn check_open(&self) -> Result<(), Error> {
+        let ended = |because: &str| Err(ErrorKind::SessionEnded { because: because.to_owned() }.into());
+        self.orders.ended().map_or(Ok(()), ended)
+    }
+}

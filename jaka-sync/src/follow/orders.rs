@@ -1,0 +1,80 @@
+//! What handles ask for, and how far the run is.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::Instant;
+
+/// What handles ask for, and how far the run is. Nobody waits for anybody here.
+#[derive(Debug)]
+pub(super) struct Orders {
+    /// The bits of a number from 0 to 1.
+    scale: AtomicU64,
+    is_paused: AtomicBool,
+    is_stopped: AtomicBool,
+    deadline: Option<Instant>,
+    /// The bits of the trajectory time of the last set-point in seconds, and those of the rate.
+    time_s: AtomicU64,
+    rate: AtomicU64,
+    ended: OnceLock<String>,
+}
+
+impl Orders {
+    pub(super) fn new(scale: f64, deadline: Option<Instant>) -> Self {
+        Self {
+            scale: AtomicU64::new(scale.to_bits()),
+            is_paused: AtomicBool::new(false),
+            is_stopped: AtomicBool::new(false),
+            deadline,
+            time_s: AtomicU64::new(0),
+            rate: AtomicU64::new(0),
+            ended: OnceLock::new(),
+        }
+    }
+
+    pub(super) fn set_scale(&self, scale: f64) {
+        self.scale.store(scale.to_bits(), Ordering::SeqCst);
+    }
+
+    pub(super) fn set_paused(&self, is_paused: bool) {
+        self.is_paused.store(is_paused, Ordering::SeqCst);
+    }
+
+    pub(super) fn stop(&self) {
+        self.is_stopped.store(true, Ordering::SeqCst);
+    }
+
+    pub(super) fn is_stopped(&self) -> bool {
+        self.is_stopped.load(Ordering::SeqCst)
+    }
+
+    pub(super) fn is_overdue(&self, now: Instant) -> bool {
+        self.deadline.is_some_and(|deadline| now >= deadline)
+    }
+
+    /// The scale that is asked for: 0 in a pause, and for a stop.
+    pub(super) fn scale(&self) -> f64 {
+        let stands = self.is_paused.load(Ordering::SeqCst) || self.is_stopped();
+        if stands { 0.0 } else { f64::from_bits(self.scale.load(Ordering::SeqCst)) }
+    }
+
+    pub(super) fn followed(&self, time_s: f64, rate: f64) {
+        self.time_s.store(time_s.to_bits(), Ordering::SeqCst);
+        self.rate.store(rate.to_bits(), Ordering::SeqCst);
+    }
+
+    /// The trajectory time of the last set-point, in seconds, and the rate.
+    pub(super) fn progress(&self) -> (f64, f64) {
+        let load = |bits: &AtomicU64| f64::from_bits(bits.load(Ordering::SeqCst));
+        (load(&self.time_s), load(&self.rate))
+    }
+
+    pub(super) fn end(&self, because: String) {
+        // The first one counts.
+        let _ = self.ended.set(because);
+    }
+
+    /// Why it has ended, if it has.
+    pub(super) fn ended(&self) -> Option<&str> {
+        self.ended.get().map(String::as_str)
+    }
+}

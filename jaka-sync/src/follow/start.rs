@@ -1,0 +1,65 @@
+//! Before the first set-point: the trajectory is within the limits, and the arm is where it starts.
+
+use jaka_motion::{Checker, JointPace, Trajectory};
+use jaka_proto::Command;
+use jaka_proto::messages::servo::ServoJ;
+use jaka_proto::messages::types::JointPosition;
+
+use super::FollowConfig;
+use crate::{Error, ErrorKind, MotionStatus, Robot, Unchecked};
+
+/// How far, in degrees, the joints may be from where the trajectory starts: what controllers round off. Ours.
+const AT_START_DEG: f64 = 0.01;
+
+/// Checks all that can be checked without servo mode.
+pub(super) fn check<S: MotionStatus>(
+    robot: &mut Robot<S>,
+    trajectory: &Trajectory,
+    config: &FollowConfig,
+) -> Result<(), Error> {
+    if robot.limits().is_none() {
+        return Err(no_limits());
+    }
+    let at = robot.client().get_joint_pos()?.joint_position;
+    let timeout = config.servo.enter_timeout;
+    let pose = robot.tcp_pose(timeout)?;
+    robot.prepare_set_points(at, pose, timeout)?;
+    robot.limits().map_or_else(|| Err(no_limits()), |checker| check_with(checker, at, trajectory, config))
+}
+
+/// Checks the trajectory, and the way from where the arm is to its start.
+pub(super) fn check_with(
+    checker: &Checker,
+    at: JointPosition,
+    trajectory: &Trajectory,
+    config: &FollowConfig,
+) -> Result<(), Error> {
+    trajectory.check(checker).map_err(|source| Error::from(ErrorKind::Trajectory { source }))?;
+    let start = trajectory.start();
+    let off = |joint: usize| (start.0[joint] - at.0[joint]).abs();
+    let worst = (0..6).fold(0, |worst, joint| if off(joint) > off(worst) { joint } else { worst });
+    match config.approach_deg_s {
+        _ if off(worst) <= AT_START_DEG => Ok(()),
+        None => {
+            let (at_deg, start_deg) = (at.0[worst], start.0[worst]);
+            Err(ErrorKind::NotAtStart { joint: worst + 1, at_deg, start_deg }.into())
+        }
+        Some(speed_deg_s) => {
+            let accelerations = checker.limits().joint_accelerations();
+            let least = accelerations.iter().copied().fold(f64::INFINITY, f64::min);
+            let pace = JointPace { speed_deg_s: slowest(checker).min(speed_deg_s), acceleration_deg_s2: Some(least) };
+            checker
+                .check_joint_way(at, start, pace)
+                .map_err(|beyond| ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into())
+        }
+    }
+}
+
+/// The speed that each joint may have, in deg/s.
+fn slowest(checker: &Checker) -> f64 {
+    checker.limits().joint_speeds().iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+pub(super) fn no_limits() -> Error {
+    ErrorKind::NotChecked { command: ServoJ::INFO.name.to_owned(), reason: Unchecked::NoLimits }.into()
+}
