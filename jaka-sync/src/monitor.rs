@@ -236,7 +236,6 @@ impl<S: 'static> Monitor<S> {
         if since.is_some_and(|since| since < SETTLING) { Err(StatusProblem::Resuming) } else { Ok(latest) }
     }
 
-    #[cfg(feature = "preflight")]
     pub(crate) fn clock(&self) -> &Clock {
         &self.clock
     }
