@@ -7,15 +7,21 @@
 
 mod call;
 mod check;
+mod clear;
 mod completions;
+mod down;
 mod jitter;
+mod jog;
 mod monitor;
+mod move_to;
 mod probe;
 mod record;
 mod replay;
 mod sim;
 mod spec;
 mod status;
+mod stop;
+mod up;
 
 use clap::Subcommand;
 
@@ -27,6 +33,12 @@ pub(crate) enum Command {
     Status(status::Status),
     Monitor(monitor::Monitor),
     Call(call::Call),
+    Up(up::Up),
+    Down(down::Down),
+    Stop(stop::Stop),
+    Clear(clear::Clear),
+    Move(move_to::Move),
+    Jog(jog::Jog),
     Check(check::Check),
     Probe(probe::Probe),
     Jitter(jitter::Jitter),
@@ -44,6 +56,12 @@ impl Command {
             Self::Status(command) => command.run(),
             Self::Monitor(command) => command.run(),
             Self::Call(command) => command.run(),
+            Self::Up(command) => command.run(),
+            Self::Down(command) => command.run(),
+            Self::Stop(command) => command.run(),
+            Self::Clear(command) => command.run(),
+            Self::Move(command) => command.run(),
+            Self::Jog(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Probe(command) => command.run(),
             Self::Jitter(command) => command.run(),

@@ -42,7 +42,7 @@ pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
 enum Stage {
     #[default]
     NothingSent,
-    /// This was sent, and nothing is known of it.
+    /// This may have been sent, and nothing is known of it.
     Sent(String),
     /// A motion goes out, or is waited for.
     Moving(RobotStop),
@@ -59,9 +59,9 @@ impl UnderWay {
         Ok(under_way)
     }
 
-    /// This goes out next: a command, such as `power_on`, or more of them.
+    /// This goes out next, such as "`power_on` or `enable_robot`".
     pub(crate) fn sends(&self, what: &str) {
-        *self.lock() = Stage::Sent(format!("`{what}`"));
+        *self.lock() = Stage::Sent(what.to_owned());
     }
 
     /// A motion goes out next, which this stops.
@@ -81,7 +81,7 @@ impl UnderWay {
             Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; nothing was sent that changes anything"),
             Stage::Sent(what) => end_with(
                 exit::MAY_HAVE_RUN,
-                &format!("interrupted: {what} was sent and may have run; check the robot's state before you go on"),
+                &format!("interrupted: {what} may have run; check the robot's state before you go on"),
             ),
             Stage::Moving(stop) => stop_arm(stop),
             Stage::Answered => {}

@@ -1,12 +1,15 @@
 //! The `jaka` command: see the crate's README.
 
+mod acting;
 mod commands;
+mod consent;
 mod dashboard;
 mod event;
 mod exit;
 mod failure;
 mod fields;
 mod interrupt;
+mod limits;
 mod listen;
 mod motion;
 mod number;

@@ -82,6 +82,12 @@ fn the_help_explains_exit_codes() {
           status       Print the robot's state, once or repeatedly
           monitor      Show the robot's state live in the terminal
           call         Send one command of the protocol, and print the reply
+          up           Power and enable the arm, each step when the one before is done
+          down         Disable the arm and switch its power off, each step when the one before is done
+          stop         Stop the motion or the program that is running; sent without a question
+          clear        Leave the protective stop that a collision has caused
+          move         Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C stops it
+          jog          Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
           check        Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
           probe        Send a controller every query of the protocol, and report where its answers depart from the spec
           jitter       Measure how late this machine begins cycles of set-points, and how long a robot's replies take; nothing is moved

@@ -16,3 +16,4 @@ mod replay;
 mod spec;
 mod status;
 mod target;
+mod verbs;

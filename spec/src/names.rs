@@ -59,6 +59,7 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "monitor",
     "peer_addr",
     "pipeline",
+    "power_down",
     "power_up",
     "preflight",
     "reply_timeout",

@@ -367,6 +367,24 @@ fn power_up_follows_the_state() {
 }
 
 #[test]
+fn power_down_follows_the_state() {
+    let (controller, mut robot) = ready();
+    let monitor = Arc::clone(robot.monitor());
+    let before = controller.requests().len();
+    let power_down = || robot.power_down(LONG);
+    while_time_goes_on(&controller, &monitor, power_down, |_| ()).expect("the status follows");
+    assert!(!controller.state().powered);
+    let requests = controller.requests();
+    let changes: Vec<_> = requests[before..].iter().filter(|request| !request.contains("get_robot_state")).collect();
+    assert_eq!(changes, [r#"{"cmdName":"disable_robot"}"#, r#"{"cmdName":"power_off"}"#]);
+    // What is done already is not sent, also while the emergency stop is pressed.
+    controller.press_emergency_stop();
+    while_time_goes_on(&controller, &monitor, || robot.power_down(LONG), |_| ()).expect("it is down");
+    let sent = controller.requests();
+    assert!(sent[requests.len()..].iter().all(|request| request.contains("get_robot_state")), "{sent:?}");
+}
+
+#[test]
 fn refusals_are_explained() {
     let (controller, mut robot) = ready();
     let mut why = |change: fn(&mut jaka_sim::State)| {

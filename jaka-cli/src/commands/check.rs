@@ -1,7 +1,6 @@
 //! `jaka check`: what to look at before a robot is used.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use jaka_motion::{Limits, Model};
@@ -9,9 +8,8 @@ use jaka_sync::{Finding, Preflight, Verdict};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
-use crate::output;
-use crate::seat;
 use crate::target::{RobotArgs, model};
+use crate::{limits, output, seat};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,7 +48,7 @@ pub(crate) struct Check {
 impl Check {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let limits = match &self.limits {
-            Some(path) => Some(read_limits(path)?),
+            Some(path) => Some(limits::read(path)?),
             None => self.model.map(Limits::of),
         };
         let target = self.robot.target(&[])?;
@@ -68,12 +66,6 @@ impl Check {
             worst => Err(Failure::Found(worst)),
         }
     }
-}
-
-fn read_limits(path: &Path) -> Result<Limits, Failure> {
-    let name = path.display().to_string();
-    let text = fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {name}: {error}")))?;
-    Limits::from_toml(&text, &name).map_err(|errors| Failure::Usage(errors.to_string()))
 }
 
 /// The shape that the README describes.

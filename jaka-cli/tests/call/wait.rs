@@ -142,7 +142,7 @@ fn an_interrupt_after_a_command_went_out_says_that_it_may_have_run() {
     assert!(controller.wait_for_requests(1, LONG), "the command comes");
     interrupt(&child);
     expect![[r"
-        jaka: interrupted: `set_digital_output` was sent and may have run; check the robot's state before you go on
+        jaka: interrupted: `set_digital_output` may have run; check the robot's state before you go on
         exit code 4
     "]]
     .assert_eq(&result(child).text());

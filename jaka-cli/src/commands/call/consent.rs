@@ -1,18 +1,13 @@
 //! Asking before something happens to the robot.
 
-use std::io::{IsTerminal, stdin};
-
 use jaka_spec::Effect;
-use jaka_spec::words::first_sentence;
 use jaka_sync::motion::Jog;
 use jaka_sync::proto;
-use jaka_sync::proto::text::{visible, visible_json_line};
 
-use super::help;
 use super::options::Options;
 use super::request::Request;
+use crate::consent::{self, Intent};
 use crate::failure::Failure;
-use crate::question;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
 ///
@@ -22,23 +17,13 @@ pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> R
     if options.yes || options.robot.is_simulated() || is_harmless(request) {
         return Ok(());
     }
+    let Request { command, name, text } = request;
     if options.raw {
         return Err(Failure::Usage(format!(
-            "`{}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it",
-            request.name
+            "`{name}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it"
         )));
     }
-    if !stdin().is_terminal() {
-        return Err(Failure::Usage(format!(
-            "`{}` was not sent: it {}, and there is no terminal to ask on; use --yes to send it anyway",
-            request.name,
-            effect(request)
-        )));
-    }
-    if question::is_confirmed(&question(request, title))? {
-        return Ok(());
-    }
-    Err(Failure::Usage(format!("`{}` was not sent", request.name)))
+    consent::obtain(&[Intent { command: *command, name: name.clone(), text: text.clone() }], title)
 }
 
 /// True for commands that are sent without a question: those that only read, that concern the connection alone, or that stop the arm,
@@ -51,16 +36,6 @@ fn is_harmless(request: &Request<'_>) -> bool {
 fn stops(request: &str) -> bool {
     use proto::Request::{Jog as JogRequest, PauseProgram, StopProgram};
     matches!(proto::Request::read(request), Ok(StopProgram(_) | PauseProgram(_) | JogRequest(Jog::Stop { .. })))
-}
-
-fn effect(request: &Request<'_>) -> &'static str {
-    request.command.map_or("is not known", |command| help::effect(command.effect))
-}
-
-fn question(request: &Request<'_>, title: &str) -> String {
-    let about = request.command.map_or("", |command| first_sentence(&command.doc).0);
-    let (sent, name) = (visible_json_line(&request.text), visible(&request.name));
-    format!("To {title}:\n  {sent}\n`{name}` {}. {}\nSend it? [y/N] ", effect(request), visible(about))
 }
 
 #[cfg(test)]
@@ -92,18 +67,5 @@ mod tests {
             {"cmdName": "pause_program"}
             {"cmdName": "stop_program"}"#]]
         .assert_eq(&at_once.join("\n"));
-    }
-
-    #[test]
-    fn the_question_says_what_will_happen() {
-        let spec = spec();
-        let command = spec.command("power_off").expect("the protocol has it");
-        let asked = question(&request(command, "{\"cmdName\":\"power_off\"}"), "cell1 (10.5.5.100)");
-        expect![[r#"
-            To cell1 (10.5.5.100):
-              {"cmdName":"power_off"}
-            `power_off` switches power, brakes or the controller itself. Switches the arm's power off.
-            Send it? [y/N] "#]]
-        .assert_eq(&asked);
     }
 }

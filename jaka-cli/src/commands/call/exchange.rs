@@ -35,7 +35,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         firmware::check(&mut client, &protocol.spec, request)?;
     }
     let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
-    under_way.sends(&request.name);
+    under_way.sends(&format!("`{}`", request.name));
     let sent = send(&mut client, request, target.patience(usual));
     under_way.answered();
     match sent {

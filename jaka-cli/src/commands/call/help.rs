@@ -5,8 +5,10 @@ use std::fmt::Write;
 
 use jaka_dynamic::{Argument, arguments};
 use jaka_spec::words::{first_sentence, requirements};
-use jaka_spec::{Command, Effect, Reply, Request, Spec};
+use jaka_spec::{Command, Reply, Request, Spec};
 use jaka_sync::proto::text::{visible, visible_lines};
+
+use crate::consent::effect;
 
 /// What a command does, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {
@@ -39,17 +41,6 @@ fn facts(command: &Command) -> Vec<String> {
     facts.extend(command.versions.until.as_ref().map(|version| format!("Until:   firmware {version}")));
     facts.extend(command.deprecated.as_ref().map(|instead| format!("Withdrawn by the vendor; instead: {instead}")));
     facts
-}
-
-/// What a command does to the robot, in words.
-pub(super) fn effect(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Query => "reads, changes nothing",
-        Effect::Setting => "changes a setting or an output",
-        Effect::Motion => "starts, stops or continues a motion or a program",
-        Effect::Power => "switches power, brakes or the controller itself",
-        Effect::Session => "concerns the connection alone",
-    }
 }
 
 /// What the fields of the reply mean.

@@ -59,11 +59,8 @@ pub(super) fn carry_out(
     if options.check_firmware {
         firmware::check(robot.client(), &protocol.spec, request)?;
     }
-    under_way.moves(robot.stop_handle());
-    let ended = motion(&mut robot, target.patience(motion::PATIENCE));
-    under_way.answered();
-    let end = ended.map_err(|error| Failure::explained(&protocol.spec, error))?;
-    motion::print(end, options.json)
+    let patience = target.patience(motion::PATIENCE);
+    motion::run(&mut robot, |robot| motion(robot, patience), &protocol.spec, under_way, options.json)
 }
 
 /// A motion that goes out as its request was written, with what a pack adds to it. The request was checked by the packs before.

@@ -1,0 +1,96 @@
+//! The commands that do one thing to a robot, each with a question before.
+
+use std::time::Duration;
+
+use clap::Args;
+use jaka_motion::Limits;
+use jaka_sync::proto::Command;
+use jaka_sync::{Client, Error, Motion, Robot};
+
+use crate::consent::{self, Intent};
+use crate::failure::Failure;
+use crate::interrupt::UnderWay;
+use crate::target::{RobotArgs, Target};
+use crate::{motion, packs};
+
+/// The options of a command that does one thing to a robot.
+#[derive(Debug, Args)]
+pub(crate) struct ActArgs {
+    /// Send without asking
+    #[arg(long, short)]
+    yes: bool,
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+/// A robot to which something is done. Ctrl-C is handled from when there is one.
+#[derive(Debug)]
+pub(crate) struct Act {
+    target: Target,
+    under_way: UnderWay,
+}
+
+impl ActArgs {
+    /// Makes sure that the user wants these requests to be sent, where they are needed. Connects to nothing yet.
+    pub(crate) fn begin(&self, intents: &[Intent<'_>]) -> Result<Act, Failure> {
+        let act = Act::at_once(&self.robot)?;
+        if !self.yes && !self.robot.is_simulated() {
+            consent::obtain(intents, act.target.title())?;
+        }
+        Ok(act)
+    }
+}
+
+/// The intent to send this.
+pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure> {
+    Intent::of(packs::of_status(), request)
+}
+
+impl Act {
+    /// For what is sent without a question.
+    pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
+        let under_way = UnderWay::begin()?;
+        Ok(Self { target: robot.target(&[])?, under_way })
+    }
+
+    /// How long it may take: as the command line says, or else this long.
+    pub(crate) fn patience(&self, usual: Duration) -> Duration {
+        self.target.patience(usual)
+    }
+
+    /// Does something with the command port alone, which sends this.
+    pub(crate) fn with_client<T>(
+        &self,
+        sends: &str,
+        act: impl FnOnce(&mut Client) -> Result<T, Error>,
+    ) -> Result<T, Failure> {
+        let mut client = self.target.client()?;
+        self.under_way.sends(sends);
+        let done = act(&mut client);
+        self.under_way.answered();
+        done.map_err(|error| Failure::explained(packs::of_status(), error))
+    }
+
+    /// Does something with both ports, which sends this.
+    pub(crate) fn with_robot<T>(
+        &self,
+        sends: &str,
+        act: impl FnOnce(&mut Robot) -> Result<T, Error>,
+    ) -> Result<T, Failure> {
+        let mut robot = self.target.robot()?;
+        self.under_way.sends(sends);
+        let done = act(&mut robot);
+        self.under_way.answered();
+        done.map_err(|error| Failure::explained(packs::of_status(), error))
+    }
+
+    /// Runs a motion, and prints how it ended.
+    pub(crate) fn run(&self, motion: &impl Motion, limits: Option<Limits>, as_json: bool) -> Result<(), Failure> {
+        let mut robot = self.target.robot()?;
+        if let Some(limits) = limits {
+            robot = robot.with_limits(limits)?;
+        }
+        let patience = self.patience(motion::PATIENCE);
+        motion::run(&mut robot, |robot| robot.run(motion, patience), packs::of_status(), &self.under_way, as_json)
+    }
+}

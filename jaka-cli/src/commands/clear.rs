@@ -1,0 +1,35 @@
+//! `jaka clear`: leave a protective stop.
+
+use std::time::Duration;
+
+use clap::Args;
+use jaka_sync::collision::ClearError;
+
+use crate::acting::{ActArgs, intent};
+use crate::failure::Failure;
+use crate::output;
+
+/// How long it may take by default.
+const PATIENCE: Duration = Duration::from_secs(15);
+
+/// Leave the protective stop that a collision has caused
+///
+/// Make sure first that nobody and nothing is in contact with the arm. Waits until no status packet shows a protective stop. An emergency
+/// stop is released by hand.
+#[derive(Debug, Args)]
+pub(crate) struct Clear {
+    #[command(flatten)]
+    act: ActArgs,
+}
+
+impl Clear {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let act = self.act.begin(&[intent(&ClearError::new())?])?;
+        act.with_robot("`clear_error`", |robot| {
+            let patience = act.patience(PATIENCE);
+            robot.client().call_within(&ClearError::new(), patience)?;
+            robot.monitor().wait_until(|status| status.protective_stop == Some(false), patience)
+        })?;
+        output::line("the robot is in no protective stop")
+    }
+}

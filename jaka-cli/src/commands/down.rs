@@ -1,0 +1,26 @@
+//! `jaka down`: disable and power off.
+
+use clap::Args;
+use jaka_sync::power::{DisableRobot, PowerOff};
+
+use super::up::PATIENCE;
+use crate::acting::{ActArgs, intent};
+use crate::failure::Failure;
+use crate::output;
+
+/// Disable the arm and switch its power off, each step when the one before is done
+///
+/// What is done already is not sent. The controller does not disable an arm that moves or runs a program: `jaka stop` first.
+#[derive(Debug, Args)]
+pub(crate) struct Down {
+    #[command(flatten)]
+    act: ActArgs,
+}
+
+impl Down {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let act = self.act.begin(&[intent(&DisableRobot::new())?, intent(&PowerOff::new())?])?;
+        act.with_robot("`disable_robot` or `power_off`", |robot| robot.power_down(act.patience(PATIENCE)))?;
+        output::line("the arm has no power")
+    }
+}

@@ -1,0 +1,81 @@
+//! `jaka jog`: move one joint, or the tool centre point along one axis, by an increment.
+
+use std::str::FromStr;
+
+use clap::Args;
+use jaka_sync::motion::{JointMove, MoveL};
+
+use crate::acting::{ActArgs, intent};
+use crate::failure::Failure;
+use crate::limits::LimitsArgs;
+
+const EXAMPLES: &str = "\
+Examples:
+  jaka jog 6 5 --speed 5 -r cell1
+  jaka jog z -10 --speed 20 -r cell1";
+
+/// Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
+///
+/// It is a motion with an end (`joint_move` or `moveL` with an offset), so that it can be stopped, and that its end is known. A jog that goes on until it is
+/// stopped is `jaka call jog` alone.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Jog {
+    /// A joint, 1 to 6, or an axis of the selected user frame: x, y or z
+    axis: Axis,
+    /// By how much, in deg or mm
+    #[arg(allow_negative_numbers = true)]
+    distance: f64,
+    /// Speed, in deg/s or mm/s
+    #[arg(long, value_name = "SPEED")]
+    speed: f64,
+    /// Print one JSON object: `outcome`, `text` and `waited_s`
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    limits: LimitsArgs,
+    #[command(flatten)]
+    act: ActArgs,
+}
+
+/// What is jogged, by its index.
+#[derive(Debug, Clone, Copy)]
+enum Axis {
+    Joint(usize),
+    Line(usize),
+}
+
+impl Jog {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let limits = self.limits.read()?;
+        let by = |at| {
+            let mut offset = [0.0; 6];
+            offset[at] = self.distance;
+            offset
+        };
+        match self.axis {
+            Axis::Joint(at) => {
+                let motion = JointMove::relative(by(at), self.speed);
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+            }
+            Axis::Line(at) => {
+                let motion = MoveL::relative(by(at), self.speed);
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+            }
+        }
+    }
+}
+
+impl FromStr for Axis {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if let Some(at) = ["x", "y", "z"].iter().position(|axis| *axis == text) {
+            return Ok(Self::Line(at));
+        }
+        match text.parse() {
+            Ok(joint @ 1..=6) => Ok(Self::Joint(joint - 1)),
+            _ => Err("there are joints 1 to 6, and the axes x, y and z"),
+        }
+    }
+}

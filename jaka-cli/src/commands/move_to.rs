@@ -1,0 +1,68 @@
+//! `jaka move`: move the arm to joint positions or to a pose.
+
+use clap::{ArgGroup, Args};
+use jaka_sync::motion::{JointMove, MoveL};
+
+use crate::acting::{ActArgs, intent};
+use crate::failure::Failure;
+use crate::limits::LimitsArgs;
+
+const EXAMPLES: &str = "\
+Examples:
+  jaka move --joints 0,90,90,90,-90,0 --speed 10 -r cell1
+  jaka move --pose -400,100,450,180,0,90 --speed 50 -r cell1 --model zu5";
+
+/// Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C stops it
+///
+/// The end of the motion is waited for, for 300 s or --timeout, and the exit code tells how it ended: `jaka --help` has them. Without --model or
+/// --limits nothing but the controller knows what the arm can reach.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, group = ArgGroup::new("target").required(true).args(["joints", "pose"]))]
+pub(crate) struct Move {
+    /// The positions of the six joints, in deg (`joint_move`)
+    #[arg(long, value_name = "DEG,...", value_parser = six, allow_hyphen_values = true)]
+    joints: Option<[f64; 6]>,
+    /// x, y, z, rx, ry, rz of the tool centre point, in mm and deg, which it reaches on a straight line (`moveL`)
+    ///
+    /// In the tool and user frames that the controller has selected.
+    #[arg(long, value_name = "X,Y,Z,RX,RY,RZ", value_parser = six, allow_hyphen_values = true)]
+    pose: Option<[f64; 6]>,
+    /// Speed: in deg/s of the joint with the longest way, or in mm/s along the line
+    #[arg(long, value_name = "SPEED")]
+    speed: f64,
+    /// Acceleration: in deg/s² or mm/s² [default: the controller's]
+    #[arg(long, value_name = "ACCELERATION")]
+    acceleration: Option<f64>,
+    /// Print one JSON object: `outcome`, `text` and `waited_s`
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    limits: LimitsArgs,
+    #[command(flatten)]
+    act: ActArgs,
+}
+
+impl Move {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let limits = self.limits.read()?;
+        match (self.joints, self.pose) {
+            (Some(joints), _) => {
+                let mut motion = JointMove::absolute(joints, self.speed);
+                motion.acceleration = self.acceleration;
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+            }
+            (None, pose) => {
+                let mut motion = MoveL::absolute(pose.unwrap_or_default(), self.speed);
+                motion.acceleration = self.acceleration;
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+            }
+        }
+    }
+}
+
+/// Six numbers.
+fn six(text: &str) -> Result<[f64; 6], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    let six = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    six.ok_or_else(|| "six numbers with commas between them are needed, such as 0,90,90,90,-90,0".to_owned())
+}

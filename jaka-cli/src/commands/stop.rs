@@ -1,0 +1,27 @@
+//! `jaka stop`: stop the motion or program that is running.
+
+use clap::Args;
+use jaka_sync::program::StopProgram;
+
+use crate::acting::Act;
+use crate::failure::Failure;
+use crate::output;
+use crate::target::RobotArgs;
+
+/// Stop the motion or the program that is running; sent without a question
+///
+/// This is not an emergency stop: it travels over the network, and the controller must take it. The command port serves one client: another
+/// program that is connected there may be disconnected. No source says whether it ends `movc`, a jog, or servo motion.
+#[derive(Debug, Args)]
+pub(crate) struct Stop {
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+impl Stop {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let act = Act::at_once(&self.robot)?;
+        act.with_client("`stop_program`", |client| client.call(&StopProgram::new()))?;
+        output::line("the controller has taken the stop (`stop_program`)")
+    }
+}

@@ -1,0 +1,255 @@
+//! The commands that do one thing to a robot: `up`, `down`, `stop`, `clear`, `move` and `jog`.
+
+use std::process::{Child, Stdio};
+use std::time::Duration;
+
+use expect_test::expect;
+use jaka_sim::{Controller, Delays};
+
+#[cfg(unix)]
+use crate::common::interrupt;
+use crate::program::{Run, address_of, command, jaka, result};
+
+/// A controller whose arm has no power.
+fn controller() -> Controller {
+    Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
+}
+
+fn powered() -> Controller {
+    let controller = controller();
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    controller
+}
+
+fn started(controller: &Controller, line: &str) -> Child {
+    let words = line.split(' ').map(str::to_owned).chain(address_of(controller));
+    let mut command = command(words);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn run(controller: &Controller, line: &str) -> Run {
+    result(started(controller, line))
+}
+
+/// The requests that were not queries.
+fn changes(controller: &Controller) -> Vec<String> {
+    let requests = controller.requests().into_iter();
+    requests.filter(|request| !request.contains("\"get_")).collect()
+}
+
+#[test]
+fn up_and_down_send_what_is_needed() {
+    let controller = controller();
+    expect![[r"
+        the arm is powered and enabled
+        exit code 0
+    "]]
+    .assert_eq(&run(&controller, "up --yes").text());
+    assert!(controller.state().enabled);
+    assert_eq!(changes(&controller), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#]);
+    assert_eq!(run(&controller, "up --yes").code, Some(0));
+    assert_eq!(changes(&controller).len(), 2, "it is up already");
+    expect![[r"
+        the arm has no power
+        exit code 0
+    "]]
+    .assert_eq(&run(&controller, "down --yes").text());
+    assert!(!controller.state().powered);
+    assert_eq!(changes(&controller)[2..], [r#"{"cmdName":"disable_robot"}"#, r#"{"cmdName":"power_off"}"#]);
+    controller.press_emergency_stop();
+    let pressed = run(&controller, "up --yes");
+    assert_eq!(pressed.code, Some(20), "{pressed:?}");
+    assert!(pressed.err.contains("emergency stop is pressed"), "{pressed:?}");
+    assert_eq!(changes(&controller).len(), 4, "nothing was sent");
+}
+
+#[test]
+fn what_does_not_come_about_in_time_is_told() {
+    let slow = Controller::start().expect("loopback has free ports");
+    let run = run(&slow, "up --yes --timeout 2");
+    assert!(matches!(run.code, Some(4 | 27)), "{run:?}");
+    assert_eq!(run.out, "");
+}
+
+#[test]
+fn each_asks_but_stop() {
+    let controller = powered();
+    let moves = ["move --joints 0,90,90,90,-90,0 --speed 10", "jog 6 5 --speed 5"];
+    for line in ["up", "down", "clear"].into_iter().chain(moves) {
+        let run = run(&controller, line);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{run:?}");
+        assert!(run.err.contains("not sent") && run.err.contains("--yes"), "{run:?}");
+    }
+    assert!(controller.requests().is_empty());
+    expect![[r"
+        jaka: `power_on` and `enable_robot` were not sent: there is no terminal to ask on; use --yes to send them anyway
+        exit code 2
+    "]]
+    .assert_eq(&run(&controller, "up").text());
+    expect![[r"
+        the controller has taken the stop (`stop_program`)
+        exit code 0
+    "]]
+    .assert_eq(&run(&controller, "stop").text());
+    assert_eq!(controller.requests(), [r#"{"cmdName":"stop_program"}"#]);
+}
+
+#[test]
+fn clear_leaves_a_protective_stop() {
+    let controller = powered();
+    controller.collide();
+    expect![[r"
+        the robot is in no protective stop
+        exit code 0
+    "]]
+    .assert_eq(&run(&controller, "clear --yes").text());
+    assert!(!controller.state().protective_stop);
+}
+
+#[test]
+fn move_goes_to_joints_and_poses() {
+    let controller = powered();
+    let run_to = |line: &str| {
+        let run = run(&controller, line);
+        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+        run.out
+    };
+    let out = run_to("move --joints -5,90,90,90,-90,0 --speed 90 --yes");
+    assert!(out.starts_with("the motion has reached its target, after "), "{out}");
+    assert!((controller.state().joint_position.0[0] + 5.0).abs() < 0.1);
+    let pose = controller.state().tcp_pose;
+    let line = format!("move --pose {},{},{},{},{},{} ", pose.x, pose.y, pose.z + 10.0, pose.rx, pose.ry, pose.rz);
+    let json: serde_json::Value = serde_json::from_str(&run_to(&(line + "--speed 100 --yes --json"))).expect("JSON");
+    assert_eq!(json["outcome"], "reached");
+    assert!((controller.state().tcp_pose.z - pose.z - 10.0).abs() < 0.5);
+}
+
+#[test]
+fn jog_goes_by_an_increment() {
+    let controller = powered();
+    let before = controller.state();
+    for line in ["jog 6 -2.5 --speed 50 --yes", "jog z -10 --speed 100 --yes --model zu5"] {
+        let run = run(&controller, line);
+        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    }
+    let after = controller.state();
+    assert!((after.joint_position.0[5] - before.joint_position.0[5] + 2.5).abs() < 2.0);
+    assert!((after.tcp_pose.z - before.tcp_pose.z + 10.0).abs() < 0.5);
+}
+
+#[test]
+fn what_is_beyond_a_limit_is_not_sent() {
+    let controller = powered();
+    let run = run(&controller, "move --joints 0,90,176,90,-90,0 --speed 10 --acceleration 50 --model zu5 --yes");
+    assert_eq!(run.code, Some(20), "{run:?}");
+    assert!(run.err.contains("joint 3 would be at 176 deg; limit 175 (Zu 5)"), "{run:?}");
+    assert!(changes(&controller).iter().all(|request| !request.contains("joint_move")));
+}
+
+#[test]
+fn what_is_wrong_on_the_line_is_told() {
+    let text = |line: &str| jaka(line.split(' ')).text();
+    expect![[r#"
+        jaka: invalid value '0,90' for '--joints <DEG,...>': six numbers with commas between them are needed, such as 0,90,90,90,-90,0
+
+        For more information, try '--help'.
+        exit code 2
+    "#]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
+    expect![[r#"
+        jaka: the following required arguments were not provided:
+          <--joints <DEG,...>|--pose <X,Y,Z,RX,RY,RZ>>
+
+        Usage: jaka move --speed <SPEED> --sim[=<MODEL>] <--joints <DEG,...>|--pose <X,Y,Z,RX,RY,RZ>>
+
+        For more information, try '--help'.
+        exit code 2
+    "#]]
+    .assert_eq(&text("move --speed 10 --sim"));
+    expect![[r#"
+        jaka: invalid value '7' for '<AXIS>': there are joints 1 to 6, and the axes x, y and z
+
+        For more information, try '--help'.
+        exit code 2
+    "#]]
+    .assert_eq(&text("jog 7 5 --speed 10 --sim"));
+    expect![[r#"
+        jaka: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller
+        exit code 2
+    "#]].assert_eq(&text("jog 1 5 --speed 0 --sim"));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_stops_a_move_and_a_jog() {
+    for line in ["move --joints 90,90,90,90,-90,0 --speed 10 --yes", "jog 1 90 --speed 10 --yes"] {
+        let controller = powered();
+        let child = started(&controller, line);
+        let has_begun = || controller.requests().iter().any(|request| request.contains("joint_move"));
+        while !has_begun() {
+            controller.wait_for_requests(controller.requests().len() + 1, Duration::from_millis(100));
+        }
+        interrupt(&child);
+        expect![[r"
+            jaka: interrupted: the controller has taken the stop (`stop_program`)
+            jaka: the motion was stopped before its target
+            exit code 22
+        "]]
+        .assert_eq(&result(child).text());
+        assert!(controller.state().joint_position.0[0] < 60.0);
+    }
+}
+
+const README: &str = include_str!("../README.md");
+
+/// Runs the README's script with this patience, and says how it ended. `meanwhile` does what it does once the arm moves.
+#[cfg(unix)]
+fn script(controller: &Controller, patience: &str, meanwhile: impl FnOnce(&Controller)) -> Run {
+    use crate::program::scratch;
+    let (_, rest) = README.split_once("#!/bin/sh\n").expect("the README has the script");
+    let file = scratch("two-motions.sh");
+    std::fs::write(&file, rest.split_once("```").expect("it ends").0).expect("it can be written");
+    let config = scratch("config.toml");
+    let (commands, status) = (controller.command_addr().port(), controller.status_addr().port());
+    let text = format!("[robots.cell1]\naddress = '127.0.0.1'\ncommand_port = {commands}\nstatus_port = {status}\n");
+    std::fs::write(&config, text).expect("it can be written");
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_jaka"));
+    let path = std::env::join_paths(
+        std::iter::once(program.parent().expect("it is in a folder").to_owned())
+            .chain(std::env::split_paths(&std::env::var_os("PATH").expect("there is one"))),
+    );
+    let mut shell = std::process::Command::new("sh");
+    shell.arg(file).args(["cell1", patience]).env("PATH", path.expect("it has no colon")).env("JAKA_CONFIG", config);
+    shell.env_remove("JAKA_ROBOT").stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let child = shell.spawn().expect("there is a shell");
+    while !controller.requests().iter().any(|request| request.contains("joint_move")) {
+        controller.wait_for_requests(controller.requests().len() + 1, Duration::from_millis(100));
+    }
+    meanwhile(controller);
+    result(child)
+}
+
+#[cfg(unix)]
+#[test]
+fn a_script_ends_at_the_first_motion_that_fails() {
+    let count = |controller: &Controller, name: &str| {
+        controller.requests().iter().filter(|request| request.contains(name)).count()
+    };
+    let quick = Controller::builder().delays(Delays::NONE).time_scale(5.0).start().expect("loopback has free ports");
+    let run = script(&quick, "60", |_| {});
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert_eq!((count(&quick, "joint_move"), count(&quick, "power_off")), (2, 1));
+    let ends: [(&str, fn(&Controller), i32); 5] = [
+        ("60", Controller::collide, 23),
+        ("60", Controller::press_emergency_stop, 24),
+        ("60", Controller::cut_power, 25),
+        ("60", |controller| controller.set_state(|state| "0x0f0030".clone_into(&mut state.error_code)), 26),
+        ("2", |_| {}, 27),
+    ];
+    for (patience, meanwhile, code) in ends {
+        let controller = controller();
+        let run = script(&controller, patience, meanwhile);
+        assert_eq!(run.code, Some(code), "{run:?}");
+        assert_eq!(count(&controller, "joint_move"), 1, "{run:?}");
+        assert_eq!(count(&controller, "stop_program"), 1, "{run:?}");
+    }
+}
