@@ -111,6 +111,7 @@ mod tests {
             `power_on` switches power, brakes or the controller itself. Switches the arm's power on.
             `enable_robot` switches power, brakes or the controller itself. Enables the arm, so that it can move.
             The command port serves one client: another program that is connected there may be disconnected.
-            Send them? [y/N] "#]].assert_eq(&question(&up, "cell1 (10.5.5.100)"));
+            Send them? [y/N] "#]]
+        .assert_eq(&question(&up, "cell1 (10.5.5.100)"));
     }
 }

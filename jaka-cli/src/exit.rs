@@ -61,6 +61,7 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
         Failure::Refused { .. } => REFUSED,
         Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),
         Failure::Departs(_) => DEPARTS,
+        Failure::NotInTime(_) => DEADLINE,
         Failure::Local { .. } => LOCAL,
         Failure::Differs(impact) => return ExitCode::from(difference(*impact)),
         Failure::Found(Verdict::Wrong) => return ExitCode::from(WRONG),

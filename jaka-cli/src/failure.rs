@@ -27,6 +27,8 @@ pub(crate) enum Failure {
     },
     /// A motion was accepted, and did not end at its target.
     NotReached(NotReached),
+    /// What was waited for did not come in time.
+    NotInTime(String),
     /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
     Departs(String),
     /// Two specs differ, and the exit code was asked to say by how much: the highest impact.
@@ -86,7 +88,7 @@ pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Usage(text) | Self::Departs(text) => f.write_str(text),
+            Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) => f.write_str(text),
             Self::Robot(error) => error.fmt(f),
             Self::NotReached(not_reached) => not_reached.fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {

@@ -37,6 +37,14 @@ pub(crate) enum Shape {
     Nested,
 }
 
+/// What a condition can do with a field's value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Kind {
+    Truth,
+    Number,
+    Other,
+}
+
 impl Field {
     /// The packet as a whole.
     fn packet() -> Self {
@@ -72,6 +80,16 @@ impl Field {
             Wire::List(..) => Shape::Nested,
             _ if !self.members().is_empty() => Shape::Nested,
             _ => Shape::Single,
+        }
+    }
+
+    /// What a condition can do with its value.
+    pub(crate) fn kind(&self) -> Kind {
+        match self.wire {
+            Wire::Scalar(Scalar::Bool { .. }) => Kind::Truth,
+            Wire::Scalar(scalar) if scalar.is_number() => Kind::Number,
+            Wire::IntEnum(_) => Kind::Number,
+            _ => Kind::Other,
         }
     }
 

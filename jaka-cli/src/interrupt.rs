@@ -23,14 +23,16 @@ pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<()
     })
 }
 
-/// Ends the program with success on Ctrl-C, but not in the middle of what it writes.
-pub(crate) fn end_on_interrupt() -> Result<(), Failure> {
-    on_interrupt(|| {
+/// Ends the program with this code on Ctrl-C, but not in the middle of what it writes.
+pub(crate) fn end_on_interrupt(code: u8) -> Result<(), Failure> {
+    handle(move || {
         // Not here, since the reader of the output may never continue.
-        thread::spawn(|| {
+        thread::spawn(move || {
             let _whole = stdout().lock();
-            end(0);
+            end(code);
         });
+        thread::sleep(PATIENCE);
+        end(code);
     })
 }
 

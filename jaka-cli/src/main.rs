@@ -2,6 +2,7 @@
 
 mod acting;
 mod commands;
+mod condition;
 mod consent;
 mod dashboard;
 mod event;

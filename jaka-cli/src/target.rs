@@ -204,6 +204,11 @@ impl Target {
         Ok(robot)
     }
 
+    /// How long something may take, if the command line says so.
+    pub(crate) fn timeout(&self) -> Option<Duration> {
+        self.timeout
+    }
+
     /// How long something may take: as the command line says, or else this long.
     pub(crate) fn patience(&self, usual: Duration) -> Duration {
         self.timeout.unwrap_or(usual)
@@ -220,6 +225,11 @@ impl Target {
     /// Connects to the status port, which serves any number of readers.
     pub(crate) fn status_stream(&self) -> Result<StatusStream, Failure> {
         Ok(self.config.connect_status(&self.status)?)
+    }
+
+    /// The same, where a packet is awaited for this long.
+    pub(crate) fn status_stream_within(&self, timeout: Duration) -> Result<StatusStream, Failure> {
+        Ok(self.config.clone().reply_timeout(timeout).connect_status(&self.status)?)
     }
 
     /// The same, with a thread that reads and reconnects.

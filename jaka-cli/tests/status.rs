@@ -171,7 +171,7 @@ fn a_name_that_does_not_exist_has_near_ones() {
 #[test]
 fn it_ends_with_success_when_the_reader_is_gone() {
     let (mut child, out, line) = started(&mut jaka(&["status", "--sim", "--watch", "0", "--fields", "enabled"]));
-    assert_eq!(line, "enabled  false\n");
+    assert!(line.starts_with("20") && line.ends_with(" UTC\n"), "the time comes first: {line}");
     drop(out);
     let errors = child.stderr.take().unwrap();
     assert_eq!(end(child).code(), Some(0));
@@ -244,6 +244,56 @@ fn a_packet_that_cannot_be_read_is_reported() {
     expect!["jaka: a status packet does not fit the spec: not JSON: expected `:` at byte 11, found `true}`"]
         .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
+}
+
+#[test]
+fn a_condition_is_waited_for() {
+    let controller = Controller::start().unwrap();
+    let port = controller.status_addr().port().to_string();
+    let args = ["status", "-r", "127.0.0.1", "--status-port", &port, "-f", "enabled", "--timeout", "30", "--watch=0"];
+    let (child, mut out, _) = started(jaka(&args).args(["--until", "enabled && !protective_stop"]));
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    assert_eq!(line, "enabled  false\n");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    let lines: Vec<_> = out.lines().map(Result::unwrap).filter(|line| line.starts_with("enabled")).collect();
+    assert_eq!(lines.iter().filter(|line| *line == "enabled  true").count(), 1, "it ends with the first: {lines:?}");
+    assert_eq!(end(child).code(), Some(0));
+    let args = [&args[..args.len() - 1], &["--until", "enabled"]].concat();
+    assert_eq!(printed(&args[1..]), "enabled  true\n", "without --watch that packet alone is printed");
+}
+
+#[test]
+fn a_condition_that_does_not_come_in_time_is_a_failure() {
+    let failed = failure(&mut jaka(&["status", "--sim", "--timeout", "1", "--until", "enabled || rapid_rate > 1"]));
+    expect![[r#"
+        jaka: `enabled || rapid_rate > 1` did not hold within 1s; the last packet: enabled false, rapid_rate 1
+        exit code Some(27)"#]]
+    .assert_eq(&failed);
+    let (controller, args) = quiet_controller();
+    // Also where no packet comes any more.
+    let (_, stderr, code) = output(jaka(&[]).args(args).args(["--timeout", "3", "--until", "enabled"]));
+    expect!["jaka: `enabled` did not hold within 3s; the last packet: enabled false\n"].assert_eq(&stderr);
+    assert_eq!(code, Some(27));
+    drop(controller);
+}
+
+#[test]
+fn a_condition_that_is_none_is_pointed_at() {
+    expect![[r#"
+        jaka: --until, column 12: there is no status field `in_postion`; similar names: `in_position`
+          enabled && in_postion
+                     ^
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["status", "--sim", "--until", "enabled && in_postion"])));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_before_the_condition_is_not_a_success() {
+    let (child, _out, _) = started(&mut jaka(&["status", "--sim", "--watch", "--until", "enabled"]));
+    interrupt(&child);
+    assert_eq!(end(child).code(), Some(130));
 }
 
 /// A pack that changes the status packet.

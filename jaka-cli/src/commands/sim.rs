@@ -71,7 +71,7 @@ impl Sim {
         if self.log {
             wire_log::print_all("jaka_sim");
         }
-        end_on_interrupt()?;
+        end_on_interrupt(0)?;
         let _controller = self.listen.start(self.builder()?)?;
         loop {
             thread::park();

@@ -4,6 +4,7 @@ mod csv;
 mod json;
 mod packets;
 mod table;
+mod until;
 
 use std::num::NonZeroU64;
 use std::time::Duration;
@@ -14,6 +15,9 @@ use jaka_sync::proto::text::visible_json_line;
 use self::csv::Columns;
 use self::packets::Packets;
 use self::table::StatusTable;
+use self::until::{POLL, Until};
+use crate::condition::Condition;
+use crate::exit;
 use crate::failure::Failure;
 use crate::fields::Field;
 use crate::interrupt::end_on_interrupt;
@@ -38,6 +42,12 @@ pub(crate) struct Status {
     /// End after this many packets; without --watch one a second
     #[arg(long, short = 'n', value_name = "N")]
     count: Option<NonZeroU64>,
+    /// Wait until a packet shows this, such as 'in_position && !protective_stop'; print that packet
+    ///
+    /// Fields that are truth values; comparisons of numbers with ==, !=, <, <=, > and >=; &&, ||, ! and parentheses. With --watch, packets
+    /// before it are printed, too. The exit code is 27 if it is not shown within --timeout, and 130 on Ctrl-C.
+    #[arg(long, value_name = "CONDITION", conflicts_with_all = ["raw", "count"])]
+    until: Option<String>,
     /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
     ///
     /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
@@ -73,21 +83,29 @@ impl Status {
         let target = self.robot.target(&protocol.packs)?;
         protocol.read_status();
         let fields = self.fields()?;
-        end_on_interrupt()?;
-        let period = self.watch.unwrap_or(Duration::from_secs(1));
-        let mut packets = Packets::new(target.status_stream()?, period);
+        let until = self.until.as_deref().map(str::parse::<Condition>).transpose();
+        let until = until.map_err(|error| Failure::Usage(format!("--until, {error}")))?;
+        end_on_interrupt(if until.is_some() { exit::INTERRUPTED } else { 0 })?;
+        let limit = target.timeout().filter(|_| until.is_some());
+        let stream = match limit {
+            Some(limit) => target.status_stream_within(POLL.min(limit))?,
+            None => target.status_stream()?,
+        };
+        let period = if until.is_some() { self.watch } else { self.watch.or(Some(Duration::from_secs(1))) };
+        let mut packets = Packets::new(stream, period, until.map(|condition| Until::new(condition, limit)));
+        let packets = &mut packets;
         if self.raw {
-            return self.print(|| Ok(visible_json_line(&packets.next_text()?).into_owned() + "\n"));
+            return self.print(packets, |packets| Ok(visible_json_line(&packets.next_text()?).into_owned() + "\n"));
         }
         match self.format {
             Format::Table => {
                 let table = StatusTable::new(fields, self.repeats());
-                self.print(|| Ok(table.text(&packets.next()?.json)))
+                self.print(packets, |packets| Ok(table.text(&packets.next()?)))
             }
-            Format::Json => self.print(|| Ok(json::line(&fields, &packets.next()?))),
+            Format::Json => self.print(packets, |packets| Ok(json::line(&fields, &packets.next()?))),
             Format::Csv => {
                 let mut columns = Columns::new(fields);
-                self.print(|| Ok(columns.lines(&packets.next()?)))
+                self.print(packets, |packets| Ok(columns.lines(&packets.next()?)))
             }
         }
     }
@@ -105,8 +123,19 @@ impl Status {
     }
 
     /// Prints packets, each by `text`, until there have been enough.
-    fn print(&self, mut text: impl FnMut() -> Result<String, Failure>) -> Result<(), Failure> {
-        let most = if self.repeats() { self.count.map_or(u64::MAX, NonZeroU64::get) } else { 1 };
-        (0..most).try_for_each(|_| output::write(text()?.as_bytes()))
+    fn print(
+        &self,
+        packets: &mut Packets,
+        mut text: impl FnMut(&mut Packets) -> Result<String, Failure>,
+    ) -> Result<(), Failure> {
+        let once = !self.repeats() && self.until.is_none();
+        let most = if once { 1 } else { self.count.map_or(u64::MAX, NonZeroU64::get) };
+        for _ in 0..most {
+            output::write(text(packets)?.as_bytes())?;
+            if packets.is_last() {
+                break;
+            }
+        }
+        Ok(())
     }
 }

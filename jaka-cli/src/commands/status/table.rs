@@ -1,14 +1,17 @@
 //! Packets as a table.
 
 use std::io::{IsTerminal, stdout};
+use std::time::Duration;
 
 use jaka_sync::proto::text::visible;
 use serde_json::Value;
 
+use super::packets::Packet;
 use crate::event;
 use crate::fields::{Field, Shape};
 use crate::number::fixed;
 use crate::output::{self, ABSENT};
+use crate::utc;
 
 /// Lists with more values than this are abbreviated.
 const SHORT: usize = 8;
@@ -17,30 +20,36 @@ const SHORT: usize = 8;
 #[derive(Debug)]
 pub(super) struct StatusTable {
     fields: Vec<Field>,
-    /// What comes before and after each table.
-    around: (&'static str, &'static str),
+    /// What comes before and after each of several tables; none if there is only one.
+    around: Option<(&'static str, &'static str)>,
 }
 
 impl StatusTable {
-    /// On a terminal, each table replaces the one before it.
+    /// Several tables have their times. On a terminal, each replaces the one before it.
     pub(super) fn new(fields: Vec<Field>, repeats: bool) -> Self {
         let around = match (repeats, stdout().is_terminal()) {
-            (false, _) => ("", ""),
-            (true, true) => ("\x1b[H\x1b[J", ""),
-            (true, false) => ("", "\n"),
+            (false, _) => None,
+            (true, true) => Some(("\x1b[H\x1b[J", "")),
+            (true, false) => Some(("", "\n")),
         };
         Self { fields, around }
     }
 
     /// The table of a packet.
-    pub(super) fn text(&self, packet: &Value) -> String {
+    pub(super) fn text(&self, packet: &Packet) -> String {
+        let table = self.rows(&packet.json);
+        let Some((before, after)) = self.around else { return table };
+        format!("{before}{}\n{table}{after}", utc::date_and_time(Duration::from_secs_f64(packet.time)))
+    }
+
+    fn rows(&self, packet: &Value) -> String {
         let mut rows = Vec::new();
         for field in &self.fields {
             add(field, packet, &mut rows);
         }
         let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
         let lines: Vec<_> = rows.iter().map(|(name, value)| format!("{name:width$}  {value}\n")).collect();
-        format!("{}{}{}", self.around.0, lines.concat(), self.around.1)
+        lines.concat()
     }
 }
 
@@ -140,6 +149,6 @@ mod tests {
             tcp_speed        0.000 mm/s
             task_mode        9
         "#]]
-        .assert_eq(&StatusTable::new(fields, false).text(&packet));
+        .assert_eq(&StatusTable::new(fields, false).rows(&packet));
     }
 }

@@ -1,0 +1,62 @@
+//! Waiting until a packet shows what is waited for.
+
+use std::time::{Duration, Instant};
+
+use jaka_sync::{Error, ErrorKind};
+use serde_json::Value;
+
+use crate::condition::Condition;
+use crate::failure::Failure;
+
+/// How often it is checked whether the time is over while no packet comes.
+pub(super) const POLL: Duration = Duration::from_millis(100);
+
+/// A condition that is waited for, and for how long.
+#[derive(Debug)]
+pub(super) struct Until {
+    condition: Condition,
+    limit: Option<Duration>,
+    since: Instant,
+    /// What the last packet says about it.
+    last: Option<String>,
+    /// True once a packet has shown it.
+    is_met: bool,
+}
+
+impl Until {
+    pub(super) fn new(condition: Condition, limit: Option<Duration>) -> Self {
+        Self { condition, limit, since: Instant::now(), last: None, is_met: false }
+    }
+
+    pub(super) fn is_met(&self) -> bool {
+        self.is_met
+    }
+
+    /// Takes a packet.
+    ///
+    /// # Errors
+    /// It does not show the condition, and the time is over.
+    pub(super) fn packet(&mut self, packet: &Value) -> Result<(), Failure> {
+        self.is_met = self.condition.holds(packet);
+        if self.is_met {
+            return Ok(());
+        }
+        self.last = Some(self.condition.describe(packet));
+        self.check_time()
+    }
+
+    /// True if no packet has come, which does not end the wait: the time does.
+    pub(super) fn outlasts(&self, error: &Error) -> bool {
+        self.limit.is_some() && matches!(error.kind(), ErrorKind::StatusTimeout { .. })
+    }
+
+    /// Fails if the time is over.
+    pub(super) fn check_time(&self) -> Result<(), Failure> {
+        let Some(limit) = self.limit.filter(|limit| self.since.elapsed() >= *limit) else { return Ok(()) };
+        let last = match &self.last {
+            Some(last) => format!("the last packet: {last}"),
+            None => "no status packet came".to_owned(),
+        };
+        Err(Failure::NotInTime(format!("`{}` did not hold within {limit:?}; {last}", self.condition)))
+    }
+}

@@ -1,0 +1,337 @@
+//! Conditions on status packets, as people type them: `in_position && !protective_stop`.
+
+mod parse;
+mod tokens;
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde_json::Value;
+
+use crate::fields::Field;
+use crate::output::ABSENT;
+
+/// A condition on a status packet.
+#[derive(Debug, Clone)]
+pub(crate) struct Condition {
+    text: String,
+    root: Expression,
+}
+
+/// A part of a condition, whose kinds were checked when it was read.
+#[derive(Debug, Clone)]
+enum Expression {
+    Truth(bool),
+    Number(f64),
+    Field(Field),
+    Not(Box<Expression>),
+    And(Box<Expression>, Box<Expression>),
+    Or(Box<Expression>, Box<Expression>),
+    Compare(Comparison, Box<Expression>, Box<Expression>),
+}
+
+/// How two values are compared.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Comparison {
+    Equal,
+    NotEqual,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+}
+
+/// A value in a packet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Datum {
+    Truth(bool),
+    Number(f64),
+}
+
+impl Condition {
+    /// True if the packet shows that it holds. What depends on a field that the packet does not have does not hold, and neither does its contrary.
+    pub(crate) fn holds(&self, packet: &Value) -> bool {
+        self.root.value(packet) == Some(Datum::Truth(true))
+    }
+
+    /// Its fields with their values in a packet, such as `in_position false`.
+    pub(crate) fn describe(&self, packet: &Value) -> String {
+        let mut fields = Vec::new();
+        self.root.fields(&mut fields);
+        let text = |field: &&Field| {
+            let value = field.named_value(packet).map_or_else(|| ABSENT.to_owned(), |value| value.to_string());
+            format!("{} {value}", field.name)
+        };
+        let mut texts: Vec<_> = fields.iter().map(text).collect();
+        texts.dedup();
+        texts.join(", ")
+    }
+}
+
+impl Expression {
+    fn value(&self, packet: &Value) -> Option<Datum> {
+        let truth = |part: &Self| match part.value(packet) {
+            Some(Datum::Truth(truth)) => Some(truth),
+            _ => None,
+        };
+        Some(match self {
+            Self::Truth(truth) => Datum::Truth(*truth),
+            Self::Number(number) => Datum::Number(*number),
+            Self::Field(field) => match field.named_value(packet)? {
+                Value::Bool(truth) => Datum::Truth(truth),
+                value => Datum::Number(value.as_f64()?),
+            },
+            Self::Not(part) => Datum::Truth(!truth(part)?),
+            // One of them is enough, whatever the other is.
+            Self::And(one, other) => match (truth(one), truth(other)) {
+                (Some(false), _) | (_, Some(false)) => Datum::Truth(false),
+                (one, other) => Datum::Truth(one? && other?),
+            },
+            Self::Or(one, other) => match (truth(one), truth(other)) {
+                (Some(true), _) | (_, Some(true)) => Datum::Truth(true),
+                (one, other) => Datum::Truth(one? || other?),
+            },
+            Self::Compare(comparison, one, other) => {
+                Datum::Truth(comparison.holds(one.value(packet)?, other.value(packet)?))
+            }
+        })
+    }
+
+    fn fields<'e>(&'e self, found: &mut Vec<&'e Field>) {
+        match self {
+            Self::Truth(_) | Self::Number(_) => {}
+            Self::Field(field) => found.push(field),
+            Self::Not(part) => part.fields(found),
+            Self::And(one, other) | Self::Or(one, other) | Self::Compare(_, one, other) => {
+                one.fields(found);
+                other.fields(found);
+            }
+        }
+    }
+}
+
+impl Comparison {
+    /// Values of different kinds are never equal; their parser lets none through.
+    fn holds(self, one: Datum, other: Datum) -> bool {
+        use std::cmp::Ordering::{Equal, Greater, Less};
+        let ordering = match (one, other) {
+            (Datum::Number(one), Datum::Number(other)) => one.partial_cmp(&other),
+            (Datum::Truth(one), Datum::Truth(other)) => Some(one.cmp(&other)),
+            _ => None,
+        };
+        match self {
+            Self::Equal => ordering == Some(Equal),
+            Self::NotEqual => matches!(ordering, Some(Less | Greater)),
+            Self::Less => ordering == Some(Less),
+            Self::LessOrEqual => matches!(ordering, Some(Less | Equal)),
+            Self::Greater => ordering == Some(Greater),
+            Self::GreaterOrEqual => matches!(ordering, Some(Greater | Equal)),
+        }
+    }
+}
+
+impl FromStr for Condition {
+    type Err = String;
+
+    /// Reads a condition.
+    ///
+    /// # Errors
+    /// It is not one: the message points at the column.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let read = tokens::read(text).and_then(parse::condition);
+        let root = read.map_err(|error| error.under(text))?;
+        Ok(Self { text: text.to_owned(), root })
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// What is wrong with a condition, and where.
+#[derive(Debug)]
+struct Misread {
+    /// The column, from 0.
+    column: usize,
+    text: String,
+}
+
+impl Misread {
+    fn new(column: usize, text: impl Into<String>) -> Self {
+        Self { column, text: text.into() }
+    }
+
+    /// The message, with the condition and a mark under the place.
+    fn under(&self, condition: &str) -> String {
+        let Self { column, text } = self;
+        if condition.trim().is_empty() {
+            return text.clone();
+        }
+        let line = condition.replace(char::is_control, " ");
+        format!("column {}: {text}\n  {line}\n  {:column$}^", column + 1, "")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+    use serde_json::json;
+
+    use super::*;
+
+    fn holds(condition: &str) -> bool {
+        let packet = json!({
+            "enabled": true, "protective_stop": 0, "inpos": true, "rapidrate": 0.5, "task_state": 4,
+            "joint_actual_position": [1.5, -20, 3, 4, 5, 6], "din": [0, 1],
+        });
+        condition.parse::<Condition>().unwrap_or_else(|error| panic!("{error}")).holds(&packet)
+    }
+
+    #[test]
+    fn conditions_hold_as_they_are_read() {
+        for condition in [
+            "in_position && !protective_stop",
+            "inpos",
+            "joint_actual_position[0] > 1 && joint_actual_position[1] <= -20",
+            "task_state == 4",
+            "rapid_rate >= 0.5 && rapid_rate != 1e0",
+            "false || enabled && true",
+            "!(protective_stop || !enabled)",
+            "!!digital_inputs[1]",
+            "protective_stop == false",
+            "enabled != protective_stop",
+            "(task_state == 3) == false",
+            "1<2",
+            // Enough is known.
+            "enabled || emergency_stop",
+        ] {
+            assert!(holds(condition), "{condition}");
+        }
+        for condition in [
+            "protective_stop",
+            "task_state != 4",
+            "enabled && rapid_rate > 0.5",
+            "true && false || false",
+            "digital_inputs[0]",
+        ] {
+            assert!(!holds(condition), "{condition}");
+        }
+    }
+
+    #[test]
+    fn what_a_packet_does_not_have_holds_in_no_way() {
+        for condition in ["emergency_stop", "!emergency_stop", "tcp_speed < 1", "tcp_speed >= 1", "digital_inputs[7]"] {
+            assert!(!holds(condition), "{condition}");
+        }
+    }
+
+    #[test]
+    fn errors_point_at_the_column() {
+        let check = |text: &str, expected: Expect| {
+            expected.assert_eq(&text.parse::<Condition>().expect_err("it is not a condition"));
+        };
+        check(
+            "enabled && in_positon",
+            expect![[r#"
+            column 12: there is no status field `in_positon`; similar names: `in_position`
+              enabled && in_positon
+                         ^"#]],
+        );
+        check(
+            "enabled & in_position",
+            expect![[r#"
+            column 9: `&&` stands for "and"
+              enabled & in_position
+                      ^"#]],
+        );
+        check(
+            "rapid_rate = 1",
+            expect![[r#"
+            column 12: `==` compares
+              rapid_rate = 1
+                         ^"#]],
+        );
+        check(
+            "enabled > 1",
+            expect![[r#"
+            column 9: a truth value and a number cannot be compared
+              enabled > 1
+                      ^"#]],
+        );
+        check(
+            "enabled < in_position",
+            expect![[r#"
+            column 9: truth values are compared with `==` and `!=` alone
+              enabled < in_position
+                      ^"#]],
+        );
+        check(
+            "rapid_rate",
+            expect![[r#"
+            column 1: this is a number: compare it, as in `rapid_rate > 0.5`
+              rapid_rate
+              ^"#]],
+        );
+        check(
+            "!rapid_rate",
+            expect![[r#"
+            column 2: this is a number: compare it, as in `rapid_rate > 0.5`
+              !rapid_rate
+               ^"#]],
+        );
+        check(
+            "actual_position == 1",
+            expect![[r#"
+            column 1: the status field `actual_position` is neither a truth value nor a number
+              actual_position == 1
+              ^"#]],
+        );
+        check(
+            "(enabled",
+            expect![[r#"
+            column 9: expected `)`
+              (enabled
+                      ^"#]],
+        );
+        check(
+            "enabled)",
+            expect![[r#"
+            column 8: expected `&&`, `||` or the end
+              enabled)
+                     ^"#]],
+        );
+        check(
+            "enabled and in_position",
+            expect![[r#"
+            column 9: expected `&&`, `||` or the end
+              enabled and in_position
+                      ^"#]],
+        );
+        check(
+            "rapid_rate == 1.5.14",
+            expect![[r#"
+            column 15: `1.5.14` is not a number
+              rapid_rate == 1.5.14
+                            ^"#]],
+        );
+        check(
+            "1 < rapid_rate < 2",
+            expect![[r#"
+            column 16: compare two values at a time, and join comparisons with `&&`
+              1 < rapid_rate < 2
+                             ^"#]],
+        );
+        check("", expect!["expected a field, a number, `!` or `(`"]);
+        check(
+            "enabled §",
+            expect![[r#"
+            column 9: `§` means nothing here
+              enabled §
+                      ^"#]],
+        );
+        let deep = "(".repeat(1000).parse::<Condition>().expect_err("it is not a condition");
+        assert!(deep.starts_with("column 51: there are too many parts in each other"), "{deep}");
+    }
+}
