@@ -138,7 +138,7 @@ fn names(controller: &Controller) -> Vec<String> {
 /// Nothing was sent that could move the arm, or lead to that.
 fn assert_nothing_sent(controller: &Controller) {
     let names = names(controller);
-    assert!(!names.iter().any(|name| name.contains("servo")), "{names:?}");
+    assert!(!names.iter().any(|name| name.contains("servo_")), "{names:?}");
     assert!(!controller.state().servo_mode);
 }
 

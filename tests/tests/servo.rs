@@ -36,7 +36,8 @@ const LEFT: &str = r#"{"cmdName":"servo_move","relFlag":0}"#;
 
 /// The last request that is not a query.
 fn last_change(requests: &[String]) -> &str {
-    let is_query = |request: &&String| request.contains("is_in_servomove") || request.contains("get_joint_pos");
+    let queries = ["is_in_servomove", "get_joint_pos", "get_robot_state"];
+    let is_query = |request: &&String| queries.iter().any(|query| request.contains(query));
     requests.iter().rev().find(|request| !is_query(request)).expect("something was changed")
 }
 

@@ -4,8 +4,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Controller, Delays, Port};
+use jaka_sim::{Builder, Controller, Delays, Port, Trip, Underrun};
 use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
+use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::types::JointPosition;
 use jaka_sync::{Config, ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
 use serde_json::Value;
@@ -38,7 +39,11 @@ fn ready_with(limits: Limits, config: &Config) -> (Controller, Robot) {
 }
 
 fn plain(config: &Config) -> (Controller, Robot) {
-    let controller = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(10)).start();
+    of_builder(Controller::builder(), config)
+}
+
+fn of_builder(builder: Builder, config: &Config) -> (Controller, Robot) {
+    let controller = builder.delays(Delays::NONE).status_period(Duration::from_millis(10)).start();
     let controller = controller.expect("loopback has free ports");
     controller.set_state(|state| {
         (state.powered, state.enabled) = (true, true);
@@ -275,6 +280,64 @@ fn a_stream_that_is_dropped_or_unwinds_at_speed_lands() {
         assert!(!controller.state().servo_mode);
         robot.client().get_version().expect("the connection works");
     }
+}
+
+/// By each filter of 4.60, or none, on an arm that lags.
+#[test]
+fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_then() {
+    let filters = [
+        SetServoMoveFilter::disabled(),
+        SetServoMoveFilter::joint_low_pass(10.0),
+        SetServoMoveFilter::joint_nonlinear(180.0, 500.0, 5000.0),
+        SetServoMoveFilter::joint_mean(10, 0.1, 0.2, 0.6),
+        SetServoMoveFilter::cartesian_nonlinear(1000.0, 5000.0, 50_000.0, 180.0, 500.0, 5000.0),
+        SetServoMoveFilter::speed_lookahead(10, 0.1),
+    ];
+    let underruns = [Underrun::Hold, Underrun::Fault(Duration::from_millis(500)), Underrun::RunOut(300.0)];
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            filters
+                .iter()
+                .zip(underruns.iter().cycle())
+                .for_each(|(filter, underrun)| lands_with_lag(filter, *underrun))
+        });
+        scope.spawn(|| filters.iter().for_each(trips_by_deviation));
+    });
+}
+
+fn lagging(filter: &SetServoMoveFilter, underrun: Underrun, trip: Trip) -> (Controller, Robot, StreamConfig) {
+    let builder = Controller::builder().lag(Duration::from_millis(80)).underrun(underrun).trips([trip]);
+    let (controller, robot) = of_builder(builder, &Config::new().stale_after(LONG));
+    let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(LONG).filter(filter.clone());
+    let robot = robot.with_limits(limits()).expect("it is this arm");
+    (controller, robot, StreamConfig::new().servo(servo).max_gap(LONG).max_departure(1000.0))
+}
+
+fn lands_with_lag(filter: &SetServoMoveFilter, underrun: Underrun) {
+    let (controller, mut robot, config) = lagging(filter, underrun, Trip::Deviation(60.0));
+    let stream = robot.stream(&config).expect("the arm is ready");
+    speed_up(&stream);
+    stream.land().unwrap_or_else(|error| panic!("{filter:?}, {underrun:?}: {error}"));
+    let (state, (set_points, _)) = (controller.state(), set_points(&controller));
+    let last = set_points.last().expect("there are some");
+    let off = state.joint_position.max_distance(&JointPosition(*last));
+    assert!(!state.servo_mode && state.enabled && off < 0.1, "{filter:?}, {underrun:?}: {off}, {state:?}");
+}
+
+fn trips_by_deviation(filter: &SetServoMoveFilter) {
+    let (controller, mut robot, config) = lagging(filter, Underrun::Hold, Trip::Deviation(1.0));
+    let stream = robot.stream(&config).expect("the arm is ready");
+    let turned = stream.set_joints(turned(6, 60.0));
+    turned.expect("within its range");
+    let error = loop {
+        if let Err(error) = stream.wait_for_rest(LONG) {
+            break error;
+        }
+    };
+    assert!(matches!(error.kind(), ErrorKind::SessionEnded { .. }), "{filter:?}: {error:?}");
+    let error = stream.land().expect_err("it tripped");
+    let state = controller.state();
+    assert!(!state.servo_mode && state.error_code == "0x158611", "{filter:?}: {error}");
 }
 
 #[test]

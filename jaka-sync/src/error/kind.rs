@@ -456,7 +456,7 @@ impl fmt::Display for ErrorKind {
             Self::NotReady { explanation } => write!(f, "the robot cannot do this now: {explanation}"),
             Self::SetPointsUnanswered { count, oldest } => write!(
                 f,
-                "the servo session has ended: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago"
+                "the servo session has ended without a landing: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago"
             ),
             Self::SessionEnded { because } => write!(f, "not sent, because the servo session has ended: {because}"),
             Self::NotAcknowledged { outcome } => {

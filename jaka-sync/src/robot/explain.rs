@@ -3,9 +3,9 @@
 use std::fmt;
 use std::time::Duration;
 
-use jaka_proto::messages::power::GetRobotState;
+use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::{ErrorCode, Refusal, Request, Requirement};
+use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Severity};
 
 use super::{MotionStatus, Robot};
 use crate::{Error, ErrorKind};
@@ -38,6 +38,8 @@ pub enum Explanation {
     ServoModeNotEntered,
     /// The controller acknowledged the end of servo mode but is still in it.
     ServoModeNotLeft,
+    /// The controller reports an error event, which ends servo mode, or may keep the arm from moving.
+    Event(ControllerEvent),
     /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
     SoftLimit,
     /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.
@@ -56,15 +58,18 @@ impl Explanation {
         let info = Request::COMMANDS.iter().find(|info| info.name == refusal.command)?;
         let needs = |requirement| info.requires.contains(&requirement);
         let status = status.filter(|_| needs(Requirement::Powered))?;
+        // An error of a drive ends servo mode.
+        let event = status.event().ok().flatten().filter(|event| event.severity() == Severity::Error);
         let reasons = [
-            (status.emergency_stop == Some(true), Self::EmergencyStop),
-            (status.powered_on == Some(false), Self::NotPowered),
-            (status.protective_stop == Some(true), Self::ProtectiveStop),
-            (status.enabled == Some(false) && needs(Requirement::Enabled), Self::NotEnabled),
-            (refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode), Self::NotInServoMode),
-            (status.on_soft_limit == Some(1), Self::SoftLimit),
+            (status.emergency_stop == Some(true)).then_some(Self::EmergencyStop),
+            (status.powered_on == Some(false)).then_some(Self::NotPowered),
+            (status.protective_stop == Some(true)).then_some(Self::ProtectiveStop),
+            (status.enabled == Some(false) && needs(Requirement::Enabled)).then_some(Self::NotEnabled),
+            event.map(Self::Event),
+            (refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode)).then_some(Self::NotInServoMode),
+            (status.on_soft_limit == Some(1)).then_some(Self::SoftLimit),
         ];
-        reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
+        reasons.into_iter().flatten().next()
     }
 }
 
@@ -84,6 +89,7 @@ impl fmt::Display for Explanation {
                 "the controller acknowledged servo mode but did not enter it, which happens while the arm moves"
             }
             Self::ServoModeNotLeft => "the controller acknowledged the end of servo mode but is still in it",
+            Self::Event(event) => return write!(f, "the controller reports {event}"),
             Self::SoftLimit => "a soft limit of the controller was hit: move the arm away from it",
             #[cfg(feature = "motion")]
             Self::BeyondLimit(beyond) => return beyond.fmt(f),
@@ -96,7 +102,7 @@ impl fmt::Display for Explanation {
 
 impl<S: MotionStatus> Robot<S> {
     /// The same error, with the reason for a refusal if the robot's state shows it.
-    pub(super) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
+    pub(crate) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
         let found = self.explain_within(&error, timeout).or_else(|| self.limit_explanation());
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
             *explanation = found;
@@ -121,10 +127,13 @@ impl<S: MotionStatus> Robot<S> {
         let newest = self.monitor.last_known_packet();
         let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.robot_status());
         let state = self.client.call_within(&GetRobotState::new(), PATIENCE.min(timeout));
-        (status.powered_on, status.enabled) = match state {
+        (status.powered_on, status.enabled) = match &state {
             Ok(state) => (Some(state.powered_on), Some(state.enabled)),
             Err(_) => (None, None),
         };
+        if let Ok(Some(event)) = state.as_ref().map_or(Ok(None), GetRobotStateReply::event) {
+            status.error_code = Some(format!("{:#x}", event.code()));
+        }
         Explanation::of(refusal, Some(&status))
     }
 }

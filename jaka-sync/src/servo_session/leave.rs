@@ -51,7 +51,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     fn leave_landed(&mut self, landed: Result<(), Error>) -> Result<(), Error> {
         let answers = self.last_answers();
         let left = self.leave();
-        let first = answers.err().or(self.refusal.take()).or(landed.err());
+        let first = answers.err().or(self.refusal.take()).or(landed.err()).map(|error| self.explained(error));
         match (first, left) {
             (first, Ok(())) => first.map_or(Ok(()), Err),
             (first, Err(leaving)) => Err(not_left(first, leaving)),
@@ -85,6 +85,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     fn end_landed(&mut self, first: Error, landed: Result<(), Error>) -> Error {
         let left = if self.is_open { self.leave() } else { Ok(()) };
+        let first = self.explained(first);
         let error = match (landed, left) {
             (Ok(()), Ok(())) => first,
             (Err(landing), Ok(())) => not_seen(first, landing),
@@ -94,6 +95,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         #[cfg(feature = "realtime")]
         drop(self.priority.take());
         error
+    }
+
+    /// Why the controller refused a set-point, if it did, as far as its state shows it.
+    fn explained(&mut self, error: Error) -> Error {
+        if error.is_refused() { self.robot.explained(error, PATIENCE) } else { error }
     }
 
     /// Leaves servo mode, and asks whether it was left.

@@ -6,7 +6,8 @@ use crate::generator::judge::Judge;
 use crate::limits::plain_controller::{PlainController, six};
 
 /// Judges set-points by their index. Where one came late the arm may have been taken to stand, so that the motion begins again from standstill: whether
-/// it has shows with the next set-points. Those that were read together with the late one may have been sent before it.
+/// it has shows with the next set-points, and how often it may have is what the reports say. When set-points came that are read together, or soon after a
+/// late one, is not known.
 pub(super) struct Wire {
     /// Each with how often the motion began again; more than one until it shows.
     judges: Vec<(Judge, u64)>,
@@ -20,7 +21,7 @@ pub(super) struct Wire {
     pub(super) lost: f64,
 }
 
-/// Set-points that may have been sent before a late one and are read with it.
+/// For how many set-points after one whose time is odd the times are not known.
 const TOGETHER: u32 = 3;
 
 impl Wire {
@@ -65,7 +66,7 @@ impl Wire {
         self.last = Some(at);
         self.set_points += 1;
         self.lost += periods - 1.0;
-        self.since_late = if periods > 1.5 { 0 } else { self.since_late + 1 };
+        self.since_late = if (0.5..1.5).contains(&periods) { self.since_late + 1 } else { 0 };
         if self.since_late < TOGETHER {
             let (mut stands, stood) = self.judges[0].clone();
             stands.paused();
