@@ -7,6 +7,7 @@ mod end_move;
 mod follow;
 mod joint_way;
 mod landing;
+mod led;
 mod pace;
 mod path;
 mod pieces;
@@ -22,6 +23,7 @@ mod tool_rates;
 use jaka_proto::messages::types::{JointPosition, Pose};
 use nalgebra::Isometry3;
 
+pub(crate) use self::led::Led;
 pub use self::pace::{JointPace, TcpPace};
 #[cfg(feature = "generator")]
 pub(crate) use self::stops::longest;

@@ -43,7 +43,9 @@ pub use limits::{InvalidLimit, Limits, Point, Region, RegionFrame};
 pub use model::{DhMismatch, Model, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;
 pub use piece::Sample;
-pub use trajectory::{Passing, TimedPoint, Trajectory, TrajectoryError, WayPoint};
+#[cfg(feature = "trajectory-files")]
+pub use trajectory::TrajectoryFileError;
+pub use trajectory::{Passing, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint};
 pub use transform::Transform;
 #[cfg(feature = "generator")]
 pub use velocity::{TcpVelocity, VelocityFrame};

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::ops::Range;
 
-use nalgebra::{Isometry3, Matrix6, Quaternion, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix6, Quaternion, Translation3, UnitQuaternion, Vector3, Vector6};
 
 /// Denavit-Hartenberg parameters in mm and degrees, in Craig's convention.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,4 +78,24 @@ pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Ma
         let moved = axis.cross(&(point - frame.translation.vector));
         [moved.x, moved.y, moved.z, axis.x, axis.y, axis.z].into()
     }))
+}
+
+/// How the velocity of a point on the last link changes where the joints turn on at these rates, in radians a second: mm/s², and below it rad/s².
+pub(crate) fn bend(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>, rates: &[f64; 6]) -> Vector6<f64> {
+    let axes = frames.map(|frame| frame.rotation * Vector3::z());
+    let origins = frames.map(|frame| frame.translation.vector);
+    let velocity = |point: &Vector3<f64>, joints: usize| -> Vector3<f64> {
+        (0..joints).map(|joint| axes[joint].cross(&(point - origins[joint])) * rates[joint]).sum()
+    };
+    let (mut moved, mut turned, mut turning) = (Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
+    let whole = velocity(point, 6);
+    for joint in 0..6 {
+        // The axis of a joint turns with the joints before it.
+        let swing = turning.cross(&axes[joint]);
+        let lever = point - origins[joint];
+        moved += (swing.cross(&lever) + axes[joint].cross(&(whole - velocity(&origins[joint], joint)))) * rates[joint];
+        turned += swing * rates[joint];
+        turning += axes[joint] * rates[joint];
+    }
+    Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z)
 }

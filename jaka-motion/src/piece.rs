@@ -30,8 +30,14 @@ pub(crate) struct Piece {
 impl Piece {
     /// From one sample to another, with the speeds and accelerations of both.
     pub(crate) fn between(start_s: f64, seconds: f64, from: &Sample, to: &Sample) -> Self {
+        let moved = std::array::from_fn(|joint| to.joints.0[joint] - from.joints.0[joint]);
+        Self::moving(start_s, seconds, moved, from, to)
+    }
+
+    /// As [`between`](Self::between), over exactly these degrees, of which the difference of two positions would have lost digits.
+    pub(crate) fn moving(start_s: f64, seconds: f64, moved: [f64; 6], from: &Sample, to: &Sample) -> Self {
         let way = std::array::from_fn(|joint| {
-            let moved = to.joints.0[joint] - from.joints.0[joint];
+            let moved = moved[joint];
             let (begin, end) = (from.velocity[joint] * seconds / 5.0, to.velocity[joint] * seconds / 5.0);
             let bend = |sample: &Sample| sample.acceleration[joint] * seconds * seconds / 20.0;
             [begin, 2.0 * begin + bend(from), moved - 2.0 * end + bend(to), moved - end, moved]
@@ -50,6 +56,11 @@ impl Piece {
         let from = Sample { acceleration: accelerations(from, to, 1.0), ..*from };
         let to = Sample { acceleration: accelerations(to, &from, -1.0), ..*to };
         Self::between(start_s, seconds, &from, &to)
+    }
+
+    /// The same at another time.
+    pub(crate) fn starting_at(&self, start_s: f64) -> Self {
+        Self { start_s, ..self.clone() }
     }
 
     pub(crate) fn end_s(&self) -> f64 {
@@ -85,6 +96,11 @@ impl Piece {
         differences(&self.speeds(joint), 4.0 / self.seconds)
     }
 
+    /// What no joint's speed is above, found at once.
+    pub(crate) fn speeds_at_most(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| self.speeds(joint).iter().fold(0.0, |most, speed| speed.abs().max(most)))
+    }
+
     /// The highest speed of each joint, or a little more.
     pub(crate) fn top_speeds(&self) -> [f64; 6] {
         std::array::from_fn(|joint| peak(&self.speeds(joint)))
@@ -93,6 +109,11 @@ impl Piece {
     /// The largest acceleration of each joint, or a little more.
     pub(crate) fn top_accelerations(&self) -> [f64; 6] {
         std::array::from_fn(|joint| peak(&self.accelerations(joint)))
+    }
+
+    /// The largest jerk of each joint, or a little more.
+    pub(crate) fn top_jerks(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| peak(&differences::<4, 3>(&self.accelerations(joint), 3.0 / self.seconds)))
     }
 
     /// Whether all its numbers are finite.

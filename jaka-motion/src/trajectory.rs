@@ -1,9 +1,16 @@
 //! Motions that are known from start to end.
 
 mod error;
+#[cfg(feature = "trajectory-files")]
+mod file;
+mod leg;
+mod plan;
 mod reserve;
 mod spline;
+mod through;
 mod timed;
+mod timing;
+mod tool_way;
 mod way_point;
 
 use std::fmt;
@@ -13,6 +20,9 @@ use std::time::Duration;
 use jaka_proto::messages::types::JointPosition;
 
 pub use self::error::TrajectoryError;
+#[cfg(feature = "trajectory-files")]
+pub use self::file::TrajectoryFileError;
+pub use self::through::{Through, Via};
 pub use self::timed::TimedPoint;
 pub use self::way_point::{Passing, WayPoint};
 use crate::beyond::{Beyond, Way};

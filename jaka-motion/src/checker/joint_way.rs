@@ -81,7 +81,7 @@ impl Checker {
     }
 
     /// How far the tool centre point would move if the joints went on so, in mm.
-    pub(super) fn tcp_rate(&self, joints: &[f64; 6], moved: &[f64; 6]) -> f64 {
+    pub(crate) fn tcp_rate(&self, joints: &[f64; 6], moved: &[f64; 6]) -> f64 {
         let frames = self.limits.model().links.frames(joints);
         let tcp = (frames[5] * self.tool).translation.vector;
         let parts = frames.iter().zip(moved).map(|(frame, moved)| {

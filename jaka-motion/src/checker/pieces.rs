@@ -116,7 +116,7 @@ impl Checker {
 
     /// Whether the arm could land straight on in joint space from each set-point.
     fn piece_can_land(&self, piece: &Piece) -> Result<(), Found> {
-        let (speeds, accelerations) = (piece.top_speeds(), self.limits.joint_accelerations());
+        let (speeds, accelerations) = (piece.speeds_at_most(), self.limits.joint_accelerations());
         let seconds = (0..6).map(|joint| speeds[joint] / accelerations[joint]).fold(0.0, f64::max);
         if seconds <= LANDINGS {
             return Ok(());

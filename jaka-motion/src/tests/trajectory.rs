@@ -1,7 +1,10 @@
 //! Trajectories: what all their tests share.
 
+#[cfg(feature = "trajectory-files")]
+mod file;
 mod hostile;
 mod reserve;
+mod through;
 mod timed;
 
 use super::Random;
@@ -16,6 +19,26 @@ fn zu5() -> Limits {
 
 fn checker() -> Checker {
     Checker::new(zu5(), Frames::new())
+}
+
+/// Steps through a trajectory as a servo session does, and compares the differences of the positions with the limits.
+fn witness(trajectory: &Trajectory, checker: &Checker, period_s: f64) {
+    let limits = checker.limits();
+    let mut last = [trajectory.start().0; 2];
+    let mut time_s = 0.0;
+    while time_s < trajectory.duration_s() + 3.0 * period_s {
+        let here = trajectory.at(time_s).joints.0;
+        for joint in 0..6 {
+            let step = here[joint] - last[1][joint];
+            let change = step - (last[1][joint] - last[0][joint]);
+            assert!(step.abs() <= limits.joint_speeds()[joint] * period_s * (1.0 + 1e-9), "at {time_s} s");
+            let most = limits.joint_accelerations()[joint] * period_s * period_s;
+            assert!(change.abs() <= most * (1.0 + 1e-9) + 1e-12, "at {time_s} s: {change} of {most}");
+        }
+        checker.check_set_point(last.map(Into::into), here.into(), period_s).expect("a session takes it");
+        last = [last[1], here];
+        time_s += period_s;
+    }
 }
 
 /// Points at random around [`HOME`], from 0.2 to 2 seconds apart.

@@ -50,6 +50,24 @@ pub enum TrajectoryError {
         /// Its speed there, in deg/s.
         speed_deg_s: f64,
     },
+    /// The first way-point is a pose, for which several joint positions can be.
+    StartsWithPose,
+    /// All way-points are at one place.
+    NoWay,
+    /// A setting is not what it should be.
+    Setting {
+        /// Which, for example `corner_mm`.
+        what: &'static str,
+        /// The number that was given.
+        given: f64,
+    },
+    /// The arm may not be at a way-point.
+    Place {
+        /// The way-point.
+        way_point: usize,
+        /// What is exceeded there.
+        beyond: Box<Beyond>,
+    },
     /// The trajectory is not within the arm's limits.
     Beyond {
         /// The last way-point before the place, or the one at it.
@@ -86,6 +104,12 @@ impl fmt::Display for TrajectoryError {
                     "way-point {way_point}: joint {joint} turns at {speed_deg_s} deg/s; a trajectory {place} at rest"
                 )
             }
+            Self::StartsWithPose => f.write_str(
+                "way-point 1 is a pose, which several joint positions reach; the first must be joint positions",
+            ),
+            Self::NoWay => f.write_str("all way-points are at one place"),
+            Self::Setting { what, given } => write!(f, "{what}: {given} is not a number of the right size"),
+            Self::Place { way_point, beyond } => write!(f, "way-point {way_point}: {beyond}"),
             Self::Beyond { after, time_s: Some(time_s), beyond } => {
                 write!(f, "after way-point {after}, at {time_s:.3} s: {beyond}")
             }
@@ -99,7 +123,7 @@ impl fmt::Display for TrajectoryError {
 impl std::error::Error for TrajectoryError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::Beyond { beyond, .. } => Some(beyond.as_ref()),
+            Self::Beyond { beyond, .. } | Self::Place { beyond, .. } => Some(beyond.as_ref()),
             _ => None,
         }
     }

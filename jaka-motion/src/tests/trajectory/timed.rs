@@ -1,6 +1,6 @@
 //! Trajectories through points with times.
 
-use super::{HOME, Random, checker, slow_enough, some_points, zu5};
+use super::{HOME, Random, checker, slow_enough, some_points, witness, zu5};
 use crate::{Checker, Frames, Limits, Passing, Region, TimedPoint, Trajectory};
 
 fn with_rates(random: &mut Random, points: &mut [TimedPoint], accelerations: bool) {
@@ -9,26 +9,6 @@ fn with_rates(random: &mut Random, points: &mut [TimedPoint], accelerations: boo
         let most = if index == 0 || index == last { 0.0 } else { 5.0 };
         point.velocity = Some(std::array::from_fn(|_| random.between(-most, most)));
         point.acceleration = accelerations.then(|| std::array::from_fn(|_| random.between(-5.0, 5.0)));
-    }
-}
-
-/// Steps through a trajectory as a servo session does, and compares the differences of the positions with the limits.
-fn witness(trajectory: &Trajectory, checker: &Checker, period_s: f64) {
-    let limits = checker.limits();
-    let mut last = [trajectory.start().0; 2];
-    let mut time_s = 0.0;
-    while time_s < trajectory.duration_s() + 3.0 * period_s {
-        let here = trajectory.at(time_s).joints.0;
-        for joint in 0..6 {
-            let step = here[joint] - last[1][joint];
-            let change = step - (last[1][joint] - last[0][joint]);
-            assert!(step.abs() <= limits.joint_speeds()[joint] * period_s * (1.0 + 1e-9), "at {time_s} s");
-            let most = limits.joint_accelerations()[joint] * period_s * period_s;
-            assert!(change.abs() <= most * (1.0 + 1e-9) + 1e-12, "at {time_s} s: {change} of {most}");
-        }
-        checker.check_set_point(last.map(Into::into), here.into(), period_s).expect("a session takes it");
-        last = [last[1], here];
-        time_s += period_s;
     }
 }
 

@@ -1,0 +1,141 @@
+//! Way-points from files and to files.
+
+use super::{Random, some_points};
+use crate::TimedPoint;
+
+const CSV: &str = "time_s,joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg\n";
+
+#[track_caller]
+fn csv_errors(text: &str, expected: &[&str]) {
+    let errors = TimedPoint::from_csv(text, "way.csv").unwrap_err().to_string();
+    assert_eq!(errors.lines().collect::<Vec<_>>(), expected);
+}
+
+#[track_caller]
+fn json_errors(text: &str, expected: &[&str]) {
+    let errors = TimedPoint::from_json(text, "way.json").unwrap_err().to_string();
+    assert_eq!(errors.lines().collect::<Vec<_>>(), expected);
+}
+
+#[test]
+fn what_is_written_is_read_as_the_same() {
+    let mut random = Random::new(10);
+    for round in 0..60 {
+        let mut points = some_points(&mut random, 2 + round % 5);
+        for point in &mut points {
+            point.joints.0[0] = [0.0, -0.0, 1e-300, 1e300, f64::MAX, f64::MIN_POSITIVE][round % 6];
+            point.velocity = (round % 3 > 0).then(|| std::array::from_fn(|_| random.between(-1e3, 1e3)));
+            point.acceleration = (round % 3 > 1).then(|| std::array::from_fn(|_| random.between(-1e-9, 1e-9)));
+        }
+        assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv").expect("it reads"), points);
+        assert_eq!(TimedPoint::from_json(&TimedPoint::to_json(&points), "way.json").expect("it reads"), points);
+    }
+}
+
+#[test]
+fn columns_may_come_in_any_order_and_unit() {
+    let text = "\u{feff}# from another program\r\n\r\n joint_2_deg, time_s ,joint_1_rad,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg\r\n\
+                2,0,3.141592653589793,3,4,5,6\r\n# between\r\n2.5, 1e0 ,+0.5,3,4,5,6";
+    let points = TimedPoint::from_csv(text, "way.csv").expect("it reads");
+    let expected = [
+        TimedPoint::new(0.0, [180.0, 2.0, 3.0, 4.0, 5.0, 6.0]),
+        TimedPoint::new(1.0, [0.5_f64.to_degrees(), 2.5, 3.0, 4.0, 5.0, 6.0]),
+    ];
+    assert_eq!(points, expected);
+}
+
+#[test]
+fn all_that_is_wrong_with_csv_is_said_with_its_place() {
+    csv_errors("", &["way.csv:1:1: found no line, expected one that names the columns"]);
+    csv_errors(CSV, &["way.csv:1:1: found 0 points, expected at least 2"]);
+    csv_errors(
+        "time,joint_1_deg,joint_1_rad,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,velocity_1_deg_s\n0,0,0\n1,x",
+        &[
+            "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`",
+            "way.csv:1:1: there is no column `time_s`",
+            "way.csv:1:1: there is no column `velocity_2_deg_s` or `velocity_2_rad_s`",
+            "way.csv:1:1: there is no column `velocity_3_deg_s` or `velocity_3_rad_s`",
+            "way.csv:1:1: there is no column `velocity_4_deg_s` or `velocity_4_rad_s`",
+            "way.csv:1:1: there is no column `velocity_5_deg_s` or `velocity_5_rad_s`",
+            "way.csv:1:1: there is no column `velocity_6_deg_s` or `velocity_6_rad_s`",
+            "way.csv:1:1: unknown column `time`; is it `time_s`?",
+            "way.csv:1:18: column `joint_1_rad`: there is one of this already",
+            "way.csv:2:1: found 3 fields, expected 8, as many as columns",
+            "way.csv:3:1: found 2 fields, expected 8, as many as columns",
+        ],
+    );
+    let rows = format!("{CSV}0.5,0,0,0,0,0,0\n1,,é, \"1\",nan,1e999,0\n1,0,0,0,0,0,0\n0.9,0,0,0,0,0,1,2\n");
+    csv_errors(
+        &rows,
+        &[
+            "way.csv:2:1: time_s: found `0.5`, expected 0, at the first point",
+            "way.csv:3:3: joint_1_deg: found ``, expected a finite number",
+            "way.csv:3:4: joint_2_deg: found `é`, expected a finite number",
+            "way.csv:3:7: joint_3_deg: found `\"1\"`, expected a finite number",
+            "way.csv:3:11: joint_4_deg: found `nan`, expected a finite number",
+            "way.csv:3:15: joint_5_deg: found `1e999`, expected a finite number",
+            "way.csv:4:1: time_s: found `1`, expected more than the 1 before it",
+            "way.csv:5:1: found 8 fields, expected 7, as many as columns",
+        ],
+    );
+}
+
+#[test]
+fn all_that_is_wrong_with_json_is_said_with_its_place() {
+    json_errors("", &["way.json:1:1: not valid JSON: EOF while parsing a value"]);
+    json_errors("[1]", &["way.json:1:1: the file: found `[1]`, expected an object"]);
+    json_errors(
+        "{\n \"point\": 1}",
+        &["way.json:1:1: `points` is missing", "way.json:2:11: unknown key `point`; there is `points` alone"],
+    );
+    json_errors("{\"points\": []}", &["way.json:1:1: found 0 points, expected at least 2"]);
+    let text = r#"{"points": [
+        {"time_s": 0.1, "joints_deg": [0, 0, 0, 0, 0, 0], "joints_rad": [0, 0, 0, 0, 0]},
+        {"time": 1, "joints_deg": [0, 0, true, "0", 0, 1e999], "velocity_rad_s": []},
+        {"time_s": 0.1, "time_s": 3, "acceleration_deg_s2": [0, 0, 0, 0, 0, 0]},
+        7
+    ]}"#;
+    json_errors(
+        text,
+        &[
+            "way.json:2:20: time_s: found `0.1`, expected 0, at the first point",
+            "way.json:2:73: joints_rad: found 5 numbers, expected six",
+            "way.json:2:73: key `joints_rad`: there is one of this already",
+            "way.json:3:9: a point: `time_s` is missing",
+            "way.json:3:9: a point: its keys are not those of the first point",
+            "way.json:3:18: unknown key `time`; is it `time_s`?",
+            "way.json:3:42: joints_deg: found `true`, expected a finite number",
+            "way.json:3:48: joints_deg: found `\"0\"`, expected a finite number",
+            "way.json:3:56: joints_deg: found `1e999`, expected a finite number",
+            "way.json:3:82: velocity_rad_s: found 0 numbers, expected six",
+            "way.json:4:9: a point: `joints_deg` or `joints_rad` is missing",
+            "way.json:4:9: a point: `velocity_deg_s` or `velocity_rad_s` is missing",
+            "way.json:4:9: a point: its keys are not those of the first point",
+            "way.json:4:35: key `time_s` comes twice",
+            "way.json:5:9: a point: found `7`, expected an object",
+        ],
+    );
+}
+
+#[test]
+fn no_text_makes_a_reader_panic() {
+    let mut random = Random::new(11);
+    let points = some_points(&mut random, 3);
+    for (text, csv) in [(TimedPoint::to_csv(&points), true), (TimedPoint::to_json(&points), false)] {
+        for _ in 0..2000 {
+            let mut text: Vec<char> = text.chars().collect();
+            for _ in 0..=random.below(3) {
+                #[expect(
+                    clippy::cast_precision_loss,
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "small"
+                )]
+                let at = random.between(0.0, text.len() as f64 - 1.0) as usize;
+                text[at] = ['"', ',', '\n', '{', ']', 'é', '0', '\0', '\u{feff}', 'e'][random.below(10)];
+            }
+            let text: String = text.into_iter().collect();
+            let _ = if csv { TimedPoint::from_csv(&text, "way") } else { TimedPoint::from_json(&text, "way") };
+        }
+    }
+}

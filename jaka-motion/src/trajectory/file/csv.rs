@@ -1,0 +1,132 @@
+//! CSV.
+
+use jaka_spec::words::nearest;
+
+use super::columns::{Column, Kind, Unit, number};
+use super::report::Report;
+use super::rows::{Row, Rows};
+use crate::trajectory::timed::TimedPoint;
+
+/// A field and its offset in the text.
+type Field<'t> = (usize, &'t str);
+
+pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
+    let mut lines = lines(text);
+    let Some((at, header)) = lines.next() else {
+        report.error(0, "found no line, expected one that names the columns");
+        return Vec::new();
+    };
+    let columns = columns(at, header, report);
+    let (mut rows, mut count) = (Rows::default(), 0);
+    for (at, line) in lines {
+        count += 1;
+        if let Some(row) = row(at, line, &columns, report) {
+            rows.add(&row, report);
+        }
+    }
+    if count < 2 {
+        report.error(at, format!("found {count} points, expected at least 2"));
+    }
+    rows.finish()
+}
+
+/// The lines that count, with their offsets.
+fn lines(text: &str) -> impl Iterator<Item = Field<'_>> {
+    // Some tools begin a file with a mark of its byte order.
+    let mark = text.len() - text.trim_start_matches('\u{feff}').len();
+    let mut next = mark;
+    let lines = text[mark..].split_inclusive('\n').map(move |line| {
+        let at = next;
+        next += line.len();
+        (at, line.trim_end_matches(['\n', '\r']))
+    });
+    lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
+}
+
+fn fields((mut next, line): Field<'_>) -> impl Iterator<Item = Field<'_>> {
+    line.split(',').map(move |field| {
+        let at = next + field.len() - field.trim_start().len();
+        next += field.len() + 1;
+        (at, field.trim())
+    })
+}
+
+/// What the columns are, by the header; none for one that is unknown.
+fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(String, Column)>> {
+    let known = Column::all();
+    let mut columns: Vec<Option<(String, Column)>> = Vec::new();
+    for (at, name) in fields((at, header)) {
+        let column = known.iter().find(|(known, _)| known == name).cloned();
+        match &column {
+            None => report.error(at, unknown(name, &known)),
+            Some((_, column)) if columns.iter().flatten().any(|(_, other)| is_same(column, other)) => {
+                report.error(at, format!("column `{name}`: there is one of this already"));
+            }
+            Some(_) => {}
+        }
+        columns.push(column);
+    }
+    missing(at, &columns, report);
+    columns
+}
+
+fn unknown(name: &str, known: &[(String, Column)]) -> String {
+    match nearest(name, known.iter().map(|(known, _)| known.as_str())) {
+        Some(near) => format!("unknown column `{name}`; is it `{near}`?"),
+        None => format!("unknown column `{name}`; they are `time_s`, `joint_1_deg`, `joint_1_rad` and the like"),
+    }
+}
+
+/// Whether two columns say the same of a point, if in other units.
+fn is_same(one: &Column, other: &Column) -> bool {
+    match (one, other) {
+        (Column::Of(kind, joint, _), Column::Of(other, another, _)) => (kind, joint) == (other, another),
+        _ => one == other,
+    }
+}
+
+/// Reports the columns that are not there, of those that have to be.
+fn missing(at: usize, columns: &[Option<(String, Column)>], report: &mut Report<'_>) {
+    let has = |wanted: Column| columns.iter().flatten().any(|(_, column)| is_same(column, &wanted));
+    if !has(Column::Time) {
+        report.error(at, format!("there is no column `{}`", Column::TIME));
+    }
+    let lacks = |kind: Kind| (0..6).filter(move |joint| !has(Column::Of(kind, *joint, Unit::Degrees)));
+    for kind in Kind::ALL {
+        let later = Kind::ALL.into_iter().skip(kind as usize);
+        let is_wanted = kind == Kind::Position || later.into_iter().any(|kind| lacks(kind).count() < 6);
+        for joint in lacks(kind).filter(|_| is_wanted) {
+            let [degrees, radians] = Unit::BOTH.map(|unit| kind.column(joint + 1, unit));
+            report.error(at, format!("there is no column `{degrees}` or `{radians}`"));
+        }
+    }
+}
+
+/// What a line says; none where it has too many or too few fields.
+fn row(at: usize, line: &str, columns: &[Option<(String, Column)>], report: &mut Report<'_>) -> Option<Row> {
+    let count = fields((at, line)).count();
+    if count != columns.len() {
+        report.error(at, format!("found {count} fields, expected {}, as many as columns", columns.len()));
+        return None;
+    }
+    let (mut row, mut counts) = (Row::default(), [0; 3]);
+    for ((at, field), (name, column)) in
+        fields((at, line)).zip(columns).filter_map(|(field, column)| Some((field, column.as_ref()?)))
+    {
+        let Some(number) = number(field) else {
+            report.found(at, name, field, "a finite number");
+            continue;
+        };
+        match *column {
+            Column::Time => row.time = Some((number, at)),
+            Column::Of(kind, joint, unit) => {
+                row.angles(kind).get_or_insert_default()[joint] = unit.to_degrees(number);
+                counts[kind as usize] += 1;
+            }
+        }
+    }
+    for (angles, count) in row.angles.iter_mut().zip(counts) {
+        *angles = angles.filter(|_| count == 6);
+    }
+    Some(row)
+}

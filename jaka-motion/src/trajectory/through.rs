@@ -1,0 +1,235 @@
+//! Trajectories through points without times.
+
+use jaka_proto::messages::types::{JointPosition, Pose};
+
+use super::leg::{Budget, Leg, Tolerances, in_base};
+use super::timing::Timing;
+use super::{Trajectory, TrajectoryError};
+use crate::beyond::Beyond;
+use crate::checker::{Checker, TcpPace};
+
+/// A point of a trajectory, and the way to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Via {
+    /// Straight in joint space to joint positions.
+    Joints(JointPosition),
+    /// On a straight line of the tool centre point to a pose of the tool in the user frame. The tool turns evenly, and the joints stay on
+    /// their branch.
+    Line(Pose),
+}
+
+/// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
+///
+/// It starts at the first point, which is joint positions, and ends at the last one, at rest. At the points between it goes on, rounding each corner
+/// within the tolerance that is named for it, and stops where none is named, where a line meets a way in joints, and where the way turns back (by more than
+/// 177 degrees). Points nearer to each other than
+/// a millionth of a degree or millimetre count as one.
+///
+/// # Timing
+/// It is within limits, not time-optimal. A leg has one highest speed, the one that all of its places allow; speeds change with a continuous acceleration and a
+/// limited jerk. Of each joint's acceleration [`ACCELERATION_SHARE`](Self::ACCELERATION_SHARE) is planned, and as much of its jerk; the rest is for those who follow the
+/// trajectory at a rate that changes. Of the highest speed of the tool centre point it is [`TCP_SHARE`](Self::TCP_SHARE).
+///
+/// # Lines
+/// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of corners. A line takes a piece for each 50 mm or less.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use = "nothing is planned before it is built"]
+pub struct Through {
+    points: Vec<Via>,
+    tolerances: Tolerances,
+    tcp_speed: f64,
+    joint_speeds: [f64; 6],
+    jerks: Option<[f64; 6]>,
+}
+
+/// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no source has jerks of these arms.
+const ACCELERATION_REACHED_S: f64 = 0.1;
+/// Points nearer to each other than this are one, in degrees or mm.
+const SAME: f64 = 1e-6;
+/// A speed in mm/s that is beyond no joint's: lines are checked for all but it.
+const CREEPING: f64 = 1e-6;
+
+impl Through {
+    /// The share of each joint's acceleration that is planned.
+    pub const ACCELERATION_SHARE: f64 = 0.7;
+    /// The share of the highest speed of the tool centre point that is planned, where it is limited.
+    pub const TCP_SHARE: f64 = 0.98;
+    /// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
+    pub const TURN_DEG: f64 = 1.0;
+
+    /// With the corners of lines rounded within so many millimetres; 0, as if nothing is said, to stop there.
+    pub fn corner_mm(mut self, tolerance: f64) -> Self {
+        self.tolerances.mm = tolerance;
+        self
+    }
+
+    /// With the tool within so many degrees of its turn at corners of lines that are rounded; [`TURN_DEG`](Self::TURN_DEG) if nothing is said.
+    pub fn corner_turn_deg(mut self, tolerance: f64) -> Self {
+        self.tolerances.turn_deg = tolerance;
+        self
+    }
+
+    /// With the corners of ways in joints rounded within so many degrees of each joint; 0, as if nothing is said, to stop there.
+    pub fn corner_deg(mut self, tolerance: f64) -> Self {
+        self.tolerances.joint_deg = tolerance;
+        self
+    }
+
+    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower.
+    pub fn tcp_speed(mut self, mm_s: f64) -> Self {
+        self.tcp_speed = mm_s;
+        self
+    }
+
+    /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
+    pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
+        self.joint_speeds = deg_s;
+        self
+    }
+
+    /// With these highest jerks of joints 1 to 6, in deg/s³; if nothing is said, those with which a joint reaches its acceleration in 0.1 s.
+    pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
+        self.jerks = Some(deg_s3);
+        self
+    }
+
+    /// Plans the trajectory, and compares it with an arm's limits.
+    ///
+    /// # Errors
+    /// What is wrong with the points or settings, or the first place that is beyond a limit. Lines are compared with joint ranges, regions, the arm's reach and
+    /// the least distance from singularities before all else.
+    pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
+        self.check_settings()?;
+        let budget = self.budget(checker);
+        let (legs, places) = self.legs(checker)?;
+        if legs.is_empty() {
+            return Err(TrajectoryError::NoWay);
+        }
+        let timing = Timing::new(&legs, &self.tolerances, &budget, checker)?;
+        let (pieces, passages) = timing.pieces()?;
+        Trajectory::checked(pieces, places.into_iter().map(|place| passages[place]).collect(), checker)
+    }
+
+    fn budget(&self, checker: &Checker) -> Budget {
+        let limits = checker.limits();
+        let accelerations = *limits.joint_accelerations();
+        let jerks = self.jerks.unwrap_or(accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S));
+        let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| Self::TCP_SHARE * most);
+        Budget {
+            speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
+            accelerations: accelerations.map(|acceleration| Self::ACCELERATION_SHARE * acceleration),
+            jerks: jerks.map(|jerk| Self::ACCELERATION_SHARE * jerk),
+            tcp_speed: self.tcp_speed.min(limited),
+        }
+    }
+
+    fn check_settings(&self) -> Result<(), TrajectoryError> {
+        let Tolerances { mm, turn_deg, joint_deg } = self.tolerances;
+        for (what, given) in [("corner_mm", mm), ("corner_turn_deg", turn_deg), ("corner_deg", joint_deg)] {
+            if !(given.is_finite() && given >= 0.0) {
+                return Err(TrajectoryError::Setting { what, given });
+            }
+        }
+        let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
+        let jerks = self.jerks.iter().flatten().map(|jerk| ("jerks", *jerk));
+        match speeds.chain(jerks).chain([("tcp_speed", self.tcp_speed)]).find(|(_, given)| !(*given > LEAST)) {
+            Some((what, given)) => Err(TrajectoryError::Setting { what, given }),
+            None => Ok(()),
+        }
+    }
+
+    /// The legs, and for each point at which of their ends it is.
+    fn legs(&self, checker: &Checker) -> Result<(Vec<Leg>, Vec<usize>), TrajectoryError> {
+        let [Via::Joints(start), rest @ ..] = self.points.as_slice() else {
+            let given = self.points.len();
+            return Err(if given == 0 { TrajectoryError::TooFew { given } } else { TrajectoryError::StartsWithPose });
+        };
+        if rest.is_empty() {
+            return Err(TrajectoryError::TooFew { given: 1 });
+        }
+        checker.check_place(*start).map_err(|beyond| at_point(1, beyond))?;
+        let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], start.0);
+        for (after, via) in (1..).zip(rest) {
+            let (leg, there) = leg(after, &here, via, checker)?;
+            if leg.length > SAME {
+                legs.push(leg);
+                here = there;
+            }
+            places.push(legs.len());
+        }
+        Ok((legs, places))
+    }
+}
+
+/// The least speed and jerk: a joint that is slower takes hours for a turn.
+const LEAST: f64 = 1e-3;
+
+/// The way to a point, and the joints there.
+fn leg(after: usize, here: &[f64; 6], via: &Via, checker: &Checker) -> Result<(Leg, [f64; 6]), TrajectoryError> {
+    match via {
+        Via::Joints(there) => {
+            checker.check_place(*there).map_err(|beyond| at_point(after + 1, beyond))?;
+            Ok((Leg::joints(after, *here, there.0), there.0))
+        }
+        Via::Line(pose) => {
+            let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
+            let there = checker.check_line((*here).into(), *pose, pace);
+            let there =
+                there.map_err(|beyond| TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) })?;
+            let from = checker.tool(here);
+            Ok((Leg::line(after, *here, from, in_base(checker, *pose)), there.0))
+        }
+    }
+}
+
+fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
+    TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
+}
+
+impl Trajectory {
+    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners rounded.
+    ///
+    /// ```
+    /// use jaka_motion::proto::messages::types::Pose;
+    /// use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, Via};
+    ///
+    /// let arm = Model::named("Zu 5").expect("a published arm");
+    /// let checker = Checker::new(Limits::of(arm).with_tcp_speed(250.0)?, Frames::new());
+    /// let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
+    /// let above = Pose::from(arm.forward(start));
+    /// let [aside, down] = [Pose { y: above.y + 100.0, ..above }, Pose { y: above.y + 100.0, z: above.z - 50.0, ..above }];
+    ///
+    /// let points = [Via::from(start), Via::from(aside), Via::from(down), Via::from(aside)];
+    /// let trajectory = Trajectory::through(points).corner_mm(2.0).build(&checker)?;
+    /// assert_eq!(trajectory.way_points().len(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn through<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Through {
+        Through {
+            points: points.into_iter().map(Into::into).collect(),
+            tolerances: Tolerances { mm: 0.0, turn_deg: Through::TURN_DEG, joint_deg: 0.0 },
+            tcp_speed: f64::INFINITY,
+            joint_speeds: [f64::INFINITY; 6],
+            jerks: None,
+        }
+    }
+}
+
+impl From<JointPosition> for Via {
+    fn from(joints: JointPosition) -> Self {
+        Self::Joints(joints)
+    }
+}
+
+/// Joint positions in degrees.
+impl From<[f64; 6]> for Via {
+    fn from(joints: [f64; 6]) -> Self {
+        Self::Joints(joints.into())
+    }
+}
+
+impl From<Pose> for Via {
+    fn from(pose: Pose) -> Self {
+        Self::Line(pose)
+    }
+}
