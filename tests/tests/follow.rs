@@ -131,7 +131,10 @@ fn wait_for(run: &FollowHandle, time_s: f64) {
 }
 
 fn names(controller: &Controller) -> Vec<String> {
-    let name = |text: &String| serde_json::from_str::<Value>(text).expect("requests are JSON")["cmdName"].to_string();
+    let name = |text: &String| {
+        let request: Value = serde_json::from_str(text).expect("requests are JSON");
+        request["cmdName"].as_str().expect("a name").to_owned()
+    };
     controller.requests().iter().map(name).collect()
 }
 
