@@ -28,9 +28,9 @@ const IO: Numbering = Numbering::FromOne;
 /// How far the motion goes: for some four seconds.
 const FAR: f64 = 100.0;
 
-/// A controller that sends a packet each 5 ms, and a robot that is powered up.
+/// A controller that sends a packet each 10 ms, and a robot that is powered up.
 fn ready(config: &Config) -> (Controller, Robot) {
-    let builder = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(5));
+    let builder = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(10));
     let controller = builder.start().expect("loopback has free ports");
     controller.set_state(|state| (state.powered, state.enabled) = (true, true));
     let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
@@ -219,7 +219,7 @@ fn what_cannot_be_judged_stops_the_motion() {
 
 #[test]
 fn a_status_that_is_silent_or_lost_stops_the_motion() {
-    let config = patient().stale_after(Duration::from_millis(200));
+    let config = patient().stale_after(Duration::from_secs(1));
     let (controller, mut robot) = ready(&config);
     let silent = || controller.status_fault(StatusFault::Silent);
     let end = disturbed(&controller, &mut robot, IO.cabinet(1).rises(), silent);

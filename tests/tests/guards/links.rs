@@ -11,10 +11,10 @@ use jaka_sync::{Command, Config, Error, MotionEnd, Outcome};
 use super::{IO, LONG, count, names, ready, wait_for_motion};
 
 /// Within which status packets are fresh, and replies come.
-const SHORT: Duration = Duration::from_millis(700);
+const SHORT: Duration = Duration::from_millis(1500);
 
-/// The deadline of the motion, which takes some seven seconds.
-const DEADLINE: Duration = Duration::from_secs(4);
+/// The deadline of the motion, which takes some eight seconds.
+const DEADLINE: Duration = Duration::from_secs(6);
 
 /// A fault of a link.
 #[derive(Debug, Clone, Copy)]
@@ -68,7 +68,7 @@ impl Case {
 fn run(case: Case) {
     let config = Config::new().stale_after(SHORT).reply_timeout(SHORT);
     let (controller, mut robot) = ready(&config);
-    let motion = JointMove::absolute([100.0, 90.0, 90.0, 90.0, -90.0, 0.0], 15.0).acceleration(500.0);
+    let motion = JointMove::absolute([100.0, 90.0, 90.0, 90.0, -90.0, 0.0], 12.0).acceleration(500.0);
     let since = Instant::now();
     let end: Result<MotionEnd, Error> = thread::scope(|scope| {
         scope.spawn(|| {
