@@ -137,10 +137,10 @@ impl MotionEnd {
         if self.outcome.is_reached() { Ok(()) } else { Err(NotReached(Box::new(self))) }
     }
 
-    /// The trip, if the guard has ended the motion, and was stopped as it should be; and this as an error otherwise, also where a packet could not be judged.
+    /// The trip, if the guard has ended the motion, or kept it from being sent, because one of its conditions holds; and this as an error otherwise.
     ///
     /// # Errors
-    /// The motion ended otherwise, or the controller has not accepted the stop.
+    /// The motion ended otherwise, a packet could not be judged, or the controller has not accepted the stop.
     pub fn guarded(self) -> Result<Arc<GuardTrip>, NotReached> {
         match &self.outcome {
             Outcome::Guard(trip) if trip.reason == TripReason::Holds && !matches!(self.stop, Some(Err(_))) => {

@@ -29,6 +29,9 @@ impl<S: MotionStatus> Robot<S> {
     /// ([`GuardTrip::is_before_start`]). A thread of its own writes the stop, also while this one waits for the reply to the motion. If the
     /// guard tripped, the arm is then waited for until it rests, for 2 s at most.
     ///
+    /// Motions that were started before are ended by the stop, too, but not by a guard that trips before this motion has gone out: wait for them
+    /// first.
+    ///
     /// Since nobody judges the guard after this call, the arm is stopped in each way out in which it may still move: at the deadline, when
     /// the status is lost or stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
     /// [`MotionEnd::stop`] tells whether the stop was accepted.
