@@ -10,8 +10,9 @@ use jaka_sync::{Client, Error, Motion, Robot};
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
 use crate::interrupt::UnderWay;
+use crate::motion::{self, Form};
+use crate::packs;
 use crate::target::{RobotArgs, Target};
-use crate::{motion, packs};
 
 /// The options of a command that does one thing to a robot.
 #[derive(Debug, Args)]
@@ -85,12 +86,13 @@ impl Act {
     }
 
     /// Runs a motion, and prints how it ended.
-    pub(crate) fn run(&self, motion: &impl Motion, limits: Option<Limits>, as_json: bool) -> Result<(), Failure> {
+    pub(crate) fn run<M: Motion>(&self, motion: &M, limits: Option<Limits>, form: Form) -> Result<(), Failure> {
         let mut robot = self.target.robot()?;
         if let Some(limits) = limits {
             robot = robot.with_limits(limits)?;
         }
         let patience = self.patience(motion::PATIENCE);
-        motion::run(&mut robot, |robot| robot.run(motion, patience), packs::of_status(), &self.under_way, as_json)
+        let end = motion::end(&mut robot, |robot| robot.run(motion, patience), packs::of_status(), &self.under_way)?;
+        motion::print(M::INFO.name, end, form)
     }
 }

@@ -55,21 +55,27 @@ pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Prints a failure with its causes on standard error, and gives the exit code.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
-    let code = match failure {
+    if !matches!(failure, Failure::Differs(_) | Failure::Found(_) | Failure::OutputClosed) {
+        output::tell(&chain(failure));
+    }
+    ExitCode::from(code(failure))
+}
+
+/// The exit code of a failure.
+pub(crate) fn code(failure: &Failure) -> u8 {
+    match failure {
         Failure::Usage(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
         Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),
-        Failure::Departs(_) => DEPARTS,
         Failure::NotInTime(_) => DEADLINE,
+        Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
-        Failure::Differs(impact) => return ExitCode::from(difference(*impact)),
-        Failure::Found(Verdict::Wrong) => return ExitCode::from(WRONG),
-        Failure::Found(_) => return ExitCode::from(LOOK),
-        Failure::OutputClosed => return ExitCode::SUCCESS,
-    };
-    output::tell(&chain(failure));
-    ExitCode::from(code)
+        Failure::Differs(impact) => difference(*impact),
+        Failure::Found(Verdict::Wrong) => WRONG,
+        Failure::Found(_) => LOOK,
+        Failure::OutputClosed => 0,
+    }
 }
 
 /// The exit code of `jaka spec diff --exit-code` where this is the highest impact.

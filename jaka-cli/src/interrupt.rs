@@ -48,8 +48,10 @@ enum Stage {
     Sent(String),
     /// A motion goes out, or is waited for.
     Moving(RobotStop),
-    /// All that was sent has been answered.
+    /// All that was sent has been answered, and the program ends.
     Answered,
+    /// All that was sent has been answered, and the next request is awaited.
+    Idle,
 }
 
 impl UnderWay {
@@ -76,6 +78,11 @@ impl UnderWay {
         *self.lock() = Stage::Answered;
     }
 
+    /// All has been answered, and the next request is awaited.
+    pub(crate) fn idle(&self) {
+        *self.lock() = Stage::Idle;
+    }
+
     fn interrupt(&self) {
         // Kept until all is said.
         let stage = self.lock();
@@ -86,6 +93,7 @@ impl UnderWay {
                 &format!("interrupted: {what} may have run; check the robot's state before you go on"),
             ),
             Stage::Moving(stop) => stop_arm(stop),
+            Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
             Stage::Answered => {}
         }
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_spec::Spec;
 use jaka_sync::{Error, MotionEnd, Outcome, Robot};
-use serde_json::json;
+use serde_json::{Map, Value};
 
 use crate::failure::Failure;
 use crate::interrupt::UnderWay;
@@ -13,33 +13,63 @@ use crate::output;
 /// How long the end of a motion is waited for, unless the command line says otherwise.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
 
-/// Runs a motion, and prints how it ended.
+/// How an end is printed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Form {
+    Text,
+    Json,
+}
+
+impl Form {
+    /// As an option says.
+    pub(crate) fn of(as_json: bool) -> Self {
+        if as_json { Self::Json } else { Self::Text }
+    }
+}
+
+/// Runs a motion.
 ///
 /// # Errors
-/// It was not accepted, or did not end at its target.
-pub(crate) fn run(
+/// It was not accepted.
+pub(crate) fn end(
     robot: &mut Robot,
     motion: impl FnOnce(&mut Robot) -> Result<MotionEnd, Error>,
     spec: &Spec,
     under_way: &UnderWay,
-    as_json: bool,
-) -> Result<(), Failure> {
+) -> Result<MotionEnd, Failure> {
     under_way.moves(robot.stop_handle());
     let ended = motion(robot);
     under_way.answered();
-    print(ended.map_err(|error| Failure::explained(spec, error))?, as_json)
+    ended.map_err(|error| Failure::explained(spec, error))
 }
 
-/// Prints how a motion ended, as JSON whatever the end is.
-fn print(end: MotionEnd, as_json: bool) -> Result<(), Failure> {
-    let waited = end.waited.as_secs_f64();
-    if as_json {
-        let (outcome, text) = (word(&end.outcome), end.outcome.to_string());
-        output::json(&format!("{}\n", json!({"outcome": outcome, "text": text, "waited_s": waited})))?;
-    } else if end.outcome.is_reached() {
-        output::line(&format!("{}, after {waited:.1} s", end.outcome))?;
+/// Prints how a motion ended, as text or JSON; the latter whatever the end is.
+///
+/// # Errors
+/// It did not end at its target.
+pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Failure> {
+    match form {
+        Form::Json => {
+            let mut line = Map::from_iter([("command".to_owned(), command.into())]);
+            line.extend(described(&end));
+            output::json(&format!("{}\n", Value::Object(line)))?;
+        }
+        Form::Text if end.outcome.is_reached() => {
+            output::line(&format!("{}, after {:.1} s", end.outcome, end.waited.as_secs_f64()))?;
+        }
+        Form::Text => {}
     }
     end.reached().map_err(Failure::NotReached)
+}
+
+/// How a motion ended, for programs: `outcome`, `text` and `waited_s`.
+pub(crate) fn described(end: &MotionEnd) -> [(String, Value); 3] {
+    let entry = |key: &str, value| (key.to_owned(), value);
+    [
+        entry("outcome", word(&end.outcome).into()),
+        entry("text", end.outcome.to_string().into()),
+        entry("waited_s", end.waited.as_secs_f64().into()),
+    ]
 }
 
 /// An outcome as one word, which does not change.

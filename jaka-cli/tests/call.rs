@@ -4,6 +4,7 @@ mod beyond;
 mod consent;
 mod document;
 mod help;
+mod lines;
 mod packs;
 mod replies;
 mod requests;

@@ -78,9 +78,8 @@ fn replies() -> Vec<(&'static str, Vec<u8>)> {
 #[test]
 fn no_reply_reaches_a_terminal_raw() {
     for (kind, reply) in replies() {
-        for options in
-            [&["call", "get_version"][..], &["call", "get_version", "--json"], &["call", "--raw", "get_version"]]
-        {
+        let json = [&["call", "get_version", "--json"][..], &["call", "get_version", "--json=wire"]];
+        for options in [&["call", "get_version"][..], &["call", "--raw", "get_version"]].into_iter().chain(json) {
             let controller = controller();
             controller.inject_for("get_version", Fault::Instead(reply.clone()));
             let run = jaka_at(&controller, &[options, &["--timeout", "0.3", "--yes"]].concat());
@@ -95,7 +94,7 @@ fn json_of_the_controller_stays_the_same_json() {
     let controller = controller();
     let reply = json!({"errorCode": "0", "cmdName": "get_version", "version": HOSTILE});
     controller.inject_for("get_version", Fault::Instead(format!("{reply:#}").into_bytes()));
-    let run = jaka_at(&controller, &["call", "get_version", "--json"]);
+    let run = jaka_at(&controller, &["call", "get_version", "--json=wire"]);
     assert_eq!(run.out.lines().count(), 1);
     assert_eq!(serde_json::from_str::<Value>(&run.out).expect("it is JSON"), reply);
 }

@@ -7,7 +7,9 @@ mod consent;
 mod exchange;
 mod firmware;
 mod help;
+mod lines;
 mod list;
+mod named;
 mod options;
 mod outline;
 mod parser;
@@ -55,6 +57,14 @@ impl Call {
         let line = Parser::of(spec, command).parse(outline.rest)?;
         if let Some(topic) = &line.options.list {
             return output::lines(&list::text(spec, topic)?);
+        }
+        if line.options.stdin {
+            return match name {
+                None => lines::carry_out(&protocol, &line.options),
+                Some(name) => {
+                    Err(Failure::Usage(format!("with --stdin, `{name}` is named in the lines and not before them")))
+                }
+            };
         }
         match Request::of(spec, command, name, &line)? {
             Some(request) => exchange::carry_out(&protocol, &line.options, &request),

@@ -8,6 +8,7 @@ use jaka_sync::motion::{JointMove, MoveL};
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;
 use crate::limits::LimitsArgs;
+use crate::motion::Form;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -29,7 +30,7 @@ pub(crate) struct Jog {
     /// Speed, in deg/s or mm/s
     #[arg(long, value_name = "SPEED")]
     speed: f64,
-    /// Print one JSON object: `outcome`, `text` and `waited_s`
+    /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -56,11 +57,11 @@ impl Jog {
         match self.axis {
             Axis::Joint(at) => {
                 let motion = JointMove::relative(by(at), self.speed);
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
             Axis::Line(at) => {
                 let motion = MoveL::relative(by(at), self.speed);
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
         }
     }

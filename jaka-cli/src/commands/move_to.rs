@@ -6,6 +6,7 @@ use jaka_sync::motion::{JointMove, MoveL};
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;
 use crate::limits::LimitsArgs;
+use crate::motion::Form;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -33,7 +34,7 @@ pub(crate) struct Move {
     /// Acceleration: in deg/s² or mm/s² [default: the controller's]
     #[arg(long, value_name = "ACCELERATION")]
     acceleration: Option<f64>,
-    /// Print one JSON object: `outcome`, `text` and `waited_s`
+    /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -49,12 +50,12 @@ impl Move {
             (Some(joints), _) => {
                 let mut motion = JointMove::absolute(joints, self.speed);
                 motion.acceleration = self.acceleration;
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
             (None, pose) => {
                 let mut motion = MoveL::absolute(pose.unwrap_or_default(), self.speed);
                 motion.acceleration = self.acceleration;
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, self.json)
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
         }
     }

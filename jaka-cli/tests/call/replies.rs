@@ -107,14 +107,14 @@ fn fields_have_names_and_units() {
 #[test]
 fn a_reply_is_there_as_it_came() {
     simulated(
-        "get_version --json",
+        "get_version --json=wire",
         &expect![[r#"
             {"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "version": "1.5.14_13_X64"}
             exit code 0
         "#]],
     );
     simulated(
-        "--params {\"cmdName\":\"get_version\"} --raw --json",
+        "--params {\"cmdName\":\"get_version\"} --raw --json=wire",
         &expect![[r#"
             {"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "version": "1.5.14_13_X64"}
             exit code 0
@@ -140,7 +140,7 @@ fn refusals_have_code_message_and_meaning() {
         "]],
     );
     simulated(
-        "enable_robot --json",
+        "enable_robot --json=wire",
         &expect![[r#"
             {"errorCode": "2", "errorMsg": "call enable_robot failed", "cmdName": "enable_robot"}
             jaka: the controller refused `enable_robot` with code 2: call enable_robot failed

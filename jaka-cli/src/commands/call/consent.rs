@@ -28,7 +28,7 @@ pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> R
 
 /// True for commands that are sent without a question: those that only read, that concern the connection alone, or that stop the arm,
 /// since a stop must not wait.
-fn is_harmless(request: &Request<'_>) -> bool {
+pub(super) fn is_harmless(request: &Request<'_>) -> bool {
     let effect = request.command.map(|command| command.effect);
     matches!(effect, Some(Effect::Query | Effect::Session)) || request.command.is_some() && stops(&request.text)
 }

@@ -1,16 +1,15 @@
 //! Sending a request, and showing what comes back.
 
-use std::time::Duration;
-
 use jaka_dynamic::{DepartureKind, Reading, departures};
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::DecodeError;
 use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation};
+use serde_json::json;
 
-use super::options::Options;
+use super::options::{Keys, Options};
 use super::request::Request;
-use super::{consent, firmware, reply, wait};
+use super::{consent, firmware, named, reply, wait};
 use crate::failure::Failure;
 use crate::interrupt::UnderWay;
 use crate::output;
@@ -23,7 +22,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         // The bytes that would be sent, which are the user's own.
         return output::write(format!("{}\n", request.text).as_bytes());
     }
-    let motion = options.wait.then(|| wait::motion(request)).transpose()?;
+    let motion = options.wait.then(|| wait::must_be_motion(request)).transpose()?;
     let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(request, options, target.title())?;
@@ -34,15 +33,12 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     if options.check_firmware {
         firmware::check(&mut client, &protocol.spec, request)?;
     }
-    let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
-    under_way.sends(&format!("`{}`", request.name));
-    let sent = send(&mut client, request, target.patience(usual));
-    under_way.answered();
-    match sent {
+    match send(&mut client, request, &target, &under_way) {
         Ok(Some(text)) => print_reply(&protocol.spec, options, request, &text),
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
-            let raw = client.last_reply().filter(|_| options.json && answered(&error));
+            let is_wire = options.json == Some(Keys::Wire);
+            let raw = client.last_reply().filter(|_| is_wire && answered(&error));
             raw.map_or(Ok(()), json_line)?;
             Err(explained(&protocol.spec, &target, error))
         }
@@ -50,8 +46,16 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
 }
 
 /// The reply's text; none where the controller may go away instead of replying, and did.
-fn send(client: &mut Client, request: &Request<'_>, timeout: Duration) -> Result<Option<String>, Error> {
-    let reply = client.call_text(&request.text, timeout).map(str::to_owned);
+pub(super) fn send(
+    client: &mut Client,
+    request: &Request<'_>,
+    target: &Target,
+    under_way: &UnderWay,
+) -> Result<Option<String>, Error> {
+    let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
+    under_way.sends(&format!("`{}`", request.name));
+    let reply = client.call_text(&request.text, target.patience(usual)).map(str::to_owned);
+    under_way.answered();
     let may_end = request.command.is_some_and(|command| !command.reply_certain);
     match reply {
         Err(error) if may_end && has_ended(&error) => Ok(None),
@@ -71,7 +75,7 @@ fn answered(error: &Error) -> bool {
 }
 
 /// The error with what the spec or a pack says about the controller's code, and what the robot's status says.
-fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
+pub(super) fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
     let mut failure = Failure::explained(spec, error);
     if let Failure::Refused { refusal, explanation, .. } = &mut failure {
         // Without a status, the refusal has no explanation.
@@ -82,10 +86,13 @@ fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
 }
 
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
-    if options.json {
-        json_line(text)?;
-    } else {
-        output::lines(&reply::table(spec, request.command, text))?;
+    match options.json {
+        Some(Keys::Wire) => json_line(text)?,
+        Some(Keys::Names) => {
+            let line = json!({"command": request.name, "reply": named::reply(spec, request.command, text)});
+            output::json(&format!("{line}\n"))?;
+        }
+        None => output::lines(&reply::table(spec, request.command, text))?,
     }
     request.command.map_or(Ok(()), |command| must_fit(spec, command, text))
 }
@@ -96,7 +103,7 @@ fn json_line(text: &str) -> Result<(), Failure> {
 }
 
 /// Fails if the reply cannot be read as the spec has it.
-fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
+pub(super) fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
     let departures = departures(spec, command, &reply::json(text));
     let Some(first) = departures.into_iter().find(|departure| departure.reading == Reading::Unreadable) else {
         return Ok(());

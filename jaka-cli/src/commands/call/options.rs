@@ -42,13 +42,32 @@ pub(super) struct Options {
     /// Print the bytes that would be sent, and send nothing
     #[arg(long, conflicts_with = "wait")]
     pub(super) dry_run: bool,
-    /// Print the reply's text as received
-    #[arg(long)]
-    pub(super) json: bool,
+    /// Print one JSON object: `command` and `reply`, by the names of its fields; or, with `=wire`, the reply's text as received
+    #[arg(long, value_enum, value_name = "KEYS", num_args = 0..=1, require_equals = true, default_missing_value = "names")]
+    pub(super) json: Option<Keys>,
+    /// Read requests from standard input, one JSON object a line, and print a line of JSON for each; over one connection
+    ///
+    /// A line has the whole request, as --params takes it. The answer has `command`, and `reply` by the names of its fields; with --wait
+    /// motions are waited for, and it has `outcome`, `text` and `waited_s`; where something fails, `error` and `exit_code`. The first failure
+    /// ends it. Nothing is asked: commands about which `jaka call` would ask need --yes.
+    #[arg(long, conflicts_with_all = ["params", "raw", "dry_run", "list", "check_firmware", "json"])]
+    pub(super) stdin: bool,
+    /// With --stdin, go on after a failure; the exit code is that of the first
+    #[arg(long, requires = "stdin")]
+    pub(super) keep_going: bool,
     #[command(flatten)]
     pub(super) spec: SpecArgs,
     #[command(flatten)]
     pub(super) robot: RobotArgs,
+}
+
+/// The keys of a reply that is printed as JSON.
+#[derive(Debug, Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Keys {
+    /// The names of the fields in Rust, values as the spec has them, and without the envelope
+    Names,
+    /// The reply's text as received
+    Wire,
 }
 
 /// Whether advisory ranges are enforced.

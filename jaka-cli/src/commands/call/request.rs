@@ -2,7 +2,7 @@
 
 use std::{fs, io};
 
-use jaka_dynamic::Problem;
+use jaka_dynamic::{AdvisoryRanges, Problem};
 use jaka_spec::{COMMAND_NAME, Command, Spec};
 use serde_json::{Map, Value};
 
@@ -36,14 +36,37 @@ impl<'s> Request<'s> {
         if options.raw {
             return unchecked(name, params.as_deref().unwrap_or("{}")).map(Some);
         }
-        let (command, fields) = match (command, params) {
-            (_, Some(text)) => of_params(spec, command, &text)?,
-            (Some(command), None) => (command, line.fields.clone()),
-            (None, None) => return Ok(None),
-        };
-        let text = jaka_dynamic::request(spec, command, &fields, options.advisory_ranges.into())
-            .map_err(|problems| forbidden(command, &problems))?;
-        Ok(Some(Self { command: Some(command), name: command.wire.clone(), text }))
+        let ranges = options.advisory_ranges.into();
+        match (command, params) {
+            (_, Some(text)) => Self::of_text(spec, command, &text, ranges).map(Some),
+            (Some(command), None) => Self::of_fields(spec, command, &line.fields, ranges).map(Some),
+            (None, None) => Ok(None),
+        }
+    }
+
+    /// The request of a JSON object, which names the command if that is not known.
+    ///
+    /// # Errors
+    /// Everything that the spec forbids.
+    pub(super) fn of_text(
+        spec: &'s Spec,
+        command: Option<&'s Command>,
+        text: &str,
+        ranges: AdvisoryRanges,
+    ) -> Result<Self, Failure> {
+        let (command, fields) = of_params(spec, command, text)?;
+        Self::of_fields(spec, command, &fields, ranges)
+    }
+
+    fn of_fields(
+        spec: &Spec,
+        command: &'s Command,
+        fields: &Map<String, Value>,
+        ranges: AdvisoryRanges,
+    ) -> Result<Self, Failure> {
+        let text =
+            jaka_dynamic::request(spec, command, fields, ranges).map_err(|problems| forbidden(command, &problems))?;
+        Ok(Self { command: Some(command), name: command.wire.clone(), text })
     }
 }
 
@@ -62,7 +85,7 @@ fn read(params: &str) -> Result<String, Failure> {
 /// The fields of a whole request, without its `cmdName`.
 fn object(text: &str) -> Result<(Option<Value>, Map<String, Value>), Failure> {
     let mut fields: Map<String, Value> = serde_json::from_str(text)
-        .map_err(|error| Failure::Usage(format!("the request of --params is not a JSON object: {error}")))?;
+        .map_err(|error| Failure::Usage(format!("the request is not a JSON object: {error}")))?;
     Ok((fields.remove(COMMAND_NAME), fields))
 }
 
@@ -99,13 +122,11 @@ fn unchecked<'s>(name: Option<&str>, text: &str) -> Result<Request<'s>, Failure>
 }
 
 fn two_names(command: &str, name: &Value) -> Failure {
-    Failure::Usage(format!("the request of --params is one of {name}, not of `{command}`"))
+    Failure::Usage(format!("the request is one of {name}, not of `{command}`"))
 }
 
 fn nameless() -> Failure {
-    Failure::Usage(format!(
-        "no command is named: name it on the line, or as `{COMMAND_NAME}` in the request of --params"
-    ))
+    Failure::Usage(format!("no command is named: name it on the line, or as `{COMMAND_NAME}` in the request"))
 }
 
 fn forbidden(command: &Command, problems: &[Problem]) -> Failure {

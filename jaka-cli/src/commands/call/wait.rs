@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
 use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
-use jaka_sync::proto::{self, Command, CommandInfo};
+use jaka_sync::proto::{self, Command, CommandInfo, RequestError};
 use jaka_sync::{Error, Motion, MotionEnd, Path, Robot};
 
 use super::firmware;
@@ -12,33 +12,43 @@ use super::options::Options;
 use super::request::Request;
 use crate::failure::Failure;
 use crate::interrupt::UnderWay;
-use crate::motion;
+use crate::motion::{self, Form};
 use crate::packs::Protocol;
 use crate::target::Target;
 
 /// Runs a motion, for no longer than a time.
 type Run = dyn Fn(&mut Robot, Duration) -> Result<MotionEnd, Error>;
 
-/// The motion that the request asks for.
+/// The motion that the request asks for, if its end can be waited for.
 ///
 /// # Errors
-/// It does not ask for a motion whose end can be waited for.
-pub(super) fn motion(request: &Request<'_>) -> Result<Box<Run>, Failure> {
+/// A pack has changed it, so that it cannot be told where it ends.
+pub(super) fn motion(request: &Request<'_>) -> Result<Option<Box<Run>>, Failure> {
     use proto::Request::{EndMove, JointMove, MoveC, MoveL, StartTorqSensorPayloadIdentify};
     let text = &request.text;
-    match proto::Request::read(text) {
-        Ok(JointMove(motion)) => Ok(run(motion, text)),
-        Ok(EndMove(motion)) => Ok(run(motion, text)),
-        Ok(MoveL(motion)) => Ok(run(motion, text)),
-        Ok(MoveC(motion)) => Ok(run(motion, text)),
-        Ok(StartTorqSensorPayloadIdentify(motion)) => Ok(run(motion, text)),
-        Ok(_) => Err(Failure::Usage(format!(
+    Ok(Some(match proto::Request::read(text) {
+        Ok(JointMove(motion)) => run(motion, text),
+        Ok(EndMove(motion)) => run(motion, text),
+        Ok(MoveL(motion)) => run(motion, text),
+        Ok(MoveC(motion)) => run(motion, text),
+        Ok(StartTorqSensorPayloadIdentify(motion)) => run(motion, text),
+        Ok(_) | Err(RequestError::Unknown { .. }) => return Ok(None),
+        Err(error) => {
+            let name = &request.name;
+            return Err(Failure::Usage(format!("`{name}` was not sent: it cannot be waited for: {error}")));
+        }
+    }))
+}
+
+/// The same of a request that must ask for one.
+pub(super) fn must_be_motion(request: &Request<'_>) -> Result<Box<Run>, Failure> {
+    motion(request)?.ok_or_else(|| {
+        Failure::Usage(format!(
             "`{}` was not sent: --wait is for the motions joint_move, end_move, moveL, movc and \
              start_torq_sensor_payload_identify",
             request.name
-        ))),
-        Err(error) => Err(Failure::Usage(format!("`{}` was not sent: --wait cannot read it: {error}", request.name))),
-    }
+        ))
+    })
 }
 
 fn run<M: Motion + 'static>(motion: M, text: &str) -> Box<Run> {
@@ -60,7 +70,8 @@ pub(super) fn carry_out(
         firmware::check(robot.client(), &protocol.spec, request)?;
     }
     let patience = target.patience(motion::PATIENCE);
-    motion::run(&mut robot, |robot| motion(robot, patience), &protocol.spec, under_way, options.json)
+    let end = motion::end(&mut robot, |robot| motion(robot, patience), &protocol.spec, under_way)?;
+    motion::print(&request.name, end, Form::of(options.json.is_some()))
 }
 
 /// A motion that goes out as its request was written, with what a pack adds to it. The request was checked by the packs before.

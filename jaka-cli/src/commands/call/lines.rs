@@ -1,0 +1,127 @@
+//! Lines of JSON on standard input, each a request, over one connection.
+
+use std::io::{BufRead, stdin};
+
+use jaka_spec::COMMAND_NAME;
+use jaka_sync::{Client, Robot};
+use serde_json::{Map, Value, json};
+
+use super::options::Options;
+use super::request::Request;
+use super::{consent, exchange, named, wait};
+use crate::consent::effect;
+use crate::exit;
+use crate::failure::{Failure, chain};
+use crate::interrupt::UnderWay;
+use crate::packs::Protocol;
+use crate::target::Target;
+use crate::{motion, output};
+
+/// Carries out the request of each line, and prints a line for each. Ends at the first that fails, unless it is to go on.
+///
+/// # Errors
+/// The first failure.
+pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Failure> {
+    let under_way = UnderWay::begin()?;
+    let target = options.robot.target(&protocol.packs)?;
+    let connection =
+        if options.wait { Connection::Robot(target.robot()?) } else { Connection::Client(target.client()?) };
+    let mut session = Session { protocol, options, target, connection, under_way };
+    let mut first = Ok(());
+    session.under_way.idle();
+    for line in stdin().lock().lines() {
+        let line = line.map_err(|error| Failure::local("cannot read standard input", error))?;
+        if line.trim().is_empty() {
+            continue;
+        }
+        let (answer, failure) = session.answer(&line);
+        session.under_way.idle();
+        output::json(&format!("{answer}\n"))?;
+        if let Some(failure) = failure {
+            first = first.and(Err(failure));
+            if !options.keep_going {
+                break;
+            }
+        }
+    }
+    first
+}
+
+/// The connection for all lines.
+enum Connection {
+    Client(Client),
+    /// Motions are waited for.
+    Robot(Robot),
+}
+
+struct Session<'s> {
+    protocol: &'s Protocol,
+    options: &'s Options,
+    target: Target,
+    connection: Connection,
+    under_way: UnderWay,
+}
+
+impl Session<'_> {
+    /// What is printed for a line, and the failure, if it is one.
+    fn answer(&mut self, line: &str) -> (Value, Option<Failure>) {
+        let mut answer = Map::new();
+        if let Some(name) = named_in(line) {
+            answer.insert("command".to_owned(), name);
+        }
+        let failure = self.carry_out(line, &mut answer).err();
+        if let Some(failure) = &failure {
+            answer.insert("error".to_owned(), chain(failure).into());
+            answer.insert("exit_code".to_owned(), exit::code(failure).into());
+        }
+        (Value::Object(answer), failure)
+    }
+
+    fn carry_out(&mut self, line: &str, answer: &mut Map<String, Value>) -> Result<(), Failure> {
+        let spec = &self.protocol.spec;
+        let request = Request::of_text(spec, None, line, self.options.advisory_ranges.into())?;
+        answer.insert("command".to_owned(), request.name.clone().into());
+        self.allow(&request)?;
+        let motion = if self.options.wait { wait::motion(&request)? } else { None };
+        match (&mut self.connection, motion) {
+            (Connection::Robot(robot), Some(motion)) => {
+                let patience = self.target.patience(motion::PATIENCE);
+                let end = motion::end(robot, |robot| motion(robot, patience), spec, &self.under_way)?;
+                answer.extend(motion::described(&end));
+                end.reached().map_err(Failure::NotReached)
+            }
+            (connection, _) => {
+                let client = match connection {
+                    Connection::Client(client) => client,
+                    Connection::Robot(robot) => robot.client(),
+                };
+                let sent = exchange::send(client, &request, &self.target, &self.under_way);
+                let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
+                let text = reply.as_deref();
+                answer.insert(
+                    "reply".to_owned(),
+                    text.map_or(json!(null), |text| named::reply(spec, request.command, text)),
+                );
+                text.zip(request.command).map_or(Ok(()), |(text, command)| exchange::must_fit(spec, command, text))
+            }
+        }
+    }
+
+    /// Fails if the request needs a yes, which cannot be asked for.
+    fn allow(&self, request: &Request<'_>) -> Result<(), Failure> {
+        if self.options.yes || self.options.robot.is_simulated() || consent::is_harmless(request) {
+            return Ok(());
+        }
+        let effect = request.command.map_or("is not known", |command| effect(command.effect));
+        Err(Failure::Usage(format!(
+            "`{}` was not sent: it {effect}; use --yes to send such commands from standard input",
+            request.name
+        )))
+    }
+}
+
+/// The command that a line names, also if it is not sent.
+fn named_in(line: &str) -> Option<Value> {
+    let request: Value = serde_json::from_str(line).ok()?;
+    request.get(COMMAND_NAME).filter(|name| name.is_string()).cloned()
+}
