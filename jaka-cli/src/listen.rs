@@ -1,6 +1,7 @@
 //! The addresses at which a controller of this program listens.
 
-use std::net::{IpAddr, SocketAddr};
+use std::io::{self, ErrorKind};
+use std::net::{IpAddr, SocketAddr, TcpListener};
 
 use clap::Args;
 use jaka_sim::{Builder, Controller};
@@ -23,12 +24,32 @@ pub(crate) struct ListenArgs {
 }
 
 impl ListenArgs {
-    /// Starts a controller at these addresses, and prints them.
-    pub(crate) fn start(&self, builder: Builder) -> Result<Controller, Failure> {
+    /// Starts a controller at these addresses, prepares it, and prints them.
+    pub(crate) fn start(&self, builder: Builder, prepare: impl FnOnce(&Controller)) -> Result<Controller, Failure> {
         let started = builder.address(self.address).ports(self.commands, self.status).start();
-        let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
+        let controller = started.map_err(|error| self.failed(error))?;
+        prepare(&controller);
         print(controller.command_addr(), controller.status_addr())?;
         Ok(controller)
+    }
+
+    /// Names the port that is in use, if that is why.
+    fn failed(&self, error: io::Error) -> Failure {
+        let is_taken = |port: &u16| {
+            let opened = TcpListener::bind((self.address, *port));
+            opened.is_err_and(|error| error.kind() == ErrorKind::AddrInUse)
+        };
+        let ports = [self.commands, self.status].into_iter().filter(is_taken).map(|port| port.to_string());
+        let ports: Vec<_> = if error.kind() == ErrorKind::AddrInUse { ports.collect() } else { Vec::new() };
+        let what = match ports.as_slice() {
+            [] => "cannot start the controller".to_owned(),
+            ports => format!(
+                "cannot start the controller: port {} of {} is in use; --commands and --status name other ports, 0 a free one",
+                ports.join(" and "),
+                self.address
+            ),
+        };
+        Failure::local(what, error)
     }
 }
 

@@ -2,12 +2,12 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-use std::io::{BufRead, BufReader};
-use std::process::Stdio;
+use std::io::{BufRead, BufReader, Write};
+use std::process::{Child, ChildStdout, Stdio};
 
 use expect_test::expect;
 
-use crate::common::{failure, jaka, output};
+use crate::common::{failure, jaka, output, started};
 
 #[test]
 fn a_simulated_controller_serves_other_programs() {
@@ -23,6 +23,77 @@ fn a_simulated_controller_serves_other_programs() {
     assert_eq!(found, ("enabled  false\n".to_owned(), String::new(), Some(0)));
 }
 
+/// A simulated controller of these options, its first line, and the port of its status.
+fn sim(options: &[&str]) -> (Child, BufReader<ChildStdout>, String) {
+    let args = [&["sim", "--commands", "0", "--status", "0"], options].concat();
+    let (child, out, line) = started(jaka(&args).stdin(Stdio::piped()));
+    let port = line.trim_end().rsplit(':').next().unwrap().to_owned();
+    (child, out, port)
+}
+
+/// Waits until the status of a simulated controller shows this.
+fn wait_until(port: &str, condition: &str) {
+    let args = ["status", "-r", "127.0.0.1", "--status-port", port, "--timeout", "30", "--until", condition];
+    let (_, stderr, code) = output(&mut jaka(&args));
+    assert_eq!((stderr.as_str(), code), ("", Some(0)), "{condition}");
+}
+
+#[test]
+fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
+    let (mut child, mut out, port) = sim(&["--powered", "--stdin", "--arm", "collide at 100ms"]);
+    wait_until(&port, "enabled && powered_on && protective_stop && !emergency_stop");
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    assert!(line.ends_with(" s: collide\n"), "{line}");
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(b"crash\npress-emergency-stop\n").unwrap();
+    wait_until(&port, "emergency_stop");
+    input.write_all(b"release-emergency-stop\ncut-power at 0s\n").unwrap();
+    wait_until(&port, "!emergency_stop && !powered_on");
+    child.kill().unwrap();
+    let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
+    child.wait().unwrap();
+    expect!["jaka: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`"]
+        .assert_eq(&errors.join("\n"));
+    expect![[r#"
+        jaka: invalid value ' trip' for '--arm <LIST>': `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`
+
+        For more information, try '--help'.
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--arm", "collide at 2s, trip"])));
+    expect![[r#"
+        jaka: invalid value 'collide 2s' for '--arm <LIST>': `collide` may be followed by a time, as in `collide at 2s` or `collide at 500ms`
+
+        For more information, try '--help'.
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--arm", "collide 2s"])));
+}
+
+#[test]
+fn a_port_in_use_is_named() {
+    let other = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = other.local_addr().unwrap().port().to_string();
+    for options in [["--commands", &port, "--status", "0"], ["--commands", "0", "--status", &port]] {
+        let failed = failure(&mut jaka(&[&["sim"][..], &options].concat()));
+        let named =
+            format!("jaka: cannot start the controller: port {port} of 127.0.0.1 is in use; --commands and --status");
+        assert!(failed.starts_with(&named) && failed.ends_with("exit code Some(6)"), "{failed}");
+    }
+}
+
+#[test]
+fn the_help_of_sim_lists_the_faults() {
+    let (help, _, _) = output(&mut jaka(&["sim", "--help"]));
+    let (_, list) = help.split_once("Faults, an example of each:\n").unwrap();
+    expect![[r#"
+          of replies:  none, drop, delay 50ms, hold, split 1 2 3, with-next, twice, nameless, renamed get_payload, before "{}", after "\x00", instead "nonsense", garbage 500 7, oversized 100000, half-open, close, close-after 10, reset, takeover
+          `status …`:  none, silent, slow 80ms, split 3, garbage 300 3, cut 100, instead "{}", close-after 100
+          `link …`:    none, hold, delay 80ms, slow 20000, cut
+
+          A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and
+          `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status to-client hold after 10s for 5s` has a port
+          (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim explains them.
+    "#]].assert_eq(list);
+}
+
 #[test]
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
@@ -32,7 +103,7 @@ fn what_the_simulated_controller_does_not_know_is_named() {
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));
     expect![[r#"
-        jaka: invalid value 'drip' for '--faults <TEXT>': line 1: `drip`: unknown fault
+        jaka: invalid value 'drip' for '--faults <TEXT>': line 1: `drip`: unknown fault; the faults of replies are none, drop, delay, hold, split, with-next, twice, nameless, renamed, before, after, instead, garbage, oversized, half-open, close, close-after, reset, takeover; `jaka sim --help` has all
 
         For more information, try '--help'.
         exit code Some(2)"#]]

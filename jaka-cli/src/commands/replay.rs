@@ -84,7 +84,7 @@ impl Replay {
             TimingName::Immediate => ReplayTiming::Immediate,
         };
         let builder = Controller::builder().replay(recording, mode).replay_timing(timing);
-        match report(&self.listen.start(builder)?, &ended)? {
+        match report(&self.listen.start(builder, |_| {})?, &ended)? {
             0 => Ok(()),
             told => Err(Failure::Departs(count(told, "deviation") + " from the recording")),
         }

@@ -1,13 +1,18 @@
 //! `jaka sim`: a simulated controller for clients in any language.
 
+mod arm;
+mod fault_list;
+
 use std::fs;
 use std::path::PathBuf;
+use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
 use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Trip, Underrun};
 
+use self::arm::Scheduled;
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
@@ -18,7 +23,9 @@ use crate::{output, wire_log};
 /// Run a simulated controller until it is interrupted.
 ///
 /// Anyone who can reach the ports can move the simulated arm, and nothing else.
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 #[derive(Debug, Args)]
+#[command(after_long_help = fault_list::text())]
 pub(crate) struct Sim {
     #[command(flatten)]
     listen: ListenArgs,
@@ -58,6 +65,17 @@ pub(crate) struct Sim {
     /// Switch power and enable at once, instead of after some seconds
     #[arg(long)]
     fast: bool,
+    /// The arm has power and is enabled from the start
+    #[arg(long)]
+    powered: bool,
+    /// What happens to the arm, and when, such as `collide at 2s, cut-power at 5s`, in the controller's time since its start
+    ///
+    /// `collide`, `press-emergency-stop`, `release-emergency-stop` and `cut-power`.
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    arm: Vec<Scheduled>,
+    /// Read from standard input what happens to the arm, a line each: as in --arm, and without a time at once
+    #[arg(long)]
+    stdin: bool,
     /// Print each message received and sent
     #[arg(long)]
     log: bool,
@@ -72,7 +90,13 @@ impl Sim {
             wire_log::print_all("jaka_sim");
         }
         end_on_interrupt(0)?;
-        let _controller = self.listen.start(self.builder()?)?;
+        let controller = self.listen.start(self.builder()?, |controller| {
+            if self.powered {
+                controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+            }
+        })?;
+        let lines = if self.stdin { arm::lines() } else { mpsc::channel().1 };
+        arm::run(&controller, self.arm, &lines)?;
         loop {
             thread::park();
         }
@@ -115,5 +139,7 @@ fn firmware(name: &str) -> Result<Firmware, String> {
 fn faults(text: &str) -> Result<FaultPlan, String> {
     let read = |path| fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"));
     let text = text.strip_prefix('@').map_or_else(|| Ok(text.to_owned()), read)?;
-    text.parse().map_err(|error| format!("{error}"))
+    text.parse().map_err(|error| {
+        format!("{error}; the faults of replies are {}; `jaka sim --help` has all", fault_list::words())
+    })
 }
