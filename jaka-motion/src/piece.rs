@@ -4,7 +4,7 @@ pub(crate) mod bernstein;
 
 use jaka_proto::messages::types::JointPosition;
 
-use self::bernstein::{differences, peak, value};
+use self::bernstein::{differences, largest, peak, value};
 
 /// Where the joints are at one moment, and how they move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,7 +98,12 @@ impl Piece {
 
     /// What no joint's speed is above, found at once.
     pub(crate) fn speeds_at_most(&self) -> [f64; 6] {
-        std::array::from_fn(|joint| self.speeds(joint).iter().fold(0.0, |most, speed| speed.abs().max(most)))
+        std::array::from_fn(|joint| largest(&self.speeds(joint)))
+    }
+
+    /// What no joint's acceleration is above, found at once.
+    pub(crate) fn accelerations_at_most(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| largest(&self.accelerations(joint)))
     }
 
     /// The highest speed of each joint, or a little more.

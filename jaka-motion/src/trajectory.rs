@@ -42,7 +42,10 @@ use crate::piece::{Piece, Sample};
 /// Who follows it at another rate, to pause, to slow down or to stop along the way, accelerates the joints in addition. [`rate_change`](Self::rate_change)
 /// says how much of that is within the limits.
 ///
-/// It is cheap to clone: all clones share their pieces, of some 300 bytes each.
+/// # What it takes
+/// All is made and checked beforehand. Of 10,000 points with times that takes some 10 to 30 ms with optimisation, of 10,000 points in joint space 60 ms, of as
+/// many on lines 0.5 to 1 s. A piece has some 300 bytes: there is one between two points with times, three or four for a point without, and one more for each 50 mm or
+/// less of a line. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory {
     pieces: Arc<[Piece]>,
@@ -75,8 +78,9 @@ impl Trajectory {
     ///
     /// Speeds and accelerations are with respect to the trajectory's own time. Where an acceleration steps, it is that after the step.
     pub fn at(&self, time_s: f64) -> Sample {
-        let index = self.piece_at(time_s);
-        let piece = &self.pieces[index];
+        // What is not a number counts as the start.
+        let time_s = time_s.max(0.0);
+        let piece = &self.pieces[self.piece_at(time_s)];
         piece.at(((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0))
     }
 

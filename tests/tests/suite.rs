@@ -47,3 +47,4 @@ mod status;
 mod strange;
 mod stream;
 mod stream_soak;
+mod trajectories;

@@ -27,8 +27,14 @@ impl Checker {
         self.piece_in_speeds(piece)?;
         self.piece_in_accelerations(piece)?;
         self.piece_in_tcp_speed(piece)?;
-        self.piece_in_regions(piece)?;
-        self.piece_can_land(piece)
+        let is_near = !self.is_far_from_regions(piece);
+        if is_near {
+            self.piece_in_regions(piece)?;
+        }
+        if is_near || !self.is_far_from_range_ends(piece) {
+            self.piece_can_land(piece)?;
+        }
+        Ok(())
     }
 
     fn piece_in_ranges(&self, piece: &Piece) -> Result<(), Found> {
@@ -95,10 +101,7 @@ impl Checker {
     }
 
     fn piece_in_regions(&self, piece: &Piece) -> Result<(), Found> {
-        if self.limits.regions().is_empty() {
-            return Ok(());
-        }
-        POINTS.into_iter().try_for_each(|point| {
+        POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some()).try_for_each(|point| {
             let at = |share: f64| self.point(point, &piece.joints(share));
             self.along_from(point, None, 0.0, self.course_of_piece(point, piece), at)
         })
@@ -107,28 +110,42 @@ impl Checker {
     /// How a point goes on a piece.
     fn course_of_piece(&self, point: Point, piece: &Piece) -> Course {
         let seconds = piece.seconds;
-        let turned = piece.top_speeds().map(|speed| speed.to_radians() * seconds);
-        let swung = piece.top_accelerations().map(|acceleration| acceleration.to_radians() * seconds * seconds);
+        let turned = piece.speeds_at_most().map(|speed| speed.to_radians() * seconds);
+        let swung = piece.accelerations_at_most().map(|acceleration| acceleration.to_radians() * seconds * seconds);
         let (radii, course) = (self.radii(point), self.course_of_turns(point, &turned));
         let bend_mm = course.bend_mm + (0..6).map(|index| swung[index] * radii[index]).sum::<f64>();
         Course { bend_mm, ..course }
     }
 
-    /// Whether the arm could land straight on in joint space from each set-point.
-    fn piece_can_land(&self, piece: &Piece) -> Result<(), Found> {
-        let (speeds, accelerations) = (piece.speeds_at_most(), self.limits.joint_accelerations());
-        let seconds = (0..6).map(|joint| speeds[joint] / accelerations[joint]).fold(0.0, f64::max);
-        if seconds <= LANDINGS {
-            return Ok(());
-        }
-        let is_far = |joint: usize| {
-            let room = 0.5 * (seconds + LANDINGS) * speeds[joint];
+    /// Whether no point gets to a region on a piece or where the arm lands from it, wherever it goes.
+    fn is_far_from_regions(&self, piece: &Piece) -> bool {
+        let seconds = piece.seconds + self.room_s(piece);
+        let turned = piece.speeds_at_most().map(|speed| speed.to_radians() * seconds);
+        POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some()).all(|point| {
+            let clear = self.beyond_regions(point, None, &self.point(point, &piece.joints(0.0)), 0.0);
+            let rate_mm: f64 = self.radii(point).iter().zip(turned).map(|(radius, turned)| radius * turned).sum();
+            clear.is_ok_and(|clear| clear > rate_mm)
+        })
+    }
+
+    /// Whether no joint gets to an end of its range where the arm lands from a piece.
+    fn is_far_from_range_ends(&self, piece: &Piece) -> bool {
+        let (speeds, seconds) = (piece.speeds_at_most(), self.room_s(piece));
+        (0..6).all(|joint| {
+            let room = seconds * speeds[joint];
             let (min, max) = (self.limits.joint_min()[joint], self.limits.joint_max()[joint]);
             piece.positions(joint).iter().all(|position| (min + room..=max - room).contains(position))
-        };
-        if self.limits.regions().is_empty() && (0..6).all(is_far) {
-            return Ok(());
-        }
+        })
+    }
+
+    /// For how many seconds a joint could go on with its speed on the way that it may take to land.
+    fn room_s(&self, piece: &Piece) -> f64 {
+        let needed = piece.speeds_at_most().into_iter().zip(self.limits.joint_accelerations());
+        0.5 * needed.map(|(speed, acceleration)| speed / acceleration).fold(0.0, f64::max) + LANDINGS
+    }
+
+    /// Whether the arm could land straight on in joint space from each set-point.
+    fn piece_can_land(&self, piece: &Piece) -> Result<(), Found> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count, and too many are cut")]
         let count = (piece.seconds / LANDINGS).ceil().clamp(1.0, 1e6) as u32;
         (0..=count).map(|place| f64::from(place) / f64::from(count)).try_for_each(|share| {

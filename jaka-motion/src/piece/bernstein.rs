@@ -65,7 +65,8 @@ pub(crate) fn furthest<const N: usize>(coefficients: &[f64; N], least: f64, most
     places.max_by(|one, other| beyond(one.1).total_cmp(&beyond(other.1))).unwrap_or((0.0, coefficients[0]))
 }
 
-fn largest<const N: usize>(coefficients: &[f64; N]) -> f64 {
+/// The largest coefficient by amount, above which the polynomial does not get; NaN where one is.
+pub(crate) fn largest<const N: usize>(coefficients: &[f64; N]) -> f64 {
     coefficients.iter().fold(0.0, |most: f64, number| if number.is_nan() { f64::NAN } else { most.max(number.abs()) })
 }
 

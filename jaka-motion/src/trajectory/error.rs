@@ -60,6 +60,8 @@ pub enum TrajectoryError {
         what: &'static str,
         /// The number that was given.
         given: f64,
+        /// What it should be, for example `finite and at least 0`.
+        expected: &'static str,
     },
     /// The arm may not be at a way-point.
     Place {
@@ -108,7 +110,7 @@ impl fmt::Display for TrajectoryError {
                 "way-point 1 is a pose, which several joint positions reach; the first must be joint positions",
             ),
             Self::NoWay => f.write_str("all way-points are at one place"),
-            Self::Setting { what, given } => write!(f, "{what}: {given} is not a number of the right size"),
+            Self::Setting { what, given, expected } => write!(f, "{what}: {given} is not {expected}"),
             Self::Place { way_point, beyond } => write!(f, "way-point {way_point}: {beyond}"),
             Self::Beyond { after, time_s: Some(time_s), beyond } => {
                 write!(f, "after way-point {after}, at {time_s:.3} s: {beyond}")

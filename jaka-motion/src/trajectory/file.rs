@@ -81,12 +81,14 @@ impl TimedPoint {
 
     /// The points as CSV, in degrees, which [`from_csv`](Self::from_csv) reads as the same points.
     ///
-    /// The columns are those that the first point has.
+    /// The columns are those that all points have.
     pub fn to_csv(points: &[Self]) -> String {
         write::csv(points)
     }
 
     /// The points as JSON, in degrees, which [`from_json`](Self::from_json) reads as the same points.
+    ///
+    /// The keys are those that all points have.
     pub fn to_json(points: &[Self]) -> String {
         write::json(points)
     }

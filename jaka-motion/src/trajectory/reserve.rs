@@ -21,6 +21,8 @@ impl Trajectory {
     /// How fast the rate may change all the while between two times, as [`rate_change`](Self::rate_change): at most the least of those in between, and
     /// rarely less.
     pub fn rate_change_between(&self, from_s: f64, to_s: f64, rate: f64) -> f64 {
+        // What is not a number counts as the start.
+        let (from_s, to_s) = (from_s.max(0.0), to_s.max(0.0));
         // A step of acceleration at the time itself counts with both sides.
         let last = self.piece_at(to_s.max(from_s));
         let first = self.pieces[..=last].partition_point(|piece| piece.end_s() < from_s).min(last);

@@ -44,6 +44,8 @@ pub struct Through {
 
 /// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no source has jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
+/// The least speed and jerk: a joint that is slower takes hours for a turn.
+const LEAST: f64 = 1e-3;
 /// Points nearer to each other than this are one, in degrees or mm.
 const SAME: f64 = 1e-6;
 /// A speed in mm/s that is beyond no joint's: lines are checked for all but it.
@@ -75,7 +77,8 @@ impl Through {
         self
     }
 
-    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower.
+    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower. If nothing is said, the limits alone decide, and without one of the tool
+    /// centre point those of the joints.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
         self.tcp_speed = mm_s;
         self
@@ -127,13 +130,13 @@ impl Through {
         let Tolerances { mm, turn_deg, joint_deg } = self.tolerances;
         for (what, given) in [("corner_mm", mm), ("corner_turn_deg", turn_deg), ("corner_deg", joint_deg)] {
             if !(given.is_finite() && given >= 0.0) {
-                return Err(TrajectoryError::Setting { what, given });
+                return Err(TrajectoryError::Setting { what, given, expected: "finite and at least 0" });
             }
         }
         let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
         let jerks = self.jerks.iter().flatten().map(|jerk| ("jerks", *jerk));
         match speeds.chain(jerks).chain([("tcp_speed", self.tcp_speed)]).find(|(_, given)| !(*given > LEAST)) {
-            Some((what, given)) => Err(TrajectoryError::Setting { what, given }),
+            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "above 0.001" }),
             None => Ok(()),
         }
     }
@@ -160,9 +163,6 @@ impl Through {
         Ok((legs, places))
     }
 }
-
-/// The least speed and jerk: a joint that is slower takes hours for a turn.
-const LEAST: f64 = 1e-3;
 
 /// The way to a point, and the joints there.
 fn leg(after: usize, here: &[f64; 6], via: &Via, checker: &Checker) -> Result<(Leg, [f64; 6]), TrajectoryError> {

@@ -1,6 +1,6 @@
 //! What nobody would send.
 
-use super::{HOME, Random, checker};
+use super::{HOME, Random, checker, slow_enough, some_points};
 use crate::{TimedPoint, Trajectory};
 
 #[test]
@@ -23,6 +23,8 @@ fn no_numbers_make_it_panic() {
             look_everywhere(&trajectory);
         }
     }
+    let (_, trajectory) = slow_enough(&some_points(&mut random, 4), &checker);
+    look_everywhere(&trajectory);
 }
 
 fn look_everywhere(trajectory: &Trajectory) {
@@ -30,8 +32,9 @@ fn look_everywhere(trajectory: &Trajectory) {
         let here = trajectory.at(time_s);
         assert!(here.joints.0.iter().chain(&here.velocity).chain(&here.acceleration).all(|number| number.is_finite()));
         for rate in [0.0, 1.0, f64::NAN, 1e308] {
-            let _ = trajectory.rate_change(time_s, rate);
-            let _ = trajectory.rate_change_between(time_s, f64::NAN, rate);
+            assert!(trajectory.rate_change(time_s, rate) >= 0.0);
+            assert!(trajectory.rate_change_between(time_s, f64::NAN, rate) >= 0.0);
+            assert!(trajectory.rate_change_between(f64::NAN, time_s, f64::INFINITY) >= 0.0);
         }
     }
     let _ = trajectory.duration();
@@ -45,4 +48,16 @@ fn times_that_are_nearly_equal_are_refused() {
     let _ = Trajectory::timed(&[start, next], &checker);
     next.joints.0[0] += 1e-9;
     assert!(Trajectory::timed(&[start, next], &checker).is_err());
+}
+
+#[test]
+fn very_many_points_at_one_place_are_no_harm() {
+    let checker = checker();
+    let points = (0..100_000).map(|number| TimedPoint::new(f64::from(number), HOME)).collect::<Vec<_>>();
+    assert_eq!(Trajectory::timed(&points, &checker).expect("it rests").way_points().len(), points.len());
+    let mut points = vec![HOME; 100_000];
+    assert!(Trajectory::through(points.clone()).build(&checker).is_err());
+    points[99_999][0] += 1.0;
+    let trajectory = Trajectory::through(points).corner_deg(1.0).build(&checker).expect("a way");
+    assert_eq!(trajectory.way_points().len(), 100_000);
 }

@@ -6,7 +6,7 @@ use super::columns::{Column, Kind, Unit};
 use crate::trajectory::timed::TimedPoint;
 
 pub(super) fn csv(points: &[TimedPoint]) -> String {
-    let kinds = points.first().map_or(1, |first| angles(first).count());
+    let kinds = kinds(points);
     let names = Kind::ALL.into_iter().take(kinds);
     let names = names.flat_map(|kind| (1..=6).map(move |joint| kind.column(joint, Unit::Degrees)));
     let mut text = std::iter::once(Column::TIME.to_owned()).chain(names).collect::<Vec<_>>().join(",");
@@ -23,14 +23,20 @@ pub(super) fn csv(points: &[TimedPoint]) -> String {
 }
 
 pub(super) fn json(points: &[TimedPoint]) -> String {
+    let kinds = kinds(points);
     let point = |point: &TimedPoint| {
-        let lists = angles(point).map(|(kind, angles)| {
+        let lists = angles(point).take(kinds).map(|(kind, angles)| {
             let numbers = angles.map(|number| number.to_string()).join(", ");
             format!(", \"{}\": [{numbers}]", kind.key(Unit::Degrees))
         });
         format!("    {{\"{}\": {}{}}}", Column::TIME, point.time_s, lists.collect::<String>())
     };
     format!("{{\"points\": [\n{}\n]}}\n", points.iter().map(point).collect::<Vec<_>>().join(",\n"))
+}
+
+/// How many kinds all points have.
+fn kinds(points: &[TimedPoint]) -> usize {
+    points.iter().map(|point| angles(point).count()).min().unwrap_or(1)
 }
 
 /// What a point has: accelerations only with velocities.
