@@ -6,4 +6,5 @@ fn main() {
         println!("{}", work.report());
     }
     println!("{}", jaka_benches::generator::report());
+    println!("{}", jaka_benches::follower::report());
 }

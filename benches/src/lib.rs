@@ -1,6 +1,9 @@
 //! What the benchmarks share.
 
+#[path = "../../jaka-cli/src/chart.rs"]
+mod chart;
 pub mod encode;
+pub mod follower;
 pub mod framing;
 pub mod generator;
 pub mod kinematics;

@@ -1,8 +1,8 @@
 //! Counts that repeat exactly: allocations, and bytes visited.
 
 use allocation_counter::measure;
-use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, generator, kinematics, limit, reply, status};
-use jaka_motion::{Frames, Model, Transform};
+use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, follower, generator, kinematics, limit, reply, status};
+use jaka_motion::{Follower, Frames, Model, Transform};
 use jaka_proto::Request;
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
@@ -106,6 +106,22 @@ fn generated_set_points_allocate_nothing() {
         });
         assert_eq!((count.count_total, arm.rejections()), (0, 0));
     }
+}
+
+#[test]
+fn following_a_trajectory_allocates_nothing_and_takes_no_memory_of_its_own() {
+    let (trajectory, checker) = (follower::trajectory(), follower::checker());
+    let count = measure(|| {
+        let mut follower = Follower::new(trajectory.clone(), checker.limits(), kinematics::PERIOD);
+        for number in 0..2000 {
+            follower.set_scale(follower::scale(number));
+            follower.advance();
+        }
+        assert!(follower.periods_to_rest(1000).is_some());
+        follower.paused();
+        follower.take_back();
+    });
+    assert_eq!(count.count_total, 0);
 }
 
 #[test]

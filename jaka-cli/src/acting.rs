@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use clap::Args;
-use jaka_motion::Limits;
+use jaka_motion::{Limits, Trajectory};
 use jaka_sync::proto::Command;
-use jaka_sync::{Client, Error, Motion, Robot};
+use jaka_sync::{Client, Error, FollowConfig, FollowEnd, Motion, Robot};
 
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
@@ -37,6 +37,15 @@ impl ActArgs {
         let act = Act::at_once(&self.robot)?;
         if !self.yes && !self.robot.is_simulated() {
             consent::obtain(intents, act.target.title())?;
+        }
+        Ok(act)
+    }
+
+    /// Makes sure that the user wants the arm to do this, such as "follow way.csv for 12.0 s". Connects to nothing yet.
+    pub(crate) fn begin_motion(&self, what: &str) -> Result<Act, Failure> {
+        let act = Act::at_once(&self.robot)?;
+        if !self.yes && !self.robot.is_simulated() {
+            consent::obtain_motion(what, act.target.title())?;
         }
         Ok(act)
     }
@@ -83,6 +92,24 @@ impl Act {
         let done = act(&mut robot);
         self.under_way.answered();
         done.map_err(|error| Failure::explained(packs::of_status(), error))
+    }
+
+    /// Follows a trajectory to its end, or wherever it ends.
+    pub(crate) fn follow(
+        &self,
+        trajectory: &Trajectory,
+        limits: Limits,
+        config: &FollowConfig,
+    ) -> Result<FollowEnd, Failure> {
+        let mut robot = self.target.robot()?.with_limits(limits)?;
+        let stop = robot.stop_handle();
+        self.under_way.moves(stop.clone());
+        let ended = robot.start_follow(trajectory, config).map(|run| {
+            self.under_way.follows(run.handle(), stop);
+            run.wait()
+        });
+        self.under_way.answered();
+        ended.map_err(|error| Failure::explained(packs::of_status(), error))
     }
 
     /// Runs a motion, and prints how it ended.

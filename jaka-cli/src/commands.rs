@@ -10,6 +10,7 @@ mod check;
 mod clear;
 mod completions;
 mod down;
+mod follow;
 mod jitter;
 mod jog;
 mod monitor;
@@ -39,6 +40,7 @@ pub(crate) enum Command {
     Clear(clear::Clear),
     Move(move_to::Move),
     Jog(jog::Jog),
+    Follow(follow::Follow),
     Check(check::Check),
     Probe(probe::Probe),
     Jitter(jitter::Jitter),
@@ -62,6 +64,7 @@ impl Command {
             Self::Clear(command) => command.run(),
             Self::Move(command) => command.run(),
             Self::Jog(command) => command.run(),
+            Self::Follow(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Probe(command) => command.run(),
             Self::Jitter(command) => command.run(),

@@ -57,6 +57,21 @@ pub(crate) fn obtain(intents: &[Intent<'_>], title: &str) -> Result<(), Failure>
     if question::is_confirmed(&question(intents, title))? { Ok(()) } else { Err(refused("")) }
 }
 
+/// Makes sure that the user wants the arm of the robot of this title to do this.
+///
+/// # Errors
+/// The user does not, or cannot be asked.
+pub(crate) fn obtain_motion(what: &str, title: &str) -> Result<(), Failure> {
+    let refused = |why: &str| Failure::Usage(format!("the arm was not moved{why}"));
+    if !stdin().is_terminal() {
+        return Err(refused(": there is no terminal to ask on; use --yes to move it anyway"));
+    }
+    let question = format!("The arm of {title} will {}.\n{SEAT}\nGo on? [y/N] ", visible(what));
+    if question::is_confirmed(&question)? { Ok(()) } else { Err(refused("")) }
+}
+
+const SEAT: &str = "The command port serves one client: another program that is connected there may be disconnected.";
+
 fn question(intents: &[Intent<'_>], title: &str) -> String {
     let sent = intents.iter().map(|intent| format!("  {}\n", visible_json_line(&intent.text)));
     let told = intents.iter().map(|intent| {
@@ -64,11 +79,7 @@ fn question(intents: &[Intent<'_>], title: &str) -> String {
         format!("`{}` {}. {}\n", visible(&intent.name), intent.effect(), visible(about))
     });
     let it = if let [_] = intents { "it" } else { "them" };
-    format!(
-        "To {title}:\n{}{}The command port serves one client: another program that is connected there may be disconnected.\nSend {it}? [y/N] ",
-        sent.collect::<String>(),
-        told.collect::<String>()
-    )
+    format!("To {title}:\n{}{}{SEAT}\nSend {it}? [y/N] ", sent.collect::<String>(), told.collect::<String>())
 }
 
 /// What a command does to the robot, in words.

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
-use jaka_sync::{Error, ErrorKind, Outcome, Verdict};
+use jaka_sync::{Error, ErrorKind, FollowOutcome, Outcome, Verdict};
 
 use crate::failure::{Failure, chain};
 use crate::output;
@@ -50,6 +50,9 @@ pub(crate) const STATUS_LOST: u8 = 28;
 /// On Ctrl-C the controller did not take the stop, or it is not known whether it did; the arm may still move.
 pub(crate) const NOT_STOPPED: u8 = 29;
 
+/// A trajectory was not followed to its end, for another reason: the message says which, and whether the arm is at rest.
+pub(crate) const NOT_FOLLOWED: u8 = 30;
+
 /// Ctrl-C before anything was sent, or before what was waited for.
 pub(crate) const INTERRUPTED: u8 = 130;
 
@@ -68,6 +71,7 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
         Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),
+        Failure::NotCompleted(not_completed) => followed(not_completed.end().outcome),
         Failure::NotInTime(_) => DEADLINE,
         Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
@@ -103,6 +107,20 @@ fn ended(outcome: &Outcome) -> u8 {
     }
 }
 
+/// The exit code for the end of a trajectory.
+fn followed(outcome: FollowOutcome) -> u8 {
+    match outcome {
+        FollowOutcome::Completed => 0,
+        FollowOutcome::Stopped => STOPPED,
+        FollowOutcome::Deadline => DEADLINE,
+        FollowOutcome::ProtectiveStop => PROTECTIVE_STOP,
+        FollowOutcome::EmergencyStop => EMERGENCY_STOP,
+        FollowOutcome::StatusLost => STATUS_LOST,
+        FollowOutcome::LinkLost => MAY_HAVE_RUN,
+        _ => NOT_FOLLOWED,
+    }
+}
+
 /// The exit code for an error of the robot: it says what a script can do about it.
 fn exit_code(error: &Error) -> u8 {
     if error.may_have_run() {
@@ -121,7 +139,9 @@ fn exit_code(error: &Error) -> u8 {
             | ErrorKind::StatusUnknown { .. }
             | ErrorKind::BeyondLimit { .. }
             | ErrorKind::NotChecked { .. }
-            | ErrorKind::ModelMismatch { .. } => NOT_MOVED,
+            | ErrorKind::ModelMismatch { .. }
+            | ErrorKind::Trajectory { .. }
+            | ErrorKind::NotAtStart { .. } => NOT_MOVED,
             _ => LOST,
         }
     }

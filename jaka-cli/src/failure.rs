@@ -7,7 +7,7 @@ use std::io;
 use jaka_spec::Spec;
 use jaka_spec::tools::Impact;
 use jaka_spec::words::first_sentence;
-use jaka_sync::{Error, ErrorKind, Explanation, NotReached, Refusal, Verdict};
+use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Refusal, Verdict};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -27,6 +27,8 @@ pub(crate) enum Failure {
     },
     /// A motion was accepted, and did not end at its target.
     NotReached(NotReached),
+    /// A trajectory was begun, and not completed.
+    NotCompleted(NotCompleted),
     /// What was waited for did not come in time.
     NotInTime(String),
     /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
@@ -91,6 +93,7 @@ impl fmt::Display for Failure {
             Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) => f.write_str(text),
             Self::Robot(error) => error.fmt(f),
             Self::NotReached(not_reached) => not_reached.fmt(f),
+            Self::NotCompleted(not_completed) => not_completed.fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {
                 write!(f, "{refusal}\nThe reason: {explanation}")
             }
@@ -112,6 +115,7 @@ impl StdError for Failure {
             // Its text is part of this one.
             Self::Robot(error) => error.source(),
             Self::NotReached(not_reached) => not_reached.source(),
+            Self::NotCompleted(not_completed) => not_completed.source(),
             Self::Local { source, .. } => Some(source),
             _ => None,
         }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use std::{process, thread};
 
-use jaka_sync::RobotStop;
+use jaka_sync::{FollowHandle, RobotStop};
 
 use crate::failure::{Failure, chain};
 use crate::{exit, output, record};
@@ -48,6 +48,8 @@ enum Stage {
     Sent(String),
     /// A motion goes out, or is waited for.
     Moving(RobotStop),
+    /// A trajectory is followed: first it is stopped along it, then as a motion.
+    Following(FollowHandle, RobotStop),
     /// All that was sent has been answered, and the program ends.
     Answered,
     /// All that was sent has been answered, and the next request is awaited.
@@ -73,6 +75,11 @@ impl UnderWay {
         *self.lock() = Stage::Moving(stop);
     }
 
+    /// A trajectory is followed, which these stop.
+    pub(crate) fn follows(&self, handle: FollowHandle, stop: RobotStop) {
+        *self.lock() = Stage::Following(handle, stop);
+    }
+
     /// All has been answered. If a stop is on its way, waits until it is said what has become of it.
     pub(crate) fn answered(&self) {
         *self.lock() = Stage::Answered;
@@ -85,7 +92,7 @@ impl UnderWay {
 
     fn interrupt(&self) {
         // Kept until all is said.
-        let stage = self.lock();
+        let mut stage = self.lock();
         match &*stage {
             Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; nothing was sent that changes anything"),
             Stage::Sent(what) => end_with(
@@ -94,6 +101,16 @@ impl UnderWay {
             ),
             Stage::Moving(stop) => stop_arm(stop),
             Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
+            Stage::Following(handle, stop) => {
+                // Where it has ended by itself, that is told.
+                if handle.stop().is_ok() {
+                    output::tell(
+                        "interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too",
+                    );
+                }
+                let stop = stop.clone();
+                *stage = Stage::Moving(stop);
+            }
             Stage::Answered => {}
         }
     }

@@ -1,6 +1,7 @@
 //! The `jaka` command: see the crate's README.
 
 mod acting;
+mod chart;
 mod commands;
 mod condition;
 mod consent;
@@ -58,7 +59,7 @@ Exit codes:
      recording
   8, 9  `jaka check` found something to look at, or something wrong; also where no connection could be made
   10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
-  20 to 29 are for what moves the arm, and 27 for whatever is waited for:
+  20 to 30 are for what moves the arm, and 27 for whatever is waited for:
   20  the robot's state or a limit forbids it, or the state is not known; nothing that moves the arm was sent
   21  the arm is at rest, and it is not known whether it is where it was sent
   22  the motion ended before its target, also by Ctrl-C
@@ -69,6 +70,8 @@ Exit codes:
   27  what was waited for did not come in time; a motion may go on
   28  no status packets that can be read any more; the arm may still move
   29  Ctrl-C, and the controller has not taken the stop, or it is not known whether it has; the arm may still move
+  30  `jaka follow`: set-points were too late or refused, or a joint did not follow; the message says whether the
+      arm is at rest
   130  Ctrl-C before anything was sent that changes something, or before what was waited for";
 
 /// Commands, status, live dashboard and simulated controller for JAKA robots.

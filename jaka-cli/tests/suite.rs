@@ -3,6 +3,7 @@
 mod call;
 mod check;
 mod common;
+mod follow;
 mod guide;
 mod held_packets;
 mod hostile_text;

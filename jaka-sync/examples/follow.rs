@@ -1,7 +1,7 @@
 //! A trajectory, followed with a pause on the way: the arm stops on its curve, and goes on along it.
 //!
 //! `cargo run --example follow --features jaka-sync/stream` runs against a simulated controller; with an address, against a robot, which should be
-//! a Zu 5. There it powers and enables the arm, which stays so, and turns joint 6 to and fro by at most 10 degrees for some 8 s; it asks before.
+//! a Zu 5. There it powers and enables the arm, which stays so, and turns joints 5 and 6 by at most 10 degrees, and back, for some 9 s; it asks before.
 
 mod common;
 
@@ -11,7 +11,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use jaka_sync::FollowConfig;
-use jaka_sync::jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};
+use jaka_sync::jaka_motion::{Limits, Model, Trajectory, Via};
 
 fn main() -> ExitCode {
     common::end(run())
@@ -19,19 +19,23 @@ fn main() -> ExitCode {
 
 fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
-    target.ask("The arm will be powered and joint 6 will turn by up to 10 deg for some 8 s. Clear the area.")?;
-    let limits = Limits::of(Model::named("Zu 5").ok_or("a published arm")?);
-    let mut robot = target.robot()?.with_limits(limits.clone())?;
+    target.ask(
+        "The arm will be powered; joints 5 and 6 will turn by up to 10 deg and back for some 9 s. Clear the area.",
+    )?;
+    let arm = Model::named("Zu 5").ok_or("a published arm")?;
+    let mut robot = target.robot()?.with_limits(Limits::of(arm))?;
     robot.power_up(Duration::from_secs(60))?;
 
     let start = robot.client().get_joint_pos()?.joint_position;
-    let at = |time_s, degrees| {
+    let turned = |joint_5, joint_6| {
         let mut joints = start;
-        joints.0[5] += degrees;
-        TimedPoint::new(time_s, joints)
+        (joints.0[4], joints.0[5]) = (start[4] + joint_5, start[5] + joint_6);
+        Via::Joints(joints)
     };
-    let points = [at(0.0, 0.0), at(2.0, 10.0), at(4.0, -10.0), at(6.0, 0.0)];
-    let trajectory = Trajectory::timed(&points, &Checker::new(limits, Frames::new()))?;
+    // To the second point and the third, rounding the corners by up to 2 deg of a joint, and back.
+    let through = Trajectory::through([turned(0.0, 0.0), turned(0.0, 10.0), turned(10.0, 10.0), turned(0.0, 0.0)]);
+    let checker = robot.limits().ok_or("it has limits")?;
+    let trajectory = through.corner_deg(2.0).joint_speeds([5.0; 6]).build(checker)?;
     let run = robot.start_follow(&trajectory, &FollowConfig::new().deadline(Duration::from_secs(30)))?;
     sleep(Duration::from_secs(2));
     run.pause()?;

@@ -470,7 +470,7 @@ impl fmt::Display for ErrorKind {
             Self::NotAtStart { joint, at_deg, start_deg } => write!(
                 f,
                 "the trajectory was not started: it starts with joint {joint} at {start_deg:.3} deg, and the arm has it at {at_deg:.3} deg, {:.3} deg \
-                 away; move the arm there first, or set `FollowConfig::approach`",
+                 away; move the arm there first, or ask for an approach",
                 (start_deg - at_deg).abs()
             ),
             #[cfg(feature = "stream")]

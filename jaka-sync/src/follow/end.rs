@@ -150,12 +150,14 @@ impl FollowEnd {
     }
 }
 
-/// In one line, with the cause and how far it got.
+/// In one line: how far it got, whether the arm is at rest, and the cause.
 impl fmt::Display for FollowEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.outcome)?;
         if self.outcome != FollowOutcome::Completed {
-            write!(f, " ({:.3} s of {:.3} s)", self.reached.as_secs_f64(), self.duration.as_secs_f64())?;
+            let rest = if self.is_at_rest() { "is at rest" } else { "was not seen at rest" };
+            let (reached, duration) = (self.reached.as_secs_f64(), self.duration.as_secs_f64());
+            write!(f, " ({reached:.3} s of {duration:.3} s), and the arm {rest}")?;
         }
         self.error.as_ref().map_or(Ok(()), |error| write!(f, ": {error}"))
     }

@@ -75,39 +75,42 @@ impl Curve {
 
     /// Fails where a set-point is off the curve, or before the one before it; the times at which they are on it.
     pub(super) fn has(&self, set_points: &[[f64; 6]]) -> Result<Vec<f64>, String> {
-        let mut times = Vec::new();
-        let mut least = 0.0;
-        for (index, joints) in set_points.iter().enumerate() {
-            let (time_s, off) = self.nearest(joints, least);
-            if off > ON_CURVE {
-                return Err(format!("set-point {index} is {off} deg from the curve: {joints:?}, next to {time_s} s"));
-            }
-            times.push(time_s);
-            least = time_s;
-        }
-        Ok(times)
+        are_on(&|time_s| self.at(time_s), self.duration_s(), set_points)
     }
+}
 
-    /// The first time from `least` on at which the curve is next to joint positions, and how far away they are then.
-    fn nearest(&self, joints: &[f64; 6], least: f64) -> (f64, f64) {
-        let off = |time_s: f64| {
-            let at = self.at(time_s);
-            (0..6).map(|joint| (at[joint] - joints[joint]).abs()).fold(0.0, f64::max)
-        };
-        let mut from = (least - STEP_S).max(0.0);
-        let mut best = (from, off(from));
-        while from < self.duration_s() {
-            let (time_s, off) = narrowed(&off, from, from + 2.0 * STEP_S);
-            if off < best.1 {
-                best = (time_s, off);
-            }
-            if best.1 <= ON_CURVE {
-                break;
-            }
-            from += STEP_S;
+/// Fails where a set-point is off a curve, or before the one before it; the times at which they are on it.
+pub(super) fn are_on(
+    curve: &impl Fn(f64) -> [f64; 6],
+    duration_s: f64,
+    set_points: &[[f64; 6]],
+) -> Result<Vec<f64>, String> {
+    let mut times = Vec::new();
+    let mut least = 0.0;
+    for (index, joints) in set_points.iter().enumerate() {
+        let (time_s, off) = nearest(curve, duration_s, joints, least);
+        if off > ON_CURVE {
+            return Err(format!("set-point {index} is {off} deg from the curve: {joints:?}, next to {time_s} s"));
         }
-        best
+        times.push(time_s);
+        least = time_s;
     }
+    Ok(times)
+}
+
+/// The first time from `least` on at which a curve is next to joint positions, and how far away they are then.
+fn nearest(curve: &impl Fn(f64) -> [f64; 6], duration_s: f64, joints: &[f64; 6], least: f64) -> (f64, f64) {
+    let off = |time_s: f64| super::apart(&curve(time_s), joints);
+    let mut from = (least - STEP_S).max(0.0);
+    let mut best = (from, off(from));
+    while from < duration_s && best.1 > ON_CURVE {
+        let (time_s, off) = narrowed(&off, from, from + 2.0 * STEP_S);
+        if off < best.1 {
+            best = (time_s, off);
+        }
+        from += STEP_S;
+    }
+    best
 }
 
 /// Where a function is the least between two times, if it has one least value there.

@@ -36,7 +36,8 @@ fn a_stop_brakes_along_the_trajectory() {
     assert!(!names(&controller).iter().any(|name| name == "stop_program") && !controller.state().servo_mode);
     let text = end.completed().expect_err("it was stopped").to_string();
     assert!(
-        text.starts_with("the trajectory was stopped before its end (") && text.ends_with(" s of 3.000 s)"),
+        text.starts_with("the trajectory was stopped before its end (")
+            && text.ends_with(" s of 3.000 s), and the arm is at rest"),
         "{text}"
     );
     // Nothing must be acknowledged.

@@ -4,9 +4,10 @@
 
 use std::thread;
 
-use jaka_sync::jaka_motion::Follower;
+use jaka_sync::jaka_motion::{Follower, Via};
 use jaka_sync::servo::ServoJ;
 
+use super::curve::are_on;
 use super::*;
 use crate::limits::random::Random;
 
@@ -57,34 +58,62 @@ fn encoded(joints: JointPosition) -> String {
     out.as_str().to_owned()
 }
 
+/// Set-points at random scales until the end, or until it has come to rest where it was stopped.
+fn followed_at_random(random: &mut Random, trajectory: &Trajectory) -> Vec<[f64; 6]> {
+    let mut follower = Follower::new(trajectory.clone(), &limits(), PERIOD);
+    let stops_at = if random.one_in(3) { random.between(0.0, trajectory.duration_s()) } else { f64::INFINITY };
+    let (mut set_points, mut left) = (vec![START], 0);
+    while !follower.is_at_end() {
+        if left == 0 {
+            follower.set_scale(random_scale(random));
+            left = random.below(40) + 1;
+        }
+        left -= 1;
+        if follower.time_s() >= stops_at {
+            follower.set_scale(0.0);
+            let periods = follower.periods_to_rest(10_000).expect("it comes to rest");
+            set_points.extend((0..=periods).map(|_| on_the_wire(follower.advance())));
+            assert!(follower.is_at_rest());
+            return set_points;
+        }
+        set_points.push(on_the_wire(follower.advance()));
+        assert!(set_points.len() < 100_000, "it goes on");
+    }
+    assert!(apart(set_points.last().expect("there are some"), &trajectory.end().0) < 1e-9);
+    set_points
+}
+
 #[test]
 fn through_bytes_in_memory_they_stay_on_the_curve_and_within_the_limits() {
     for seed in 0..count(30) {
         let mut random = Random::new(seed);
         let (curve, trajectory) = random_curve(&mut random);
-        let mut follower = Follower::new(trajectory, &limits(), PERIOD);
-        let stops_at = if random.one_in(3) { random.between(0.0, curve.duration_s()) } else { f64::INFINITY };
-        let (mut set_points, mut left) = (vec![START], 0);
-        while !follower.is_at_end() {
-            if left == 0 {
-                follower.set_scale(random_scale(&mut random));
-                left = random.below(40) + 1;
-            }
-            left -= 1;
-            if follower.time_s() >= stops_at {
-                follower.set_scale(0.0);
-                let periods = follower.periods_to_rest(10_000).expect("it comes to rest");
-                set_points.extend((0..=periods).map(|_| on_the_wire(follower.advance())));
-                assert!(follower.is_at_rest(), "seed {seed}");
-                break;
-            }
-            set_points.push(on_the_wire(follower.advance()));
-            assert!(set_points.len() < 100_000, "seed {seed} goes on");
-        }
+        let set_points = followed_at_random(&mut random, &trajectory);
         curve.has(&set_points).unwrap_or_else(|what| panic!("seed {seed}: {what}"));
         assert_eq!(within_limits(&set_points), 0, "seed {seed}");
-        let last = set_points.last().expect("there are some");
-        assert!(!follower.is_at_end() || apart(last, &curve.at(f64::MAX)) < 1e-9, "seed {seed}");
+    }
+}
+
+/// What is planned here leaves a share of the accelerations, so that a stop does not take long.
+#[test]
+fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
+    let checker = Checker::new(limits(), Frames::new());
+    for seed in 0..count(30) {
+        let mut random = Random::new(2_000_000 + seed);
+        let joints = (0..random.below(5) + 2).map(|_| Via::Joints(turned(random.offsets::<6>(15.0)).into()));
+        let points: Vec<_> = std::iter::once(Via::Joints(START.into())).chain(joints).collect();
+        let planned = Trajectory::through(points).corner_deg(random.between(0.0, 4.0)).build(&checker);
+        let trajectory = planned.expect("it is far from all limits");
+        let set_points = followed_at_random(&mut random, &trajectory);
+        let at = |time_s: f64| trajectory.at(time_s).joints.0;
+        are_on(&at, trajectory.duration_s(), &set_points).unwrap_or_else(|what| panic!("seed {seed}: {what}"));
+        assert_eq!(within_limits(&set_points), 0, "seed {seed}");
+        let mut follower = Follower::new(trajectory.clone(), &limits(), PERIOD);
+        while !follower.is_at_end() {
+            follower.advance();
+            // 180 deg/s at 300 deg/s² take 0.6 s straight on.
+            assert!(follower.periods_to_rest(50).is_some(), "seed {seed}: at {} s", follower.time_s());
+        }
     }
 }
 

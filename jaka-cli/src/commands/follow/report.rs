@@ -1,0 +1,102 @@
+//! What is said of a trajectory before it is followed, and of how it ended.
+
+use std::fmt::Write;
+use std::time::Duration;
+
+use jaka_motion::{Checker, Trajectory};
+use jaka_sync::{FollowEnd, FollowOutcome};
+use serde_json::{Value, json};
+
+use super::course::Peaks;
+use crate::failure::Failure;
+use crate::number::fixed;
+use crate::output;
+
+/// What was checked, and what the trajectory reaches, for people.
+pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> String {
+    let (count, duration_s, limits) = (trajectory.way_points().len(), trajectory.duration_s(), checker.limits());
+    let name = limits.model().name();
+    let mut out =
+        format!("{count} way-points, {duration_s:.3} s, within the limits of the {name}; nothing was sent\n\n");
+    let _ = writeln!(out, "{:10}{:>26}{:>28}", "", "highest speed", "largest acceleration");
+    for joint in 0..6 {
+        let speed = format!("{} of {} deg/s", fixed(peaks.speeds[joint], 1), limits.joint_speeds()[joint]);
+        let most = limits.joint_accelerations()[joint];
+        let acceleration = format!("{} of {most} deg/s²", fixed(peaks.accelerations[joint], 1));
+        let _ = writeln!(out, "joint {:<4}{speed:>26}{acceleration:>28}", joint + 1);
+    }
+    let most = limits.tcp_speed().map_or_else(String::new, |most| format!(" of {most}"));
+    let _ = writeln!(out, "{:10}{:>26}", "flange", format!("{}{most} mm/s", fixed(peaks.tool, 1)));
+    out
+}
+
+/// The same for programs.
+pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> Value {
+    json!({
+        "way_points": trajectory.way_points().len(),
+        "duration_s": trajectory.duration_s(),
+        "model": checker.limits().model().name(),
+        "start_deg": trajectory.start().0,
+        "end_deg": trajectory.end().0,
+        "highest_speeds_deg_s": peaks.speeds,
+        "largest_accelerations_deg_s2": peaks.accelerations,
+        "highest_flange_speed_mm_s": peaks.tool,
+    })
+}
+
+/// Prints how it ended, as JSON whatever the end is.
+pub(super) fn print(end: FollowEnd, as_json: bool) -> Result<(), Failure> {
+    if as_json {
+        output::json(&format!("{}\n", ended_as_json(&end)))?;
+    } else if end.outcome == FollowOutcome::Completed {
+        output::line(&completed(&end))?;
+    }
+    end.completed().map_err(Failure::NotCompleted)
+}
+
+fn completed(end: &FollowEnd) -> String {
+    let lag = end.lag.map_or_else(String::new, |lag| format!(", the arm lagged by {} ms", lag.delay.as_millis()));
+    let (cycles, late) = (end.report.cycles, milliseconds(end.report.lateness(0.99)));
+    format!("{}{lag}; of {cycles} set-points 99 % were at most {} ms late", end.outcome, fixed(late, 2))
+}
+
+fn ended_as_json(end: &FollowEnd) -> Value {
+    json!({
+        "outcome": word(end.outcome),
+        "text": end.to_string(),
+        "at_rest": end.is_at_rest(),
+        "reached_s": end.reached.as_secs_f64(),
+        "duration_s": end.duration.as_secs_f64(),
+        "left_curve": end.has_left_curve,
+        "lag_ms": end.lag.map(|lag| milliseconds(lag.delay)),
+        "residual_deg": end.lag.map(|lag| lag.residual_deg),
+        "set_points": end.report.cycles,
+        "late": end.report.late_cycles,
+        "gaps": end.report.gaps,
+        "lateness_p99_ms": milliseconds(end.report.lateness(0.99)),
+        "lateness_max_ms": milliseconds(end.report.lateness(1.0)),
+    })
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
+}
+
+/// An outcome as one word, which does not change.
+fn word(outcome: FollowOutcome) -> &'static str {
+    match outcome {
+        FollowOutcome::Completed => "completed",
+        FollowOutcome::Stopped => "stopped",
+        FollowOutcome::Deadline => "deadline",
+        FollowOutcome::Guard => "guard",
+        FollowOutcome::Refused => "refused",
+        FollowOutcome::ProtectiveStop => "protective_stop",
+        FollowOutcome::EmergencyStop => "emergency_stop",
+        FollowOutcome::Underrun => "underrun",
+        FollowOutcome::Departed => "departed",
+        FollowOutcome::StatusLost => "status_lost",
+        FollowOutcome::LinkLost => "link_lost",
+        FollowOutcome::RestNotSeen => "rest_not_seen",
+        _ => "failed",
+    }
+}

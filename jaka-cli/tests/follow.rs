@@ -1,0 +1,186 @@
+//! `jaka follow`, as its users run it.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+use std::fs;
+use std::process::{Child, Stdio};
+
+use expect_test::expect;
+use jaka_sim::{Controller, Delays};
+use serde_json::Value;
+
+#[cfg(unix)]
+use crate::common::interrupt;
+use crate::program::{Run, address_of, command, jaka, result, scratch};
+
+const WAY: &str = "\
+time_s,joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg
+0,0,90,90,90,-90,0
+1,4,90,90,90,-90,-6
+2,0,90,90,90,-90,0
+";
+
+/// A file of this name with a trajectory, the same or this many times as slow.
+fn way(name: &str, factor: f64) -> String {
+    let path = scratch(name);
+    let text = WAY.replace("\n1,", &format!("\n{factor},")).replace("\n2,", &format!("\n{},", 2.0 * factor));
+    fs::write(&path, text).expect("it can be written");
+    path.display().to_string()
+}
+
+/// A powered arm where the trajectory starts, which has to be seen at rest and to answer in time on a machine that is busy.
+fn controller() -> Controller {
+    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    controller.set_state(|state| {
+        (state.powered, state.enabled) = (true, true);
+        state.joint_position.0 = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0];
+    });
+    controller
+}
+
+fn started(controller: &Controller, file: &str, options: &str) -> Child {
+    let words = ["follow", file, "--model", "zu5"].into_iter().chain(options.split_whitespace()).map(str::to_owned);
+    let mut command = command(words.chain(address_of(controller)));
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn run(controller: &Controller, file: &str, options: &str) -> Run {
+    result(started(controller, file, options))
+}
+
+/// Whether anything was sent that moves the arm.
+fn has_moved(controller: &Controller) -> bool {
+    controller.requests().iter().any(|request| request.contains("servo_move") || request.contains("servo_j"))
+}
+
+#[test]
+fn a_dry_run_prints_what_was_checked_and_draws_it() {
+    let (file, picture) = (way("way.csv", 1.0), scratch("way.svg"));
+    let svg = picture.display().to_string();
+    let run = jaka(["follow", &*file, "--model", "zu5", "--dry-run", "-o", &*svg]);
+    expect![[r#"
+        3 way-points, 2.000 s, within the limits of the Zu 5; nothing was sent
+
+                               highest speed        largest acceleration
+        joint 1             6.0 of 180 deg/s           24.0 of 72 deg/s²
+        joint 2             0.0 of 180 deg/s            0.0 of 72 deg/s²
+        joint 3             0.0 of 180 deg/s            0.0 of 72 deg/s²
+        joint 4             0.0 of 180 deg/s            0.0 of 72 deg/s²
+        joint 5             0.0 of 180 deg/s            0.0 of 72 deg/s²
+        joint 6             9.0 of 180 deg/s           36.0 of 72 deg/s²
+        flange                     51.9 mm/s
+        exit code 0
+    "#]]
+    .assert_eq(&run.text());
+    let drawn = fs::read_to_string(&picture).expect("it was written");
+    assert!(drawn.starts_with("<svg ") && drawn.len() < 600_000, "{} bytes", drawn.len());
+    for text in
+        ["position in deg", "speed in deg/s", "acceleration in deg/s²", "joint 6", "y in mm", "z in mm", "start", "end"]
+    {
+        assert!(drawn.contains(text), "{text}");
+    }
+    let run = jaka(["follow", &*file, "--model", "zu5", "--dry-run", "--json"]);
+    let said: Value = serde_json::from_str(&run.out).expect("it is JSON");
+    assert_eq!(
+        (&said["way_points"], &said["duration_s"], &said["start_deg"][1]),
+        (&3.into(), &2.0.into(), &90.0.into())
+    );
+    assert!(said["highest_speeds_deg_s"][5].as_f64() > Some(6.0), "{said}");
+}
+
+#[test]
+fn what_is_wrong_with_a_file_is_told_at_its_place() {
+    let file = scratch("wrong.csv");
+    fs::write(&file, WAY.replace("4,90", "4,ninety")).expect("it can be written");
+    let file = file.display().to_string();
+    let run = jaka(["follow", &*file, "--model", "zu5", "--dry-run"]);
+    assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
+    assert_eq!(run.err, format!("jaka: {file}:3:5: joint_2_deg: found `ninety`, expected a finite number\n"));
+    let fast = way("fast.csv", 0.1);
+    let run = jaka(["follow", &*fast, "--model", "zu5", "--dry-run"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.err.contains("fast.csv: after way-point ") && run.err.contains(" would accelerate by "), "{}", run.err);
+    for (words, said) in [
+        (vec!["follow", &*fast, "--dry-run"], "give --model or --limits"),
+        (vec!["follow", "way.txt", "--model", "zu5"], "cannot read way.txt"),
+        (vec!["follow", &*fast, "--model", "zu5", "--scale", "1.5"], "not a number above 0, up to 1"),
+    ] {
+        let run = jaka(words);
+        assert!(run.code == Some(2) && run.err.contains(said), "{}", run.text());
+    }
+}
+
+#[test]
+fn it_asks_before_the_arm_moves() {
+    let controller = controller();
+    let run = run(&controller, &way("way.csv", 1.0), "");
+    expect![[r#"
+        jaka: the arm was not moved: there is no terminal to ask on; use --yes to move it anyway
+        exit code 2
+    "#]]
+    .assert_eq(&run.text());
+    assert!(controller.requests().is_empty());
+}
+
+#[test]
+fn it_follows_to_the_end_and_says_how_well() {
+    let controller = controller();
+    let file = way("way.csv", 1.0);
+    let json = run(&controller, &file, "--yes --json");
+    let said: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.text()));
+    let keys: Vec<_> = said.as_object().expect("an object").keys().map(String::as_str).collect();
+    assert_eq!(
+        keys.join(" "),
+        "at_rest duration_s gaps lag_ms late lateness_max_ms lateness_p99_ms left_curve outcome reached_s residual_deg set_points text"
+    );
+    // A machine that is too busy ends it otherwise, and says so.
+    match said["outcome"].as_str() {
+        Some("completed") => {
+            assert_eq!((json.code, &said["reached_s"], &said["at_rest"]), (Some(0), &2.0.into(), &true.into()));
+            assert!(controller.state().joint_position.0[0].abs() < 1e-6);
+        }
+        _ => assert!(matches!(json.code, Some(4 | 28 | 30)), "{}", json.text()),
+    }
+    assert!(has_moved(&controller) && !controller.state().servo_mode);
+}
+
+#[test]
+fn an_arm_that_is_elsewhere_is_not_moved_unless_an_approach_is_asked_for() {
+    let controller = controller();
+    controller.set_state(|state| state.joint_position.0[3] = 91.0);
+    let file = way("way.csv", 1.0);
+    expect![[r#"
+        jaka: the trajectory was not started: it starts with joint 4 at 90.000 deg, and the arm has it at 91.000 deg, 1.000 deg away; move the arm there first, or ask for an approach
+        exit code 20
+    "#]].assert_eq(&run(&controller, &file, "--yes").text());
+    assert!(!has_moved(&controller));
+    let run = run(&controller, &file, "--yes --approach 20");
+    assert!(has_moved(&controller) && run.code != Some(20), "{}", run.text());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_stops_it_on_the_trajectory_and_says_so() {
+    let controller = controller();
+    let child = started(&controller, &way("slow.csv", 30.0), "--yes");
+    while !controller.requests().iter().any(|request| request.contains("servo_j")) {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    interrupt(&child);
+    let run = result(child);
+    // A machine that is too busy ends it otherwise, and says so.
+    if run.code == Some(22) {
+        let lines: Vec<_> = run.err.lines().collect();
+        assert_eq!(
+            lines[0],
+            "jaka: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too"
+        );
+        assert!(lines[1].starts_with("jaka: the trajectory was stopped before its end ("), "{}", run.text());
+        assert!(lines[1].ends_with(" s of 60.000 s), and the arm is at rest"), "{}", run.text());
+    } else {
+        assert!(matches!(run.code, Some(4 | 28 | 30)), "{}", run.text());
+    }
+    assert!(!controller.state().servo_mode);
+    assert!(!controller.requests().iter().any(|request| request.contains("stop_program")));
+}
