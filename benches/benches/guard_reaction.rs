@@ -5,8 +5,8 @@
 //! Option: `--trips N`, 300 by default.
 
 use std::error::Error;
-use std::io::{Read, Write};
-use std::net::{TcpListener, TcpStream};
+use std::io::{ErrorKind, Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::ops::ControlFlow;
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
@@ -31,15 +31,18 @@ const BEFORE: usize = 3;
 
 /// How long the program's own observer takes for each packet.
 const OBSERVERS: [(&str, Duration); 2] =
-    [("nothing else", Duration::ZERO), ("an observer that takes 5 ms", Duration::from_millis(5))];
+    [("run_until", Duration::ZERO), ("the same, with an observer that takes 5 ms", Duration::from_millis(5))];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let trips = options::number("--trips", 300)?;
     report::title("From a packet to the stop on the wire, loopback", format_args!("{trips} trips each"));
-    let mut contenders = Vec::new();
+    let mut limit = Contender::new("by hand, one thread", |_| Ok(()));
+    limit.samples = measure(trips, bare).map_err(|failure| failure.to_string())?;
+    let mut contenders = vec![limit];
     for (name, observer) in OBSERVERS {
         let mut contender = Contender::new(name, |_| Ok(()));
-        contender.samples = measure(trips, observer).map_err(|failure| failure.to_string())?;
+        let program = |commands, status, trips| guarded(commands, status, trips, observer);
+        contender.samples = measure(trips, program).map_err(|failure| failure.to_string())?;
         contenders.push(contender);
     }
     report::percentiles(&contenders);
@@ -49,15 +52,44 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the stops took from the packet to the wire.
-fn measure(trips: u32, observer: Duration) -> Result<Samples, Failure> {
+/// What the stops took from the packet to the wire, for a program that has the addresses of commands and of packets.
+fn measure(
+    trips: u32,
+    program: impl FnOnce(SocketAddr, SocketAddr, u32) -> Result<(), Failure>,
+) -> Result<Samples, Failure> {
     let (commands, status) = (TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?);
-    let monitor = Monitor::connect(status.local_addr()?)?;
-    let client = Client::connect(commands.local_addr()?)?;
-    let (commands, status) = (commands.accept()?.0, status.accept()?.0);
+    let addresses = (commands.local_addr()?, status.local_addr()?);
     let (arrived, arrivals) = mpsc::channel();
-    let answering = thread::spawn(move || answer(commands, &arrived));
-    let witness = thread::spawn(move || watch(status, &arrivals, trips));
+    let answering = thread::spawn(move || answer(commands.accept()?.0, &arrived));
+    let witness = thread::spawn(move || watch(status.accept()?.0, &arrivals, trips));
+    program(addresses.0, addresses.1, trips)?;
+    let samples = witness.join().map_err(|_| "the witness panicked")?;
+    answering.join().map_err(|_| "the controller panicked")??;
+    samples
+}
+
+/// One thread that reads packets and writes the stop, with nothing between: what the machine can do.
+fn bare(commands: SocketAddr, status: SocketAddr, trips: u32) -> Result<(), Failure> {
+    let (mut commands, mut status) = (TcpStream::connect(commands)?, TcpStream::connect(status)?);
+    commands.set_nodelay(true)?;
+    let (mut chunk, mut done, mut is_moving) = (vec![0; 4096], 0, false);
+    while done < trips {
+        let len = status.read(&mut chunk)?;
+        let text = String::from_utf8_lossy(&chunk[..len]);
+        if is_moving && text.contains("\"din\": [1]") {
+            commands.write_all(br#"{"cmdName":"stop_program"}"#)?;
+            (done, is_moving) = (done + 1, false);
+        } else if !is_moving && text.contains("\"inpos\": true") {
+            commands.write_all(br#"{"cmdName":"joint_move"}"#)?;
+            is_moving = true;
+        }
+    }
+    Ok(())
+}
+
+/// A motion of a robot under a guard, with an observer of the program's own that takes a time for each packet.
+fn guarded(commands: SocketAddr, status: SocketAddr, trips: u32, observer: Duration) -> Result<(), Failure> {
+    let (client, monitor) = (Client::connect(commands)?, Monitor::connect(status)?);
     monitor.observe(move |_| {
         thread::sleep(observer);
         ControlFlow::Continue(())
@@ -69,10 +101,7 @@ fn measure(trips: u32, observer: Duration) -> Result<Samples, Failure> {
         robot.wait_for_input(Numbering::FromZero.cabinet(0).is_low(), Duration::from_secs(5))?;
         robot.run_until(&motion, Numbering::FromZero.cabinet(0).rises(), Duration::from_secs(5))?.guarded()?;
     }
-    let samples = witness.join().map_err(|_| "the witness panicked")?;
-    drop(robot);
-    answering.join().map_err(|_| "the controller panicked")??;
-    samples
+    Ok(())
 }
 
 /// What has come on the command port.
@@ -121,7 +150,11 @@ fn answer(mut commands: TcpStream, arrived: &Sender<Arrived>) -> Result<(), Fail
     commands.set_nodelay(true)?;
     let (mut bytes, mut chunk) = (Vec::new(), vec![0; 4096]);
     loop {
-        let len = commands.read(&mut chunk)?;
+        // A program that leaves without reading all replies resets the connection.
+        let len = match commands.read(&mut chunk) {
+            Err(error) if error.kind() == ErrorKind::ConnectionReset => 0,
+            read => read?,
+        };
         let now = Instant::now();
         if len == 0 {
             return Ok(());
