@@ -75,6 +75,7 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::NotInTime(_) => DEADLINE,
         Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
+        Failure::Interrupted => INTERRUPTED,
         Failure::Differs(impact) => difference(*impact),
         Failure::Found(Verdict::Wrong) => WRONG,
         Failure::Found(_) => LOOK,

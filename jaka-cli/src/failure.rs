@@ -37,6 +37,8 @@ pub(crate) enum Failure {
     Differs(Impact),
     /// A check found something, which has been printed: the worst verdict.
     Found(Verdict),
+    /// Ctrl-C ended it before all was done; what was done has been printed.
+    Interrupted,
     /// Something on this machine.
     Local {
         /// What cannot be done, such as "cannot start the simulated controller".
@@ -104,6 +106,7 @@ impl fmt::Display for Failure {
             Self::Local { what, .. } => f.write_str(what),
             Self::Differs(impact) => write!(f, "the specs differ: {impact}"),
             Self::Found(verdict) => write!(f, "the worst finding: {verdict}"),
+            Self::Interrupted => f.write_str("interrupted"),
             Self::OutputClosed => f.write_str("the output is closed"),
         }
     }

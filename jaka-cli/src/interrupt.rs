@@ -23,6 +23,15 @@ pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<()
     })
 }
 
+/// Calls `call` on the first Ctrl-C; a further one ends the program at once.
+pub(crate) fn on_first_interrupt(call: impl FnOnce() + Send + 'static) -> Result<(), Failure> {
+    let mut call = Some(call);
+    handle(move || match call.take() {
+        Some(call) => call(),
+        None => end(exit::INTERRUPTED),
+    })
+}
+
 /// Ends the program with this code on Ctrl-C, but not in the middle of what it writes.
 pub(crate) fn end_on_interrupt(code: u8) -> Result<(), Failure> {
     handle(move || {

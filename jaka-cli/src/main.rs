@@ -38,29 +38,38 @@ use crate::commands::Command;
 /// What `jaka --help` says after the list of commands.
 const NOTES: &str = "\
 The robot:
-  Commands that talk to a robot take its address from, in this order: --sim, --robot, the environment's
-  JAKA_ROBOT, and `robot = \"NAME\"` in the config file. Each may be an address or the name of a [robots.NAME]
-  in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
+  Commands that talk to a robot take its address from, in this order: --sim,
+  --robot, the environment's JAKA_ROBOT, and `robot = \"NAME\"` in the config
+  file. Each may be an address or the name of a [robots.NAME] in the config
+  file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say
+  otherwise.
 
 Command packs:
-  Commands that accept packs take them from, in this order: --pack, the environment's JAKA_PACK, and
-  `packs = [\"FILE\"]` in the config file. The first of these that names any is used.
+  Commands that accept packs take them from, in this order: --pack, the
+  environment's JAKA_PACK, and `packs = [\"FILE\"]` in the config file. The
+  first of these that names any is used.
 
 Exit codes:
-  0  success; also when the reader of the output closes it, and on Ctrl-C if the command runs until then
+  0  success; also when the reader of the output closes it, and on Ctrl-C if
+     the command runs until then
   1  the controller refused the command, which did not run
-  2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
-     nothing was sent
+  2  the command line, the config file, a pack or an argument is wrong, or a
+     question was not answered with yes; nothing was sent
   3  no connection could be made; nothing was sent
-  4  the command may have run: no reply in time, or an unexpected one; check the robot's state before you go on
-  5  the connection was lost or became unreadable with no command outstanding; also no status packet in time
+  4  the command may have run: no reply in time, or an unexpected one; check
+     the robot's state before you go on
+  5  the connection was lost or became unreadable with no command outstanding;
+     also no status packet in time
   6  something on this machine: a file, a port, the terminal
-  7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
-     recording
-  8, 9  `jaka check` found something to look at, or something wrong; also where no connection could be made
-  10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
+  7  `jaka probe` found a departure from the spec or got no answer; clients of
+     `jaka replay` deviated from the recording
+  8, 9  `jaka check` found something to look at, or something wrong; also
+        where no connection could be made
+  10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or
+              major at most
   20 to 30 are for what moves the arm, and 27 for whatever is waited for:
-  20  the robot's state or a limit forbids it, or the state is not known; nothing that moves the arm was sent
+  20  the robot's state or a limit forbids it, or the state is not known;
+      nothing that moves the arm was sent
   21  the arm is at rest, and it is not known whether it is where it was sent
   22  the motion ended before its target, also by Ctrl-C
   23  a protective stop
@@ -69,10 +78,12 @@ Exit codes:
   26  the controller reports an error
   27  what was waited for did not come in time; a motion may go on
   28  no status packets that can be read any more; the arm may still move
-  29  Ctrl-C, and the controller has not taken the stop, or it is not known whether it has; the arm may still move
-  30  `jaka follow`: set-points were too late or refused, or a joint did not follow; the message says whether the
-      arm is at rest
-  130  Ctrl-C before anything was sent that changes something, or before what was waited for";
+  29  Ctrl-C, and the controller has not taken the stop, or it is not known
+      whether it has; the arm may still move
+  30  `jaka follow`: set-points were too late or refused, or a joint did not
+      follow; the message says whether the arm is at rest
+  130  Ctrl-C before anything was sent that changes something, or before what
+       was waited for";
 
 /// Commands, status, live dashboard and simulated controller for JAKA robots.
 #[derive(Debug, Parser)]

@@ -40,31 +40,33 @@ fn wait_until(port: &str, condition: &str) {
 
 #[test]
 fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
-    let (mut child, mut out, port) = sim(&["--powered", "--stdin", "--arm", "collide at 100ms"]);
-    wait_until(&port, "enabled && powered_on && protective_stop && !emergency_stop");
+    let (mut child, mut out, port) =
+        sim(&["--powered", "--stdin", "--schedule", "collide at 100ms, input 3 high at 150ms"]);
+    wait_until(&port, "enabled && powered_on && protective_stop && !emergency_stop && digital_inputs[3]");
     let mut line = String::new();
     out.read_line(&mut line).unwrap();
     assert!(line.ends_with(" s: collide\n"), "{line}");
     let mut input = child.stdin.take().unwrap();
-    input.write_all(b"crash\npress-emergency-stop\n").unwrap();
+    input.write_all(b"crash\ninput 900 high\npress-emergency-stop\n").unwrap();
     wait_until(&port, "emergency_stop");
     input.write_all(b"release-emergency-stop\ncut-power at 0s\n").unwrap();
     wait_until(&port, "!emergency_stop && !powered_on");
     child.kill().unwrap();
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     child.wait().unwrap();
-    expect!["jaka: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`"]
-        .assert_eq(&errors.join("\n"));
     expect![[r#"
-        jaka: invalid value ' trip' for '--arm <LIST>': `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`
+        jaka: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
+        jaka: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
+    expect![[r#"
+        jaka: invalid value ' trip' for '--schedule <LIST>': `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
 
         For more information, try '--help'.
-        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--arm", "collide at 2s, trip"])));
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide at 2s, trip"])));
     expect![[r#"
-        jaka: invalid value 'collide 2s' for '--arm <LIST>': `collide` may be followed by a time, as in `collide at 2s` or `collide at 500ms`
+        jaka: invalid value 'collide 2s' for '--schedule <LIST>': `collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`
 
         For more information, try '--help'.
-        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--arm", "collide 2s"])));
+        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
 }
 
 #[test]
@@ -84,14 +86,19 @@ fn the_help_of_sim_lists_the_faults() {
     let (help, _, _) = output(&mut jaka(&["sim", "--help"]));
     let (_, list) = help.split_once("Faults, an example of each:\n").unwrap();
     expect![[r#"
-          of replies:  none, drop, delay 50ms, hold, split 1 2 3, with-next, twice, nameless, renamed get_payload, before "{}", after "\x00", instead "nonsense", garbage 500 7, oversized 100000, half-open, close, close-after 10, reset, takeover
-          `status …`:  none, silent, slow 80ms, split 3, garbage 300 3, cut 100, instead "{}", close-after 100
+          of replies:  none, drop, delay 50ms, hold, split 1 2 3, with-next, twice, nameless, renamed
+          get_payload, before "{}", after "\x00", instead "nonsense", garbage 500 7, oversized 100000,
+          half-open, close, close-after 10, reset, takeover
+          `status …`:  none, silent, slow 80ms, split 3, garbage 300 3, cut 100, instead "{}", close-after
+          100
           `link …`:    none, hold, delay 80ms, slow 20000, cut
 
-          A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and
-          `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status to-client hold after 10s for 5s` has a port
-          (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim explains them.
-    "#]].assert_eq(list);
+        A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command,
+        `always drop` for all, and `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status
+        to-client hold after 10s for 5s` has a port (`command`, `status` or `both`), a direction
+        (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim explains them.
+    "#]]
+    .assert_eq(list);
 }
 
 #[test]
@@ -157,12 +164,16 @@ fn the_help_explains_exit_codes() {
           down         Disable the arm and switch its power off, each step when the one before is done
           stop         Stop the motion or the program that is running; sent without a question
           clear        Leave the protective stop that a collision has caused
-          move         Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C stops it
-          jog          Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
-          follow       Follow a trajectory from a file, from where the arm is; Ctrl-C stops it on the trajectory
-          check        Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
-          probe        Send a controller every query of the protocol, and report where its answers depart from the spec
-          jitter       Measure how late this machine begins cycles of set-points, and how long a robot's replies take; nothing is moved
+          move         Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C
+                       stops it
+          jog          Move one joint, or the tool centre point along one axis, by an increment, and wait;
+                       Ctrl-C stops it
+          check        Look at a robot before it is used: ports, power, stops, payload, rates, model;
+                       nothing is changed
+          probe        Send a controller every query of the protocol, and report where its answers depart
+                       from the spec
+          jitter       Measure how late this machine begins cycles of set-points, and how long a robot's
+                       replies take; nothing is moved
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
           replay       Serve a recording in place of a robot until it is interrupted, or show it
@@ -178,29 +189,38 @@ fn the_help_explains_exit_codes() {
                   Print version
 
         The robot:
-          Commands that talk to a robot take its address from, in this order: --sim, --robot, the environment's
-          JAKA_ROBOT, and `robot = "NAME"` in the config file. Each may be an address or the name of a [robots.NAME]
-          in the config file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say otherwise.
+          Commands that talk to a robot take its address from, in this order: --sim,
+          --robot, the environment's JAKA_ROBOT, and `robot = "NAME"` in the config
+          file. Each may be an address or the name of a [robots.NAME] in the config
+          file, which is ~/.config/jaka/config.toml unless --config or JAKA_CONFIG say
+          otherwise.
 
         Command packs:
-          Commands that accept packs take them from, in this order: --pack, the environment's JAKA_PACK, and
-          `packs = ["FILE"]` in the config file. The first of these that names any is used.
+          Commands that accept packs take them from, in this order: --pack, the
+          environment's JAKA_PACK, and `packs = ["FILE"]` in the config file. The
+          first of these that names any is used.
 
         Exit codes:
-          0  success; also when the reader of the output closes it, and on Ctrl-C if the command runs until then
+          0  success; also when the reader of the output closes it, and on Ctrl-C if
+             the command runs until then
           1  the controller refused the command, which did not run
-          2  the command line, the config file, a pack or an argument is wrong, or a question was not answered with yes;
-             nothing was sent
+          2  the command line, the config file, a pack or an argument is wrong, or a
+             question was not answered with yes; nothing was sent
           3  no connection could be made; nothing was sent
-          4  the command may have run: no reply in time, or an unexpected one; check the robot's state before you go on
-          5  the connection was lost or became unreadable with no command outstanding; also no status packet in time
+          4  the command may have run: no reply in time, or an unexpected one; check
+             the robot's state before you go on
+          5  the connection was lost or became unreadable with no command outstanding;
+             also no status packet in time
           6  something on this machine: a file, a port, the terminal
-          7  `jaka probe` found a departure from the spec or got no answer; clients of `jaka replay` deviated from the
-             recording
-          8, 9  `jaka check` found something to look at, or something wrong; also where no connection could be made
-          10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or major at most
-          20 to 30 are for what moves the arm, and 27 for whatever is waited for:
-          20  the robot's state or a limit forbids it, or the state is not known; nothing that moves the arm was sent
+          7  `jaka probe` found a departure from the spec or got no answer; clients of
+             `jaka replay` deviated from the recording
+          8, 9  `jaka check` found something to look at, or something wrong; also
+                where no connection could be made
+          10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or
+                      major at most
+          20 to 29 are for what moves the arm, and 27 for whatever is waited for:
+          20  the robot's state or a limit forbids it, or the state is not known;
+              nothing that moves the arm was sent
           21  the arm is at rest, and it is not known whether it is where it was sent
           22  the motion ended before its target, also by Ctrl-C
           23  a protective stop
@@ -209,10 +229,10 @@ fn the_help_explains_exit_codes() {
           26  the controller reports an error
           27  what was waited for did not come in time; a motion may go on
           28  no status packets that can be read any more; the arm may still move
-          29  Ctrl-C, and the controller has not taken the stop, or it is not known whether it has; the arm may still move
-          30  `jaka follow`: set-points were too late or refused, or a joint did not follow; the message says whether the
-              arm is at rest
-          130  Ctrl-C before anything was sent that changes something, or before what was waited for
+          29  Ctrl-C, and the controller has not taken the stop, or it is not known
+              whether it has; the arm may still move
+          130  Ctrl-C before anything was sent that changes something, or before what
+               was waited for
     "#]]
     .assert_eq(&help);
     assert!(output(&mut jaka(&["--version"])).0.starts_with("jaka "));

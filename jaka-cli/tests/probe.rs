@@ -301,3 +301,33 @@ fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
         type = "float[]""#]]
     .assert_eq(&types.join("\n"));
 }
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_a_report_of_what_was_found() {
+    use crate::program::{command, result};
+    let controller = controller(Firmware::Document);
+    controller.inject(Fault::None);
+    controller.inject(Fault::Drop);
+    let words = ["probe", "--timeout", "2"].map(str::to_owned).into_iter().chain(address_of(&controller));
+    let mut command = command(words);
+    command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
+    let child = command.spawn().expect("the program starts");
+    assert!(controller.wait_for_requests(2, std::time::Duration::from_secs(30)), "two are asked");
+    crate::common::interrupt(&child);
+    let run = result(child);
+    assert_eq!((run.code, run.err.as_str()), (Some(130), "jaka: interrupted\n"), "{run:?}");
+    let row = |name: &str| {
+        let begin = format!("{name} ");
+        let line = run.out.lines().find(|line| line.starts_with(&begin)).unwrap_or_else(|| panic!("{name}: {run:?}"));
+        line[begin.len()..].trim().to_owned()
+    };
+    let asked = controller.requests();
+    let asked: Vec<Value> = asked.iter().map(|text| serde_json::from_str(text).expect("it is JSON")).collect();
+    let asked: Vec<_> = asked.iter().map(|request| request["cmdName"].as_str().expect("it is a text")).collect();
+    assert_eq!((row(asked[0]), row(asked[1])), ("ok".to_owned(), "no reply: none within 2s".to_owned()));
+    let spec = spec();
+    let queries = spec.commands().filter(|command| command.effect == Effect::Query).map(|command| &*command.wire);
+    assert!(queries.filter(|name| !asked.contains(name)).all(|name| row(name).starts_with("not probed: ")));
+    assert_eq!((row("status packet"), asked.len()), ("not probed: interrupted".to_owned(), 2));
+}

@@ -100,7 +100,13 @@ fn a_port_or_a_command_is_shown_alone() {
     "#]]
     .assert_eq(&show("command.jsonl", SESSION, &["--command", "enable_robot"]));
     let nothing = show("nothing.jsonl", SESSION, &["--command", "no_such_command"]);
-    assert_eq!(nothing, "recorded by a test, from 2025-11-21 11:53:20 UTC\n\nexit code 0\n");
+    expect![[r#"
+        recorded by a test, from 2025-11-21 11:53:20 UTC
+
+        jaka: the recording has no request of `no_such_command`; it has `enable_robot`, `get_joint_pos`, `get_version`
+        exit code 0
+    "#]]
+    .assert_eq(&nothing);
 }
 
 #[test]

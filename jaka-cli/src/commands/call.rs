@@ -20,7 +20,7 @@ mod wait;
 use std::ffi::OsString;
 
 use clap::Args;
-use jaka_spec::{Command, Spec};
+use jaka_spec::{Command, Effect, Spec};
 
 use self::outline::Outline;
 use self::parser::Parser;
@@ -75,10 +75,37 @@ impl Call {
 
 fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {
     spec.command_called(name).ok_or_else(|| {
-        let near = spec.command_like(name).map(|near| format!("; did you mean `{}`?", near.wire)).unwrap_or_default();
+        let near = near(spec, name).map(|near| format!("; did you mean `{}`?", near.wire)).unwrap_or_default();
         Failure::Usage(format!(
             "there is no command `{name}`{near}\n`jaka call --list` lists the commands; --pack adds commands, and --raw \
              sends a command that is not in the spec"
         ))
     })
+}
+
+/// The command that is meant, it seems. One that moves the arm or switches power is only suggested where nothing but signs and case differ: what is
+/// suggested gets typed, and another motion is not what was meant.
+fn near<'s>(spec: &'s Spec, name: &str) -> Option<&'s Command> {
+    let plain = |name: &str| name.replace(['-', '_'], "").to_lowercase();
+    let is_same = |command: &&Command| [&command.wire, &command.name].iter().any(|known| plain(known) == plain(name));
+    let is_harmless = |command: &&Command| !matches!(command.effect, Effect::Motion | Effect::Power);
+    spec.commands().find(is_same).or_else(|| spec.command_like(name).filter(is_harmless))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_other_motion_is_suggested() {
+        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
+        let near = |name| near(&spec, name).map(|command| command.wire.as_str());
+        assert_eq!(near("joint-move"), Some("joint_move"));
+        assert_eq!(near("movel"), Some("moveL"));
+        assert_eq!(near("get-joint-pos"), Some("get_joint_pos"));
+        assert_eq!(near("get_joint_poss"), Some("get_joint_pos"));
+        for other in ["joint_moves", "moveJ", "movej", "power_ob", "enable_robo"] {
+            assert_eq!(near(other), None, "{other}");
+        }
+    }
 }

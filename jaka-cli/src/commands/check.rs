@@ -18,8 +18,8 @@ Examples:
   jaka check -r cell1 --limits limits.toml
   jaka check --sim --sim-powered
 
-The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing
-found\" is not \"safe\".";
+The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing found\" \
+is not \"safe\".";
 
 /// Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
 ///

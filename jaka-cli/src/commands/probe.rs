@@ -4,6 +4,7 @@ mod draft;
 mod finding;
 mod json;
 mod location;
+mod progress;
 mod queries;
 mod report;
 mod status;
@@ -17,6 +18,7 @@ use clap::Args;
 use jaka_spec::Spec;
 
 use self::finding::Findings;
+use self::progress::Progress;
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::SpecArgs;
@@ -25,7 +27,7 @@ use crate::target::RobotArgs;
 /// Send a controller every query of the protocol, and report where its answers depart from the spec.
 ///
 /// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one client, so
-/// another program that is connected there may be cut off. The report can be pasted into a bug report.
+/// another program that is connected there may be cut off. The report can be pasted into a bug report. On Ctrl-C it has what was found by then.
 #[derive(Debug, Args)]
 pub(crate) struct Probe {
     /// Read this many status packets
@@ -50,13 +52,17 @@ impl Probe {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let protocol = self.spec.load(self.robot.config())?;
         let target = self.robot.target(&protocol.packs)?;
-        let commands = queries::ask_all(&protocol.spec, &target)?;
-        let status = status::take(&protocol.spec, &target, self.packets.get());
+        let progress = Progress::begin()?;
+        let commands = queries::ask_all(&protocol.spec, &target, &progress)?;
+        let status = status::take(&protocol.spec, &target, self.packets.get(), &progress);
         let findings = Findings::new(commands, status, &protocol.packs);
         let text = if self.json { json::text(&findings) } else { report::text(&findings) };
         if self.json { output::json(&text) } else { output::lines(&text) }?;
         if let Some(path) = &self.draft {
             write_draft(path, &protocol.spec, &findings)?;
+        }
+        if progress.is_interrupted() {
+            return Err(Failure::Interrupted);
         }
         match findings.departing() {
             0 => Ok(()),

@@ -1,7 +1,7 @@
 //! `jaka sim`: a simulated controller for clients in any language.
 
-mod arm;
 mod fault_list;
+mod schedule;
 
 use std::fs;
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use std::time::Duration;
 use clap::Args;
 use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Trip, Underrun};
 
-use self::arm::Scheduled;
+use self::schedule::Scheduled;
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
@@ -68,12 +68,13 @@ pub(crate) struct Sim {
     /// The arm has power and is enabled from the start
     #[arg(long)]
     powered: bool,
-    /// What happens to the arm, and when, such as `collide at 2s, cut-power at 5s`, in the controller's time since its start
+    /// What happens, and when, such as `collide at 2s, input 3 high at 5s`, in the controller's time since its start
     ///
-    /// `collide`, `press-emergency-stop`, `release-emergency-stop` and `cut-power`.
+    /// `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, and `input` or `tool-input` with a place from 0 and `high` or
+    /// `low`.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    arm: Vec<Scheduled>,
-    /// Read from standard input what happens to the arm, a line each: as in --arm, and without a time at once
+    schedule: Vec<Scheduled>,
+    /// Read from standard input what happens, a line each: as in --schedule, and without a time at once
     #[arg(long)]
     stdin: bool,
     /// Print each message received and sent
@@ -95,8 +96,8 @@ impl Sim {
                 controller.set_state(|state| (state.powered, state.enabled) = (true, true));
             }
         })?;
-        let lines = if self.stdin { arm::lines() } else { mpsc::channel().1 };
-        arm::run(&controller, self.arm, &lines)?;
+        let lines = if self.stdin { schedule::lines() } else { mpsc::channel().1 };
+        schedule::run(&controller, self.schedule, &lines)?;
         loop {
             thread::park();
         }

@@ -102,6 +102,15 @@ fn only_motions_are_waited_for() {
     }
 }
 
+#[test]
+fn an_explicit_timeout_is_not_exceeded() {
+    let controller = controller();
+    controller.inject(Fault::Drop);
+    let run = result(started(&controller, "power_on --yes --timeout 0.5"));
+    assert_eq!(run.code, Some(4), "{run:?}");
+    assert!(run.err.contains("no reply to `power_on` within 500ms"), "{run:?}");
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_stops_the_arm() {

@@ -6,6 +6,7 @@ use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
 
 use super::finding::{Finding, Outcome};
+use super::progress::Progress;
 use crate::commands::call::reply_json;
 use crate::failure::{Failure, chain};
 use crate::target::Target;
@@ -17,10 +18,19 @@ const MOST_RECONNECTS: u32 = 3;
 ///
 /// # Errors
 /// The first connection cannot be made. What goes wrong later is a finding.
-pub(super) fn ask_all(spec: &Spec, target: &Target) -> Result<Vec<Finding>, Failure> {
+pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &Progress) -> Result<Vec<Finding>, Failure> {
     let mut connection = Connection { target, client: Ok(target.client()?), reconnects: 0 };
-    let queries = spec.commands().filter(|command| command.effect == Effect::Query);
-    Ok(queries.map(|command| connection.ask(spec, command)).collect())
+    let queries: Vec<_> = spec.commands().filter(|command| command.effect == Effect::Query).collect();
+    let ask = |(number, command): (usize, &&Command)| {
+        if progress.is_interrupted() {
+            return Finding::without(command.wire.as_str(), Outcome::NotProbed("interrupted".to_owned()));
+        }
+        progress.show(number, queries.len(), &command.wire);
+        connection.ask(spec, command)
+    };
+    let findings = queries.iter().enumerate().map(ask).collect();
+    progress.clear();
+    Ok(findings)
 }
 
 /// The connection to the controller, and a new one where it breaks.
@@ -47,7 +57,8 @@ impl Connection<'_> {
             Ok(client) => client,
             Err(why) => return not_probed(why.clone()),
         };
-        let timeout = client.reply_timeout().max(command.deadline.unwrap_or_default());
+        let usual = client.reply_timeout().max(command.deadline.unwrap_or_default());
+        let timeout = self.target.patience(usual);
         let asked = client.call_text(&request, timeout).map(drop);
         let reply = client.last_reply().unwrap_or_default().to_owned();
         let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&reply)), reply);

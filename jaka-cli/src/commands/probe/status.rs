@@ -5,6 +5,7 @@ use jaka_spec::Spec;
 use jaka_sync::{ErrorKind, StatusStream};
 
 use super::finding::{Finding, Outcome};
+use super::progress::Progress;
 use crate::commands::call::reply_json;
 use crate::failure::chain;
 use crate::target::Target;
@@ -13,13 +14,16 @@ use crate::target::Target;
 const NAME: &str = "status packet";
 
 /// Reads packets, and compares them with the spec. A departure that several packets have is reported once.
-pub(super) fn take(spec: &Spec, target: &Target, count: u32) -> Finding {
+pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress) -> Finding {
+    if progress.is_interrupted() {
+        return Finding::without(NAME, Outcome::NotProbed("interrupted".to_owned()));
+    }
     let mut stream = match target.status_stream() {
         Ok(stream) => stream,
         Err(failure) => return Finding::without(NAME, Outcome::NoReply(chain(&failure))),
     };
     let mut found: Option<Finding> = None;
-    for _ in 0..count {
+    for _ in (0..count).take_while(|_| !progress.is_interrupted()) {
         let packet = match next(&mut stream) {
             Ok(packet) => packet,
             // What came before still counts.

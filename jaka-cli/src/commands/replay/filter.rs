@@ -1,13 +1,14 @@
 //! Which entries of a recording are shown.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::Envelope;
+use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
-use crate::packs;
+use crate::{output, packs};
 
 /// The options that select entries.
 #[derive(Debug, Args)]
@@ -46,6 +47,7 @@ pub(super) struct CommandFilter {
 }
 
 impl FilterArgs {
+    /// The filter that the options ask for. If the recording has no request of the command, says which it has.
     pub(super) fn filter(&self, recording: &Recording) -> Filter {
         match (&self.command, self.port) {
             (Some(name), _) => Filter::Command(CommandFilter::new(name, recording)),
@@ -85,6 +87,12 @@ impl CommandFilter {
     fn new(called: &str, recording: &Recording) -> Self {
         let known = packs::builtin().command_called(called).map(|command| command.wire.clone());
         let command = known.unwrap_or_else(|| called.to_owned());
+        let names: BTreeSet<_> = recording.answers().iter().filter_map(|answered| name(&answered.request)).collect();
+        if !names.contains(&command) {
+            let names: Vec<_> = names.iter().map(|name| format!("`{}`", visible(name))).collect();
+            let names = if names.is_empty() { "no command".to_owned() } else { names.join(", ") };
+            output::tell(&format!("the recording has no request of `{command}`; it has {names}"));
+        }
         let of_it = |answered: &Answered| name(&answered.request).as_ref() == Some(&command);
         let reply = |answered: Answered| match answered.answer {
             Answer::Reply { reply, after } => Some((answered.sent + after, reply)),

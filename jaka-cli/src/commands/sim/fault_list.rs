@@ -7,10 +7,11 @@ use jaka_sim::{Fault, LinkFault, StatusFault};
 /// All kinds, an example of each, by what they are for.
 pub(super) fn text() -> String {
     format!(
-        "Faults, an example of each:\n  of replies:  {}\n  `status …`:  {}\n  `link …`:    {}\n\n  \
-         A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and\n  \
-         `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status to-client hold after 10s for 5s` has a port\n  \
-         (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim explains them.",
+        "Faults, an example of each:\n  of replies:  {}\n  `status …`:  {}\n  `link …`:    {}\n\n\
+         A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and \
+         `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status to-client hold after 10s for 5s` has a port \
+         (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim \
+         explains them.",
         list(&Fault::one_of_each()),
         list(&StatusFault::one_of_each()),
         list(&LinkFault::one_of_each()),

@@ -1,13 +1,13 @@
-//! What happens to the simulated arm: at once, or at a time of the controller's.
+//! What happens to the simulated arm and its inputs: at once, or at a time of the controller's.
 
 use std::fmt;
-use std::io::{BufRead, stdin};
+use std::io::{self, BufRead, stdin};
 use std::str::FromStr;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
-use jaka_sim::Controller;
+use jaka_sim::{Controller, DigitalInput};
 
 use crate::failure::Failure;
 use crate::output;
@@ -15,37 +15,86 @@ use crate::output;
 /// How often it is checked whether something is due.
 const TICK: Duration = Duration::from_millis(10);
 
-/// What happens to the arm.
+/// What happens to the arm or to its inputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Happening {
     Collide,
     PressEmergencyStop,
     ReleaseEmergencyStop,
     CutPower,
+    /// A digital input, of the cabinet or of the tool, by its place from 0.
+    Input(Side, usize, Level),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Cabinet,
+    Tool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Level {
+    High,
+    Low,
 }
 
 impl Happening {
-    const ALL: [(&str, Self); 4] = [
+    const WORDS: [(&str, Self); 4] = [
         ("collide", Self::Collide),
         ("press-emergency-stop", Self::PressEmergencyStop),
         ("release-emergency-stop", Self::ReleaseEmergencyStop),
         ("cut-power", Self::CutPower),
     ];
 
-    fn apply(self, controller: &Controller) {
+    /// The happening at the beginning of these words, and the words after it.
+    fn read<'w>(words: &'w [&'w str]) -> Option<(Self, &'w [&'w str])> {
+        let (first, rest) = words.split_first()?;
+        if let Some((_, happening)) = Self::WORDS.iter().find(|(word, _)| word == first) {
+            return Some((*happening, rest));
+        }
+        let side = match *first {
+            "input" => Side::Cabinet,
+            "tool-input" => Side::Tool,
+            _ => return None,
+        };
+        let (&[index, level], rest) = rest.split_first_chunk()?;
+        let level = match level {
+            "high" => Level::High,
+            "low" => Level::Low,
+            _ => return None,
+        };
+        Some((Self::Input(side, index.parse().ok()?, level), rest))
+    }
+
+    fn apply(self, controller: &Controller) -> io::Result<()> {
         match self {
             Self::Collide => controller.collide(),
             Self::PressEmergencyStop => controller.press_emergency_stop(),
             Self::ReleaseEmergencyStop => controller.release_emergency_stop(),
             Self::CutPower => controller.cut_power(),
+            Self::Input(side, index, level) => {
+                let input = match side {
+                    Side::Cabinet => DigitalInput::cabinet(index),
+                    Side::Tool => DigitalInput::tool(index),
+                };
+                return controller.input(match level {
+                    Level::High => input.high_at(Duration::ZERO),
+                    Level::Low => input.low_at(Duration::ZERO),
+                });
+            }
         }
+        Ok(())
     }
 }
 
 impl fmt::Display for Happening {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let word = Self::ALL.iter().find(|(_, happening)| happening == self).map_or("", |(word, _)| word);
-        f.write_str(word)
+        if let Self::Input(side, index, level) = self {
+            let side = if *side == Side::Tool { "tool-input" } else { "input" };
+            let level = if *level == Level::High { "high" } else { "low" };
+            return write!(f, "{side} {index} {level}");
+        }
+        f.write_str(Self::WORDS.iter().find(|(_, happening)| happening == self).map_or("", |(word, _)| word))
     }
 }
 
@@ -60,22 +109,20 @@ impl FromStr for Scheduled {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let mut words = text.split_whitespace();
-        let word = words.next().unwrap_or_default();
-        let known = Happening::ALL.iter().find(|(known, _)| *known == word);
-        let (_, happening) = known.ok_or_else(|| {
-            let all: Vec<_> = Happening::ALL.iter().map(|(word, _)| format!("`{word}`")).collect();
-            format!("`{word}` is not one of {}", all.join(", "))
+        let words: Vec<_> = text.split_whitespace().collect();
+        let (happening, rest) = Happening::read(&words).ok_or_else(|| {
+            let all: Vec<_> = Happening::WORDS.iter().map(|(word, _)| format!("`{word}`")).collect();
+            format!("`{}` is not one of {}, `input 3 high`, `tool-input 0 low`", text.trim(), all.join(", "))
         })?;
-        let rest: Vec<_> = words.collect();
-        let at = match rest[..] {
+        let at = match *rest {
             [] => Some(Duration::ZERO),
             ["at", time] => duration(time),
             _ => None,
         };
-        let at =
-            at.ok_or_else(|| format!("`{word}` may be followed by a time, as in `{word} at 2s` or `{word} at 500ms`"))?;
-        Ok(Self { happening: *happening, at })
+        let at = at.ok_or_else(|| {
+            format!("`{happening}` may be followed by a time, as in `{happening} at 2s` or `… at 500ms`")
+        })?;
+        Ok(Self { happening, at })
     }
 }
 
@@ -98,8 +145,10 @@ pub(super) fn run(
     loop {
         let now = controller.elapsed();
         for due in scheduled.extract_if(.., |scheduled| scheduled.at <= now) {
-            due.happening.apply(controller);
-            output::line(&format!("{:.3} s: {}", now.as_secs_f64(), due.happening))?;
+            match due.happening.apply(controller) {
+                Ok(()) => output::line(&format!("{:.3} s: {}", now.as_secs_f64(), due.happening))?,
+                Err(error) => output::tell(&format!("{}: {error}", due.happening)),
+            }
         }
         match lines.recv_timeout(TICK) {
             Ok(line) => scheduled.push(line),
@@ -134,9 +183,12 @@ mod tests {
     #[test]
     fn what_happens_has_words_and_a_time() {
         let read = |text: &str| text.parse::<Scheduled>();
-        for (word, happening) in Happening::ALL {
-            assert_eq!(read(word), Ok(Scheduled { happening, at: Duration::ZERO }));
-            assert_eq!(happening.to_string(), word);
+        let words = Happening::WORDS.iter().map(|(word, _)| *word);
+        for word in words.chain(["input 3 high", "tool-input 0 low"]) {
+            assert_eq!(
+                read(word).map(|read| (read.happening.to_string(), read.at)),
+                Ok((word.to_owned(), Duration::ZERO))
+            );
         }
         let at = |ms| Ok(Scheduled { happening: Happening::Collide, at: Duration::from_millis(ms) });
         assert_eq!(read(" collide  at 2s "), at(2000));
@@ -144,13 +196,16 @@ mod tests {
         assert_eq!(read("collide at 250ms"), at(250));
         for bad in [
             "",
-            "colide",
+            "crash",
             "collide at",
             "collide at 2",
             "collide at -1s",
             "collide at nans",
             "collide 2s",
             "collide at 2s 3s",
+            "input 3",
+            "input x high",
+            "input 3 on",
         ] {
             assert!(read(bad).is_err(), "{bad}");
         }

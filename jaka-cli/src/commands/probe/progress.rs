@@ -1,0 +1,47 @@
+//! How far a probe has come, and whether it is to end.
+
+use std::io::{IsTerminal, Write, stderr};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::failure::Failure;
+use crate::interrupt::on_first_interrupt;
+
+/// How far a probe has come: shown on a terminal, until Ctrl-C.
+#[derive(Debug)]
+pub(super) struct Progress {
+    interrupted: Arc<AtomicBool>,
+    is_shown: bool,
+}
+
+impl Progress {
+    /// Handles Ctrl-C from now on: the next question is not asked. A second one ends the program at once.
+    pub(super) fn begin() -> Result<Self, Failure> {
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&interrupted);
+        on_first_interrupt(move || flag.store(true, Ordering::Relaxed))?;
+        Ok(Self { interrupted, is_shown: stderr().is_terminal() })
+    }
+
+    pub(super) fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Shows what is asked next, in place of what was shown before.
+    pub(super) fn show(&self, number: usize, count: usize, what: &str) {
+        self.write(&format!("\r\x1b[K{}/{count} {what}", number + 1));
+    }
+
+    /// Takes away what is shown.
+    pub(super) fn clear(&self) {
+        self.write("\r\x1b[K");
+    }
+
+    /// The reader may be gone.
+    fn write(&self, text: &str) {
+        if self.is_shown {
+            let mut out = stderr();
+            out.write_all(text.as_bytes()).and_then(|()| out.flush()).ok();
+        }
+    }
+}
