@@ -121,9 +121,14 @@ fn the_help_says_what_is_measured() {
     assert!(help.contains("Examples:\n  jaka jitter\n"), "{help}");
     let help = help.split("Robot:").next().unwrap_or_default();
     expect![[r#"
-        Measure how late this machine begins cycles of set-points, and how long a robot's replies take; nothing is moved
+        Measure how late this machine begins cycles of set-points, and how long a robot's replies take;
+        nothing is moved
 
-        A cycle of 8 ms is awaited as a servo session does it: asleep and spinning for its last 200 µs, with the thread's usual priority and with a real-time one, in turns. Then follows what to change, by these figures. If --robot or --sim is given, queries are sent first, one in each 8 ms; a robot that only the environment or the config file names is left alone. The command port serves one client: another program that is connected there may be disconnected, so this asks first.
+        A cycle of 8 ms is awaited as a servo session does it: asleep and spinning for its last 200 µs, with
+        the thread's usual priority and with a real-time one, in turns. Then follows what to change, by
+        these figures. If --robot or --sim is given, queries are sent first, one in each 8 ms; a robot that
+        only the environment or the config file names is left alone. The command port serves one client:
+        another program that is connected there may be disconnected, so this asks first.
 
         Usage: jaka jitter [OPTIONS]
 

@@ -168,6 +168,8 @@ fn the_help_explains_exit_codes() {
                        stops it
           jog          Move one joint, or the tool centre point along one axis, by an increment, and wait;
                        Ctrl-C stops it
+          follow       Follow a trajectory from a file, from where the arm is; Ctrl-C stops it on the
+                       trajectory
           check        Look at a robot before it is used: ports, power, stops, payload, rates, model;
                        nothing is changed
           probe        Send a controller every query of the protocol, and report where its answers depart
@@ -218,7 +220,7 @@ fn the_help_explains_exit_codes() {
                 where no connection could be made
           10, 11, 12  `jaka spec diff --exit-code` found differences: patch, minor or
                       major at most
-          20 to 29 are for what moves the arm, and 27 for whatever is waited for:
+          20 to 30 are for what moves the arm, and 27 for whatever is waited for:
           20  the robot's state or a limit forbids it, or the state is not known;
               nothing that moves the arm was sent
           21  the arm is at rest, and it is not known whether it is where it was sent
@@ -231,6 +233,8 @@ fn the_help_explains_exit_codes() {
           28  no status packets that can be read any more; the arm may still move
           29  Ctrl-C, and the controller has not taken the stop, or it is not known
               whether it has; the arm may still move
+          30  `jaka follow`: set-points were too late or refused, or a joint did not
+              follow; the message says whether the arm is at rest
           130  Ctrl-C before anything was sent that changes something, or before what
                was waited for
     "#]]
