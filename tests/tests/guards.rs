@@ -50,7 +50,7 @@ fn motion() -> JointMove {
 
 /// The names of the requests that have come.
 fn names(controller: &Controller) -> Vec<String> {
-    let name = |text: &String| jaka_proto::Envelope::read(text).ok()?.command.map(|name| name.into_owned());
+    let name = |text: &String| jaka_proto::Envelope::read(text).ok()?.command.map(std::borrow::Cow::into_owned);
     controller.requests().iter().filter_map(name).collect()
 }
 

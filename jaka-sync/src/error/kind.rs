@@ -395,6 +395,24 @@ impl ErrorKind {
     }
 }
 
+impl ErrorKind {
+    /// The text of an error of a guard or a wait for an input.
+    fn fmt_of_guard(&self, f: &mut impl Write) -> fmt::Result {
+        match self {
+            Self::NotShown { what, reason } => write!(f, "it is not known whether {what}: {reason}"),
+            Self::WaitEnded { what, problem } => {
+                write!(f, "the wait has ended, because it is not known any more whether {what}: {problem}")
+            }
+            Self::NotGuarded { command, reason } => write!(f, "`{command}` was not sent under a guard: {reason}"),
+            Self::GuardTripped { trip } => write!(f, "the guard tripped: {trip}"),
+            Self::NotStopped { first, stopping } => {
+                write!(f, "{first}; and the stop that followed was not accepted, so the arm may still move: {stopping}")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// In one line, whatever the controller says: see [`text`](crate::proto::text).
 impl fmt::Display for ErrorKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -444,15 +462,11 @@ impl fmt::Display for ErrorKind {
             Self::StatusUnknown { problem } => {
                 write!(f, "not sent, because the state of the robot is unknown: {problem}")
             }
-            Self::NotShown { what, reason } => write!(f, "it is not known whether {what}: {reason}"),
-            Self::WaitEnded { what, problem } => {
-                write!(f, "the wait has ended, because it is not known any more whether {what}: {problem}")
-            }
-            Self::NotGuarded { command, reason } => write!(f, "`{command}` was not sent under a guard: {reason}"),
-            Self::GuardTripped { trip } => write!(f, "the guard tripped: {trip}"),
-            Self::NotStopped { first, stopping } => {
-                write!(f, "{first}; and the stop that followed was not accepted, so the arm may still move: {stopping}")
-            }
+            Self::NotShown { .. }
+            | Self::WaitEnded { .. }
+            | Self::NotGuarded { .. }
+            | Self::GuardTripped { .. }
+            | Self::NotStopped { .. } => self.fmt_of_guard(&mut f),
             Self::NotReady { explanation } => write!(f, "the robot cannot do this now: {explanation}"),
             Self::SetPointsUnanswered { count, oldest } => write!(
                 f,

@@ -177,7 +177,7 @@ impl fmt::Display for NotReached {
         match &self.0.stop {
             Some(Ok(())) => f.write_str("; the arm was told to stop")?,
             Some(Err(error)) => {
-                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?
+                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?;
             }
             None => {}
         }

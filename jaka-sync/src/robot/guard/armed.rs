@@ -67,8 +67,8 @@ impl Armed {
         let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());
         monitor.observe_first(move |snapshot| {
             let Some(shared) = weak.upgrade() else { return ControlFlow::Break(()) };
-            let judged = catch_unwind(AssertUnwindSafe(|| lock(&shared.judging).judge(&S::snapshot(snapshot))));
-            if shared.take(judged) {
+            let result = catch_unwind(AssertUnwindSafe(|| lock(&shared.judging).judge(&S::snapshot(snapshot))));
+            if shared.take(result) {
                 // At once: the user's observers, which may take their time, come before the monitor itself wakes anybody.
                 waker.wake();
             }
@@ -129,9 +129,9 @@ impl Armed {
 
 impl Shared {
     /// Takes a judgement, none where a packet's own type has panicked: true if it is news.
-    fn take(&self, judged: thread::Result<Option<Trip>>) -> bool {
+    fn take(&self, result: thread::Result<Option<Trip>>) -> bool {
         let mut progress = lock(&self.progress);
-        match judged {
+        match result {
             Ok(None) => return false,
             Ok(Some(_)) if progress.trip.is_some() => return false,
             Ok(trip) => progress.trip = trip,
