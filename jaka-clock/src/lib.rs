@@ -1,0 +1,9 @@
+#![doc = include_str!("../README.md")]
+
+mod channel;
+mod clock;
+mod seat;
+mod state;
+
+pub use channel::Channel;
+pub use clock::{Participant, SimulatedClock, Work};

@@ -1,0 +1,246 @@
+//! What the time is, who is at work, and who waits for what.
+
+use std::collections::{HashMap, HashSet};
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::seat::Seat;
+
+/// The bytes from one address to another.
+pub(crate) type Way = (SocketAddr, SocketAddr);
+
+/// What a wait is for, other than a time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reason {
+    /// Nothing.
+    Time,
+    /// A signal, by its address.
+    Signal(usize),
+    /// Bytes that have come.
+    Readable(Way),
+    /// Room for bytes.
+    Writable(Way),
+}
+
+/// What the time is, and what keeps it from going on.
+#[derive(Debug, Default)]
+pub(crate) struct State {
+    /// Since the clock was made.
+    pub(crate) now: Duration,
+    /// How many threads and promises are at work. Time stands still while there are some.
+    at_work: usize,
+    /// In the order in which they began to wait.
+    waiters: Vec<Waiter>,
+    last: u64,
+    pipes: HashMap<Way, Pipe>,
+    /// Addresses at which a participant accepts connections.
+    listeners: HashSet<SocketAddr>,
+    /// Connections that were made, and that the other end has not accepted yet.
+    coming: HashSet<Way>,
+}
+
+/// A thread that waits.
+#[derive(Debug)]
+struct Waiter {
+    number: u64,
+    reason: Reason,
+    until: Option<Duration>,
+    seat: Arc<Seat>,
+    moves_time: MovesTime,
+}
+
+/// Whether time goes on for a thread that waits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MovesTime {
+    Yes,
+    /// Only if it does for another: what serves others has no end of its own.
+    No,
+}
+
+/// What is known of the bytes from one end of a connection to the other.
+#[derive(Debug, Default)]
+pub(crate) struct Pipe {
+    /// How many were written and not read. Below zero where they were read before their writer could say so.
+    pub(crate) unread: i64,
+    /// How often some were read.
+    pub(crate) reads: u64,
+    /// None come any more after those that are unread.
+    pub(crate) is_closed: bool,
+    has_reader: bool,
+    has_writer: bool,
+}
+
+/// What a reader finds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Found {
+    /// Bytes, or the end.
+    Something,
+    Nothing,
+    /// The other end does not take part: the system alone knows.
+    Stranger,
+}
+
+impl State {
+    pub(crate) fn begin_work(&mut self) {
+        self.at_work += 1;
+    }
+
+    pub(crate) fn end_work(&mut self) {
+        self.at_work = self.at_work.saturating_sub(1);
+        self.go_on();
+    }
+
+    /// True if this wait is one for which time should go on, and does not since somebody is at work.
+    pub(crate) fn is_kept_from(&self, number: u64) -> bool {
+        let moves_time = |waiter: &Waiter| waiter.number == number && waiter.moves_time == MovesTime::Yes;
+        self.at_work > 0 && self.waiters.iter().any(moves_time)
+    }
+
+    /// A participant begins to wait: its number.
+    pub(crate) fn wait(
+        &mut self,
+        reason: Reason,
+        until: Option<Duration>,
+        seat: &Arc<Seat>,
+        moves_time: MovesTime,
+    ) -> u64 {
+        self.last += 1;
+        self.waiters.push(Waiter { number: self.last, reason, until, seat: Arc::clone(seat), moves_time });
+        let number = self.last;
+        self.end_work();
+        number
+    }
+
+    /// Ends a wait that was begun, if nothing has ended it.
+    pub(crate) fn resume(&mut self, number: u64) {
+        if let Some(place) = self.waiters.iter().position(|waiter| waiter.number == number) {
+            self.wake(place);
+        }
+    }
+
+    /// Ends all waits for this. Those who waited are at work from now on.
+    pub(crate) fn signal(&mut self, reason: Reason) {
+        while let Some(place) = self.waiters.iter().position(|waiter| waiter.reason == reason) {
+            self.wake(place);
+        }
+    }
+
+    fn wake(&mut self, place: usize) {
+        self.at_work += 1;
+        self.waiters.remove(place).seat.wake();
+    }
+
+    /// Where nobody is at work, goes on to the first time for which somebody waits. Of several, the one that began to wait first goes on
+    /// alone: the next one follows when it waits again.
+    fn go_on(&mut self) {
+        if self.at_work > 0 || self.waiters.iter().all(|waiter| waiter.moves_time == MovesTime::No) {
+            return;
+        }
+        let times =
+            self.waiters.iter().enumerate().filter_map(|(place, waiter)| Some((waiter.until?, waiter.number, place)));
+        if let Some((until, _, place)) = times.min() {
+            self.now = self.now.max(until);
+            self.wake(place);
+        }
+    }
+
+    pub(crate) fn pipe(&mut self, way: Way) -> &mut Pipe {
+        self.pipes.entry(way).or_default()
+    }
+
+    /// An end of a connection takes part.
+    fn open(&mut self, local: SocketAddr, peer: SocketAddr) {
+        self.pipe((local, peer)).has_writer = true;
+        self.pipe((peer, local)).has_reader = true;
+    }
+
+    /// An end of a connection that took part is gone.
+    pub(crate) fn drop_end(&mut self, local: SocketAddr, peer: SocketAddr) {
+        self.pipe((local, peer)).has_writer = false;
+        self.pipe((peer, local)).has_reader = false;
+        for way in [(local, peer), (peer, local)] {
+            self.close(way);
+            if !(self.pipe(way).has_reader || self.pipe(way).has_writer) {
+                self.pipes.remove(&way);
+            }
+        }
+    }
+
+    /// No more bytes come this way.
+    pub(crate) fn close(&mut self, way: Way) {
+        self.pipe(way).is_closed = true;
+        self.signal(Reason::Readable(way));
+        self.signal(Reason::Writable(way));
+    }
+
+    pub(crate) fn wrote(&mut self, way: Way, count: usize) {
+        self.pipe(way).unread += signed(count);
+        self.signal(Reason::Readable(way));
+    }
+
+    pub(crate) fn read(&mut self, way: Way, count: usize) {
+        let pipe = self.pipe(way);
+        pipe.unread -= signed(count);
+        pipe.reads += 1;
+        self.signal(Reason::Writable(way));
+    }
+
+    /// What the reader of this way finds.
+    pub(crate) fn found(&mut self, way: Way) -> Found {
+        let pipe = self.pipe(way);
+        match pipe {
+            _ if pipe.is_closed || pipe.unread > 0 => Found::Something,
+            _ if pipe.has_writer => Found::Nothing,
+            _ => Found::Stranger,
+        }
+    }
+
+    /// Whether the reader of this way takes part.
+    pub(crate) fn has_reader(&mut self, way: Way) -> bool {
+        self.pipe(way).has_reader
+    }
+
+    pub(crate) fn listen(&mut self, address: SocketAddr) {
+        self.listeners.insert(address);
+    }
+
+    /// Nobody accepts connections there any more.
+    pub(crate) fn stop_listening(&mut self, address: SocketAddr) {
+        self.listeners.remove(&address);
+        let before = self.coming.len();
+        self.coming.retain(|(_, server)| !is_at(address, *server));
+        for _ in self.coming.len()..before {
+            self.end_work();
+        }
+    }
+
+    /// An end of a connection that was made takes part. Where a participant accepts it, time stands still until it has.
+    pub(crate) fn connected(&mut self, local: SocketAddr, peer: SocketAddr) {
+        self.open(local, peer);
+        let is_accepted = self.pipe((peer, local)).has_writer;
+        if !is_accepted
+            && self.listeners.iter().any(|listener| is_at(*listener, peer))
+            && self.coming.insert((local, peer))
+        {
+            self.begin_work();
+        }
+    }
+
+    /// An end of a connection that was accepted takes part. Its acceptor is at work from now on.
+    pub(crate) fn accepted(&mut self, local: SocketAddr, peer: SocketAddr) {
+        self.open(local, peer);
+        if !self.coming.remove(&(peer, local)) {
+            self.begin_work();
+        }
+    }
+}
+
+/// Whether an address is one of a listener, which may listen at all addresses of the machine.
+fn is_at(listener: SocketAddr, address: SocketAddr) -> bool {
+    listener.port() == address.port() && (listener.ip() == address.ip() || listener.ip().is_unspecified())
+}
+
+fn signed(count: usize) -> i64 {
+    i64::try_from(count).unwrap_or(i64::MAX)
+}
