@@ -1,17 +1,36 @@
 //! Time: each time that is read, and each wait, goes through here.
 
+#[cfg(not(feature = "simulated-clock"))]
+mod absent;
+
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What the time is, and how it passes.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(crate) struct Clock(());
+#[cfg(feature = "simulated-clock")]
+use jaka_clock::{Channel, Participant, SimulatedClock, Work};
 
-#[allow(clippy::unused_self, reason = "there is only the system's clock")]
+#[cfg(not(feature = "simulated-clock"))]
+use self::absent::{Channel, Participant, SimulatedClock, Work};
+
+/// What the time is, and how it passes: as the system says, or a simulated clock.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(crate) struct Clock(Option<SimulatedClock>);
+
 impl Clock {
+    /// A simulated one.
+    #[cfg(feature = "simulated-clock")]
+    pub(crate) fn simulated(clock: &SimulatedClock) -> Self {
+        Self(Some(clock.clone()))
+    }
+
+    /// The simulated one, if it is.
+    pub(crate) fn as_simulated(&self) -> Option<&SimulatedClock> {
+        self.0.as_ref()
+    }
+
     /// What the time is.
     pub(crate) fn now(&self) -> Instant {
-        Instant::now()
+        self.0.as_ref().map_or_else(Instant::now, SimulatedClock::now)
     }
 
     /// The time since then; none where that is yet to come.
@@ -31,18 +50,49 @@ impl Clock {
 
     /// Sleeps.
     pub(crate) fn sleep(&self, time: Duration) {
-        std::thread::sleep(time);
+        match &self.0 {
+            None => std::thread::sleep(time),
+            Some(clock) => clock.sleep(time),
+        }
     }
 
     /// Sleeps until then, and spins for the last of it where asked for.
     pub(crate) fn sleep_until(&self, due: Instant, busy_wait: Duration) {
+        if let Some(clock) = &self.0 {
+            return clock.sleep_until(due);
+        }
         let asleep = self.left(due).saturating_sub(busy_wait);
         if !asleep.is_zero() {
-            self.sleep(asleep);
+            std::thread::sleep(asleep);
         }
         while self.now() < due {
             std::hint::spin_loop();
         }
+    }
+
+    /// The place of a thread that will be started, and for whose waits time goes on.
+    #[cfg(feature = "stream")]
+    pub(crate) fn participant(&self) -> Place {
+        Place(self.0.as_ref().map(SimulatedClock::participant))
+    }
+
+    /// The place of a thread that will be started, and serves others.
+    pub(crate) fn servant(&self) -> Place {
+        Place(self.0.as_ref().map(SimulatedClock::servant))
+    }
+
+    /// Waits for a thread, or for what it sends, which knows nothing of the clock.
+    pub(crate) fn outside<T>(&self, wait: impl FnOnce() -> T) -> T {
+        match &self.0 {
+            None => wait(),
+            Some(clock) => clock.outside(wait),
+        }
+    }
+
+    /// Keeps a simulated time from going on, until a thread has it that waits [outside](Self::outside).
+    #[cfg(feature = "stream")]
+    pub(crate) fn hand_over(&self) -> HandOver {
+        HandOver(self.0.as_ref().map(SimulatedClock::work))
     }
 }
 
@@ -70,28 +120,61 @@ impl Stopwatch {
     }
 }
 
+/// The place of a thread in the time of a clock.
+#[derive(Debug)]
+pub(crate) struct Place(Option<Participant>);
+
+impl Place {
+    /// What the thread does.
+    pub(crate) fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        match self.0 {
+            None => act(),
+            Some(participant) => participant.run(act),
+        }
+    }
+}
+
+/// Keeps a simulated time from going on until it is dropped.
+#[derive(Debug)]
+#[cfg_attr(not(feature = "stream"), allow(dead_code, reason = "streams hand over"))]
+pub(crate) struct HandOver(#[allow(dead_code, reason = "it acts when dropped")] Option<Work>);
+
+/// What a connection says to a simulated clock.
+pub(crate) type End = Option<Channel>;
+
 /// A condition variable whose waits take the time of a clock.
 #[derive(Debug)]
 pub(crate) struct Signal {
     condvar: Condvar,
+    clock: Clock,
 }
 
 impl Signal {
-    pub(crate) fn new(_clock: &Clock) -> Self {
-        Self { condvar: Condvar::new() }
+    pub(crate) fn new(clock: &Clock) -> Self {
+        Self { condvar: Condvar::new(), clock: clock.clone() }
     }
 
     pub(crate) fn notify_all(&self) {
-        self.condvar.notify_all();
+        match &self.clock.0 {
+            None => self.condvar.notify_all(),
+            Some(clock) => clock.notify_all(self.address()),
+        }
     }
 
     /// Waits until it is signalled, or so long, or less. The guard is one of the mutex.
     pub(crate) fn wait<'m, T>(
         &self,
-        _mutex: &'m Mutex<T>,
+        mutex: &'m Mutex<T>,
         guard: MutexGuard<'m, T>,
         time: Duration,
     ) -> MutexGuard<'m, T> {
-        self.condvar.wait_timeout(guard, time).unwrap_or_else(PoisonError::into_inner).0
+        match &self.clock.0 {
+            None => self.condvar.wait_timeout(guard, time).unwrap_or_else(PoisonError::into_inner).0,
+            Some(clock) => clock.wait_for(self.address(), mutex, guard, Some(time)),
+        }
+    }
+
+    fn address(&self) -> usize {
+        std::ptr::from_ref(self).addr()
     }
 }

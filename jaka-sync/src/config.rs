@@ -174,6 +174,22 @@ impl Config {
         self.status_sampling
     }
 
+    /// Has all that is connected take its time from a simulated clock, for tests: see [`SimulatedClock`](crate::SimulatedClock). The system's clock by default.
+    /// Needs the feature `simulated-clock`.
+    ///
+    /// Making connections takes real time, and no simulated time.
+    #[cfg(feature = "simulated-clock")]
+    pub fn clock(mut self, clock: &crate::SimulatedClock) -> Self {
+        self.clock = Clock::simulated(clock);
+        self
+    }
+
+    /// The value of [`clock`](Self::clock); none for the system's.
+    #[cfg(feature = "simulated-clock")]
+    pub fn get_clock(&self) -> Option<&crate::SimulatedClock> {
+        self.clock.as_simulated()
+    }
+
     /// Connects a [`Client`] to a controller's command port.
     ///
     /// # Errors

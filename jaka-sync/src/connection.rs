@@ -11,13 +11,14 @@ use socket2::{SockRef, TcpKeepalive};
 use crate::address::resolve;
 use crate::clock::Clock;
 use crate::recorder::Tap;
+use crate::socket::Socket;
 use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
 
 /// What systems take as the times of a keepalive.
 const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
 
 /// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address names none.
-pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(TcpStream, Tap), Error> {
+pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Socket, Tap), Error> {
     let number = match port {
         Port::Command => COMMAND_PORT,
         Port::Status => STATUS_PORT,
@@ -32,10 +33,10 @@ pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Tcp
     }
 }
 
-fn connect_to(address: &str, port: u16, config: &Config) -> io::Result<TcpStream> {
+fn connect_to(address: &str, port: u16, config: &Config) -> io::Result<Socket> {
     let stream = first_that_answers(&resolve(address, port)?, config.connect_timeout)?;
     set_options(&stream, config)?;
-    Ok(stream)
+    Socket::new(stream, &config.clock)
 }
 
 /// Tries one after the other. They share the time: one that is silent leaves its share to each of the others.
@@ -94,20 +95,20 @@ mod tests {
     use std::net::TcpListener;
     use std::time::Instant;
 
-    use socket2::{Domain, Socket, Type};
+    use socket2::{Domain, Type};
 
     use super::*;
 
     /// A port that nobody else gets as long as the socket lives. It refuses connections until the socket listens.
-    fn bound() -> (Socket, SocketAddr) {
-        let socket = Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
+    fn bound() -> (socket2::Socket, SocketAddr) {
+        let socket = socket2::Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
         socket.bind(&SocketAddr::from(([127, 0, 0, 1], 0)).into()).expect("loopback has free ports");
         let address = socket.local_addr().ok().and_then(|address| address.as_socket()).expect("it is bound");
         (socket, address)
     }
 
     /// A port where connections wait without an answer: its backlog is full. It is silent as long as these live.
-    fn silent() -> (Socket, Vec<TcpStream>, SocketAddr) {
+    fn silent() -> (socket2::Socket, Vec<TcpStream>, SocketAddr) {
         let (socket, address) = bound();
         socket.listen(1).expect("it is bound");
         let mut waiting = Vec::new();

@@ -24,6 +24,7 @@ pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
 pub use self::lag::FollowLag;
 use self::orders::Orders;
+use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
 use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
 
@@ -66,7 +67,8 @@ use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
 pub struct FollowRun<'r, S: MotionStatus = RobotStatus> {
     handle: FollowHandle,
     /// None once it has been waited for.
-    thread: Option<JoinHandle<Option<FollowEnd>>>,
+    thread: Option<JoinHandle<Ended>>,
+    clock: Clock,
     robot: PhantomData<&'r mut Robot<S>>,
 }
 
@@ -124,21 +126,29 @@ impl<S: MotionStatus> Robot<S> {
         config.check()?;
         let deadline = config.deadline.and_then(|time| self.clock().now().checked_add(time));
         let orders = Arc::new(Orders::new(config.scale, deadline));
-        let (robot, trajectory, config) = (self.lent(), trajectory.clone(), config.clone());
+        let (robot, clock, trajectory, config) =
+            (self.lent(), self.clock().clone(), trajectory.clone(), config.clone());
         let handle = FollowHandle::new(Arc::clone(&orders), trajectory.duration());
         let (ready, begun) = mpsc::sync_channel(1);
+        let place = clock.participant();
         let spawned = thread::Builder::new().name("jaka follow".to_owned()).spawn(move || {
             let mut robot = robot;
-            cycle::run(&mut robot, (&trajectory, &config), guard.as_ref(), &orders, &ready)
+            place.run(|| {
+                let end = cycle::run(&mut robot, (&trajectory, &config), guard.as_ref(), &orders, &ready);
+                (end, robot.clock().hand_over())
+            })
         });
         let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
-        match begun.recv() {
-            Ok(Ok(())) => Ok(FollowRun { handle, thread: Some(thread), robot: PhantomData }),
-            Ok(Err(error)) => Err(error),
+        match clock.outside(|| begun.recv()) {
+            Ok((Ok(()), _now)) => Ok(FollowRun { handle, thread: Some(thread), clock, robot: PhantomData }),
+            Ok((Err(error), _now)) => Err(error),
             Err(mpsc::RecvError) => Err(panicked()),
         }
     }
 }
+
+/// How the thread has ended; the time at which it has is handed over.
+type Ended = (Option<FollowEnd>, HandOver);
 
 impl<S: MotionStatus> FollowRun<'_, S> {
     /// A handle for another thread.
@@ -152,7 +162,9 @@ impl<S: MotionStatus> FollowRun<'_, S> {
     }
 
     fn end(&mut self) -> Option<FollowEnd> {
-        self.thread.take()?.join().ok()?
+        let thread = self.thread.take()?;
+        let (end, _now) = self.clock.outside(|| thread.join()).ok()?;
+        end
     }
 }
 

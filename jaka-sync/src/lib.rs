@@ -20,6 +20,7 @@ mod recorder;
 mod resync;
 mod robot;
 mod servo_session;
+mod socket;
 mod status_stream;
 mod status_subset;
 mod stop;
@@ -35,6 +36,9 @@ pub use error::{Disconnect, Error, ErrorKind};
 pub use follow::{
     FollowConfig, FollowEnd, FollowHandle, FollowLag, FollowOutcome, FollowProgress, FollowRun, NotCompleted,
 };
+/// A simulated clock, for tests. Needs the feature `simulated-clock`.
+#[cfg(feature = "simulated-clock")]
+pub use jaka_clock::{self, SimulatedClock};
 /// Kinematics and limits. Needs the feature `motion`.
 #[cfg(feature = "motion")]
 pub use jaka_motion;

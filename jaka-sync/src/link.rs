@@ -17,7 +17,7 @@ mod wait;
 
 use std::borrow::Cow;
 use std::io;
-use std::net::{Shutdown, SocketAddr, TcpStream};
+use std::net::{Shutdown, SocketAddr};
 use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
@@ -37,6 +37,7 @@ pub(crate) use self::question::Question;
 use self::state::{Mode, State};
 use crate::clock::{Clock, Signal};
 use crate::recorder::Tap;
+use crate::socket::Socket;
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.
@@ -93,8 +94,8 @@ pub(crate) struct Posting {
 }
 
 impl Link {
-    pub(crate) fn new(stream: TcpStream, tap: Tap, config: &Config) -> Self {
-        let state = State::new(stream, Inbound::new(config.max_frame));
+    pub(crate) fn new(stream: impl Into<Socket>, tap: Tap, config: &Config) -> Self {
+        let state = State::new(stream.into(), Inbound::new(config.max_frame));
         Self {
             tap,
             clock: config.clock.clone(),

@@ -11,7 +11,6 @@ mod interleavings;
 
 use std::any::Any;
 use std::fmt::{self, Display};
-use std::net::TcpStream;
 use std::ops::ControlFlow;
 use std::sync::{Arc, PoisonError};
 use std::thread::JoinHandle;
@@ -29,6 +28,7 @@ use self::subscription::Queue;
 pub use self::subscription::Subscription;
 use crate::clock::Clock;
 use crate::recorder::Tap;
+use crate::socket::Socket;
 use crate::sync::{Mutex, MutexGuard, Signal};
 use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 
@@ -118,7 +118,7 @@ struct State<S> {
     /// Why the newest packet could not be decoded, until one can.
     unfit: Option<DecodeError>,
     /// The connection, for the monitor to end it.
-    stream: Option<Arc<TcpStream>>,
+    stream: Option<Arc<Socket>>,
     tap: Tap,
     closing: bool,
     /// True while the connection is lost and is being made again.
@@ -132,7 +132,7 @@ struct State<S> {
 }
 
 impl<S> Board<S> {
-    fn new(clock: &Clock, stream: Option<Arc<TcpStream>>, tap: Tap) -> Self {
+    fn new(clock: &Clock, stream: Option<Arc<Socket>>, tap: Tap) -> Self {
         let state = State {
             latest: None,
             counters: Counters::default(),
@@ -191,7 +191,8 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let board = Arc::new(Board::new(&config.clock, Some(Arc::clone(&stream)), tap.clone()));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
-        let thread = builder.spawn(move || worker.run((stream, tap)));
+        let place = config.clock.servant();
+        let thread = builder.spawn(move || place.run(|| worker.run((stream, tap))));
         let thread = thread.map_err(|source| ErrorKind::Connect { address: address.to_owned(), source })?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, clock: config.clock.clone(), thread: Some(thread), timeout, stale_after })
@@ -426,7 +427,7 @@ impl<S> Drop for Monitor<S> {
         // An observer may drop the monitor: the thread that calls it cannot wait for its own end.
         if let Some(thread) = self.thread.take().filter(|thread| thread.thread().id() != std::thread::current().id()) {
             // A panic there has been reported.
-            drop(thread.join());
+            drop(self.clock.outside(|| thread.join()));
         }
     }
 }

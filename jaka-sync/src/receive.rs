@@ -1,13 +1,13 @@
 //! Reading a socket into a framer, within a deadline.
 
-use std::io::{ErrorKind, Read};
-use std::net::TcpStream;
+use std::io::ErrorKind;
 use std::time::Duration;
 
 use jaka_proto::framing::Framer;
 
 use crate::Disconnect;
 use crate::recorder::Tap;
+use crate::socket::Socket;
 
 /// What a read brought.
 #[derive(Debug, PartialEq, Eq)]
@@ -45,13 +45,13 @@ impl Timeout {
     ///
     /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it reads: a call that
     /// is answered takes no system call for its deadline. Who waits to the end reads a few times more.
-    fn set(&mut self, stream: &TcpStream, left: Duration) -> std::io::Result<()> {
+    fn set(&mut self, stream: &Socket, left: Duration) -> std::io::Result<()> {
         let left = left.clamp(SHORTEST, LONGEST);
         if (left / 2..=left).contains(&self.0) {
             return Ok(());
         }
         let timeout = (left / 8 * 7).max(SHORTEST);
-        stream.set_read_timeout(Some(timeout))?;
+        stream.set_read_timeout(timeout)?;
         self.0 = timeout;
         Ok(())
     }
@@ -59,7 +59,7 @@ impl Timeout {
 
 /// Reads once, for at most the time that is left.
 pub(crate) fn chunk(
-    stream: &TcpStream,
+    stream: &Socket,
     tap: &Tap,
     framer: &mut Framer,
     timeout: &mut Timeout,
@@ -70,7 +70,7 @@ pub(crate) fn chunk(
     }
     timeout.set(stream, left).map_err(Disconnect::Read)?;
     let room = framer.spare().len();
-    Ok(match once(stream, tap, framer)? {
+    Ok(match once(stream, tap, framer, left)? {
         Some(0) => Chunk::TimeUp,
         Some(len) if len < room => Chunk::All,
         _ => Chunk::Part,
@@ -78,15 +78,15 @@ pub(crate) fn chunk(
 }
 
 /// Reads once what has come, from a socket that does not block.
-pub(crate) fn arrived(stream: &TcpStream, tap: &Tap, framer: &mut Framer) -> Result<Rest, Disconnect> {
+pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer) -> Result<Rest, Disconnect> {
     let room = framer.spare().len();
-    let len = once(stream, tap, framer)?;
+    let len = once(stream, tap, framer, Duration::ZERO)?;
     Ok(if len.is_some_and(|len| len < room) { Rest::Nothing } else { Rest::Perhaps })
 }
 
 /// Reads once: how many bytes, with 0 for nothing in time; `None` if a signal came first.
-fn once(mut stream: &TcpStream, tap: &Tap, framer: &mut Framer) -> Result<Option<usize>, Disconnect> {
-    match stream.read(framer.spare()) {
+fn once(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Option<usize>, Disconnect> {
+    match stream.read(framer.spare(), left) {
         Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
         Ok(len) => {
             framer.filled(len);
@@ -103,7 +103,7 @@ fn once(mut stream: &TcpStream, tap: &Tap, framer: &mut Framer) -> Result<Option
 
 #[cfg(test)]
 mod tests {
-    use std::net::TcpListener;
+    use std::net::{TcpListener, TcpStream};
 
     use super::*;
 
@@ -111,11 +111,12 @@ mod tests {
     fn a_timeout_is_set_only_where_it_must_change() {
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+        let stream = Socket::from(stream);
         let mut timeout = Timeout::default();
         let mut set = |left: u64| {
             timeout.set(&stream, Duration::from_millis(left)).expect("the socket is open");
             assert!((left / 2..=left).contains(&u64::try_from(timeout.0.as_millis()).expect("it is short")));
-            assert!(stream.read_timeout().expect("the socket is open").is_some());
+            assert!(stream.system().read_timeout().expect("the socket is open").is_some());
             timeout.0
         };
         let first = set(5000);

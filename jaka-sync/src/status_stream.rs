@@ -1,7 +1,6 @@
 //! The status port.
 
 use std::fmt::Display;
-use std::net::TcpStream;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -14,6 +13,7 @@ use crate::clock::Clock;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::resync::{record_lost, resync};
+use crate::socket::Socket;
 use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
 
 /// A reader of the status packets that a controller sends on port 10000.
@@ -36,7 +36,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
 #[derive(Debug)]
 #[must_use = "dropping a stream closes its connection"]
 pub struct StatusStream {
-    stream: TcpStream,
+    stream: Socket,
     tap: Tap,
     framer: Framer,
     socket_timeout: receive::Timeout,

@@ -5,19 +5,18 @@ mod handle;
 mod target;
 
 use std::marker::PhantomData;
-use std::sync::Arc;
 use std::sync::mpsc;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use jaka_motion::{Dynamics, Generator};
+use jaka_motion::Dynamics;
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
-use self::target::Targets;
+use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
 use crate::{Error, ErrorKind, Guard, MotionStatus, Robot, ServoConfig, ServoReport};
 
@@ -84,7 +83,7 @@ impl StreamConfig {
 /// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from [`Robot::stream`].
 ///
 /// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of [`StreamConfig::dynamics`] and the robot's
-/// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`] tells what is promised of them.
+/// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.
 ///
 /// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known,
 /// joints that do not follow their set-points, set-points that are too late. What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm
@@ -111,9 +110,13 @@ impl StreamConfig {
 pub struct Stream<'r, S: MotionStatus = RobotStatus> {
     handle: StreamHandle,
     /// None once it has been waited for.
-    thread: Option<JoinHandle<Result<ServoReport, Error>>>,
+    thread: Option<JoinHandle<Ended>>,
+    clock: Clock,
     robot: PhantomData<&'r mut Robot<S>>,
 }
+
+/// How the thread has ended; the time at which it has is handed over.
+type Ended = (Result<ServoReport, Error>, HandOver);
 
 /// Streams need the feature `stream`.
 impl<S: MotionStatus> Robot<S> {
@@ -144,19 +147,21 @@ impl<S: MotionStatus> Robot<S> {
 
     fn begin_stream(&mut self, config: &StreamConfig, guard: Option<Armed>) -> Result<Stream<'_, S>, Error> {
         config.check()?;
-        let (robot, config) = (self.lent(), config.clone());
-        let (ready, begun) = mpsc::sync_channel::<Result<(Arc<Targets>, Generator), Error>>(1);
+        let (robot, config, clock) = (self.lent(), config.clone(), self.clock().clone());
+        let place = clock.participant();
+        let (ready, begun) = mpsc::sync_channel(1);
         let spawned = thread::Builder::new().name("jaka stream".to_owned()).spawn(move || {
             let mut robot = robot;
-            cycle::run(&mut robot, &config, guard.as_ref(), &ready)
+            place.run(|| (cycle::run(&mut robot, &config, guard.as_ref(), &ready), robot.clock().hand_over()))
         });
         let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
-        match begun.recv() {
-            Ok(Ok((targets, generator))) => {
-                Ok(Stream { handle: StreamHandle::new(targets, generator), thread: Some(thread), robot: PhantomData })
+        match clock.outside(|| begun.recv()) {
+            Ok((Ok((targets, generator)), _now)) => {
+                let handle = StreamHandle::new(targets, generator);
+                Ok(Stream { handle, thread: Some(thread), clock, robot: PhantomData })
             }
-            Ok(Err(error)) => Err(error),
-            Err(mpsc::RecvError) => match joined(thread) {
+            Ok((Err(error), _now)) => Err(error),
+            Err(mpsc::RecvError) => match joined(thread, &clock) {
                 Err(error) => Err(error),
                 Ok(_) => Err(ErrorKind::SessionEnded { because: "it did not begin".to_owned() }.into()),
             },
@@ -176,7 +181,7 @@ impl<S: MotionStatus> Stream<'_, S> {
     /// As [`ServoSession::land`](crate::ServoSession::land); or the error with which the stream has ended before.
     pub fn land(mut self) -> Result<ServoReport, Error> {
         self.handle.targets().land();
-        self.thread.take().map_or_else(|| Ok(ServoReport::default()), joined)
+        self.thread.take().map_or_else(|| Ok(ServoReport::default()), |thread| joined(thread, &self.clock))
     }
 }
 
@@ -193,13 +198,15 @@ impl<S: MotionStatus> Drop for Stream<'_, S> {
     fn drop(&mut self) {
         let Some(thread) = self.thread.take() else { return };
         self.handle.targets().land();
-        if let Err(error) = joined(thread) {
+        if let Err(error) = joined(thread, &self.clock) {
             log::warn!(target: "jaka_sync", "the stream that was dropped did not end at rest: {error}");
         }
     }
 }
 
-fn joined(thread: JoinHandle<Result<ServoReport, Error>>) -> Result<ServoReport, Error> {
-    let panicked = |_| Err(ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into());
-    thread.join().unwrap_or_else(panicked)
+fn joined(thread: JoinHandle<Ended>, clock: &Clock) -> Result<ServoReport, Error> {
+    match clock.outside(|| thread.join()) {
+        Ok((ended, _now)) => ended,
+        Err(_) => Err(ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into()),
+    }
 }

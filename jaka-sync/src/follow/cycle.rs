@@ -14,12 +14,13 @@ use super::end::{FollowEnd, FollowOutcome};
 use super::lag::LagFit;
 use super::orders::Orders;
 use super::{FollowConfig, start};
-use crate::clock::Clock;
+use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
 use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision, lets_land};
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoSession};
 
-type Ready = SyncSender<Result<(), Error>>;
+/// Takes what the caller waits for, and hands over the time.
+type Ready = SyncSender<(Result<(), Error>, HandOver)>;
 
 /// Ends the run for its handles, also where this thread panics.
 struct Ends<'o>(&'o Orders);
@@ -39,9 +40,10 @@ pub(super) fn run<S: MotionStatus>(
     ready: &Ready,
 ) -> Option<FollowEnd> {
     let _ends = Ends(orders);
+    let clock = robot.clock().clone();
     let refused = |error: Error| {
         // The caller has the error from here.
-        let _ = ready.send(Err(error));
+        let _ = ready.send((Err(error), clock.hand_over()));
         None
     };
     let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config);
@@ -53,7 +55,7 @@ pub(super) fn run<S: MotionStatus>(
         Ok(way) => way,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
-    if ready.send(Ok(())).is_err() {
+    if ready.send((Ok(()), clock.hand_over())).is_err() {
         // Nobody waits where the caller's thread has ended.
         orders.stop();
     }

@@ -1,7 +1,6 @@
 //! The receiving half of a connection.
 
 use std::any::Any;
-use std::net::TcpStream;
 use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
@@ -14,6 +13,7 @@ use super::Link;
 use super::state::{Mode, State};
 use crate::receive::{self, Chunk, Rest};
 use crate::recorder::Tap;
+use crate::socket::Socket;
 use crate::{Disconnect, ports};
 
 /// What a panic leaves.
@@ -33,7 +33,7 @@ impl Inbound {
         Self { framer: Framer::new(max_frame), timeout: receive::Timeout::default(), panic: None }
     }
 
-    pub(super) fn read(&mut self, stream: &TcpStream, tap: &Tap, left: Duration) -> Result<Chunk, Disconnect> {
+    pub(super) fn read(&mut self, stream: &Socket, tap: &Tap, left: Duration) -> Result<Chunk, Disconnect> {
         receive::chunk(stream, tap, &mut self.framer, &mut self.timeout, left)
     }
 

@@ -1,8 +1,7 @@
 //! The sending half of a connection.
 
 use std::borrow::Cow;
-use std::io::{self, Write};
-use std::net::TcpStream;
+use std::io;
 use std::time::Duration;
 
 use jaka_proto::exchange::RequestId;
@@ -13,6 +12,7 @@ use super::outgoing::{Outgoing, Right};
 use super::state::{Mode, State};
 use super::turn::Passing;
 use super::{FRAME_COMMANDS, Link};
+use crate::socket::Socket;
 use crate::{Disconnect, Error};
 
 /// About how much goes out in one write: after it a stop can go out.
@@ -39,7 +39,7 @@ struct Timeout(Duration);
 
 impl Timeout {
     /// Sets a timeout that is no longer than the time left. A shorter one does, too: a thread that waits to the end writes a few times more.
-    fn set(&mut self, stream: &TcpStream, left: Duration) -> io::Result<()> {
+    fn set(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
         if !self.0.is_zero() && self.0 <= left.max(SHORTEST) {
             return Ok(());
         }
@@ -47,12 +47,12 @@ impl Timeout {
     }
 
     /// Sets a longer one after a write that had to wait, where there is time for it.
-    fn lengthen(&mut self, stream: &TcpStream, left: Duration) -> io::Result<()> {
+    fn lengthen(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
         if self.0 < SLICE && left >= SLICE { self.change(stream, SLICE) } else { Ok(()) }
     }
 
-    fn change(&mut self, stream: &TcpStream, timeout: Duration) -> io::Result<()> {
-        stream.set_write_timeout(Some(timeout))?;
+    fn change(&mut self, stream: &Socket, timeout: Duration) -> io::Result<()> {
+        stream.set_write_timeout(timeout)?;
         self.0 = timeout;
         Ok(())
     }
@@ -118,7 +118,7 @@ impl Link {
     }
 
     /// Writes what is to go out until its deadline, and says how many bytes the system has taken.
-    fn write(&self, outbound: &mut Outbound, mut stream: &TcpStream, outgoing: &Outgoing<'_>) -> io::Result<usize> {
+    fn write(&self, outbound: &mut Outbound, stream: &Socket, outgoing: &Outgoing<'_>) -> io::Result<usize> {
         let (bytes, mut written) = (outbound.out.as_str().as_bytes(), 0);
         while written < bytes.len() {
             let left = outgoing.left();
@@ -126,7 +126,7 @@ impl Link {
                 break;
             }
             outbound.timeout.set(stream, left)?;
-            match stream.write(&bytes[written..]) {
+            match stream.write(&bytes[written..], left) {
                 Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
                 Ok(len) => written += len,
                 Err(error) => match error.kind() {

@@ -28,7 +28,7 @@ impl Link {
         self.wake(&state);
         let Some(stream) = state.stream.take() else { return broken };
         // An error here means that the socket is closed already.
-        let _ = SockRef::from(&*stream).set_linger(Some(Duration::ZERO));
+        let _ = SockRef::from(stream.system()).set_linger(Some(Duration::ZERO));
         // Wakes a thread that reads, and sends nothing. One that waits to send is woken by an end of sending alone; what that delivers
         // until this thread has left is what would be delivered without a reset.
         let _ = stream.shutdown(if state.outbound.is_some() { Shutdown::Read } else { Shutdown::Both });

@@ -1,6 +1,5 @@
 //! What the threads of a connection share.
 
-use std::net::TcpStream;
 use std::sync::Arc;
 
 use jaka_proto::Request;
@@ -9,12 +8,13 @@ use jaka_proto::exchange::Exchange;
 use super::inbound::Inbound;
 use super::outbound::Outbound;
 use crate::Disconnect;
+use crate::socket::Socket;
 
 #[derive(Debug)]
 pub(super) struct State {
     /// The socket; none once the connection was reset. A thread that reads or writes holds a clone only as long as it does, so that
     /// a reset closes the socket at once.
-    pub(super) stream: Option<Arc<TcpStream>>,
+    pub(super) stream: Option<Arc<Socket>>,
     /// The requests, and their outcomes.
     pub(super) exchange: Exchange,
     /// The sending half; none while a thread sends.
@@ -38,7 +38,7 @@ pub(super) enum Mode {
 }
 
 impl State {
-    pub(super) fn new(stream: TcpStream, inbound: Inbound) -> Self {
+    pub(super) fn new(stream: Socket, inbound: Inbound) -> Self {
         Self {
             stream: Some(Arc::new(stream)),
             exchange: Exchange::new(Request::bare_reply_command()),

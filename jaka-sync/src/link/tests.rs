@@ -4,7 +4,7 @@ mod question;
 mod reset;
 mod sending;
 
-use std::net::TcpListener;
+use std::net::{TcpListener, TcpStream};
 use std::thread;
 
 use jaka_proto::wire::Writer;

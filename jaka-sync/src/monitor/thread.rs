@@ -1,6 +1,5 @@
 //! What the monitor's thread does.
 
-use std::net::TcpStream;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,6 +13,7 @@ use crate::clock::{Clock, Stopwatch};
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::resync;
+use crate::socket::Socket;
 use crate::{Config, Disconnect, ErrorKind, connection, ports};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
@@ -45,7 +45,7 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made again.
-    pub(super) fn run(mut self, connected: (Arc<TcpStream>, Tap)) {
+    pub(super) fn run(mut self, connected: (Arc<Socket>, Tap)) {
         let mut connected = Some(connected);
         while let Some((stream, tap)) = connected.take() {
             self.tap = tap;
@@ -71,14 +71,14 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Reads until the connection ends, and says why it did.
-    fn read(&mut self, stream: &TcpStream) -> Disconnect {
+    fn read(&mut self, stream: &Socket) -> Disconnect {
         let mut framer = Framer::for_status(self.config.max_frame);
         let cause = self.read_into(&mut framer, stream);
         self.tap.stray(framer.partial());
         cause
     }
 
-    fn read_into(&mut self, framer: &mut Framer, stream: &TcpStream) -> Disconnect {
+    fn read_into(&mut self, framer: &mut Framer, stream: &Socket) -> Disconnect {
         let mut timeout = receive::Timeout::default();
         // The newest packet, until it is posted, and when the first came of those that have not been.
         let (mut newest, mut waiting) = (String::new(), None::<Stopwatch>);
@@ -218,7 +218,7 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Reconnects as the policy says; `None` if the monitor has ended.
-    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(Arc<TcpStream>, Tap)> {
+    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(Arc<Socket>, Tap)> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
                 break;
@@ -254,7 +254,7 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    fn connected(&self, (stream, tap): (TcpStream, Tap)) -> Option<(Arc<TcpStream>, Tap)> {
+    fn connected(&self, (stream, tap): (Socket, Tap)) -> Option<(Arc<Socket>, Tap)> {
         let mut state = self.board.lock();
         if state.closing {
             tap.left();

@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 use std::error::Error as StdError;
-use std::net::TcpStream;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -10,6 +9,7 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
 
 use super::exchanges::KEPT;
 use super::track::Track;
+use crate::socket::Socket;
 use crate::{Config, Disconnect, Error};
 
 /// What a connection reports to its recorder; nothing where there is none.
@@ -41,7 +41,7 @@ impl Tap {
     }
 
     /// The connection is made.
-    pub(crate) fn connected(&self, stream: &TcpStream) {
+    pub(crate) fn connected(&self, stream: &Socket) {
         let Some(connection) = &self.0 else { return };
         connection.lock().is_open = true;
         let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();

@@ -11,11 +11,13 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
+use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
 use crate::servo_session::{SetPoint, SetPoints, Supervision};
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
 
-type Ready = SyncSender<Result<(Arc<Targets>, Generator), Error>>;
+/// Takes what the caller waits for, and hands over the time.
+type Ready = SyncSender<(Result<(Arc<Targets>, Generator), Error>, HandOver)>;
 
 /// Ends the stream for its handles, also where this thread panics.
 struct Ends(Arc<Targets>);
@@ -33,18 +35,19 @@ pub(super) fn run<S: MotionStatus>(
     guard: Option<&Armed>,
     ready: &Ready,
 ) -> Result<ServoReport, Error> {
+    let clock = &robot.clock().clone();
     let mut session = match robot.enter_servo_mode(&config.servo) {
         Ok(session) => session,
-        Err(error) => return Ok(refuse(ready, error)),
+        Err(error) => return Ok(refuse(ready, error, clock)),
     };
     let mut generator = match generator(&session, config) {
         Ok(generator) => generator,
-        Err(error) => return Ok(refuse(ready, session.end_by(error, &mut |_| None))),
+        Err(error) => return Ok(refuse(ready, session.end_by(error, &mut |_| None), clock)),
     };
-    let targets = Arc::new(Targets::new(generator.joints(), session.clock()));
+    let targets = Arc::new(Targets::new(generator.joints(), clock));
     let _ends = Ends(Arc::clone(&targets));
     // Nobody waits where the caller's thread has ended; then it lands.
-    if ready.send(Ok((Arc::clone(&targets), generator.clone()))).is_err() {
+    if ready.send((Ok((Arc::clone(&targets), generator.clone())), clock.hand_over())).is_err() {
         targets.land();
     }
     let (start, period) = (generator.joints(), config.servo.period());
@@ -62,8 +65,8 @@ pub(super) fn run<S: MotionStatus>(
 }
 
 /// The caller has the error from here, and not from the thread.
-fn refuse(ready: &Ready, error: Error) -> ServoReport {
-    let _ = ready.send(Err(error));
+fn refuse(ready: &Ready, error: Error, clock: &Clock) -> ServoReport {
+    let _ = ready.send((Err(error), clock.hand_over()));
     ServoReport::default()
 }
 
