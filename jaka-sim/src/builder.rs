@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::SimulatedClock;
 use jaka_motion::Model;
 use jaka_proto::Request;
 use jaka_proto::recording::Recording;
@@ -14,6 +15,7 @@ use jaka_proto::recording::Recording;
 use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
+use crate::time::Time;
 use crate::{
     Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip, Underrun,
 };
@@ -34,6 +36,7 @@ pub struct Builder {
     pub(crate) contact: Option<Contact>,
     pub(crate) stepped: bool,
     pub(crate) time_scale: f64,
+    pub(crate) time: Time,
     folders: Vec<PathBuf>,
     pub(crate) packs: Vec<PathBuf>,
     programs: HashMap<String, Program>,
@@ -62,6 +65,7 @@ impl Builder {
             contact: None,
             stepped: false,
             time_scale: 1.0,
+            time: Time::default(),
             folders: Vec::new(),
             packs: Vec::new(),
             programs: programs::built_in(),
@@ -183,6 +187,17 @@ impl Builder {
     #[must_use]
     pub fn time_scale(mut self, scale: f64) -> Self {
         self.time_scale = scale;
+        self
+    }
+
+    /// Takes the time from a simulated clock: that of connections, faults and status packets, and the controller's own. The clock of
+    /// the system if not set.
+    ///
+    /// A client of jaka-sync with the same clock takes part in it, and so does each thread that waits by a method of the controller. Time goes on
+    /// as soon as all wait, so that hours pass in seconds. See [`SimulatedClock`].
+    #[must_use]
+    pub fn clock(mut self, clock: &SimulatedClock) -> Self {
+        self.time = Time::simulated(clock);
         self
     }
 

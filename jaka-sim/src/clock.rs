@@ -2,23 +2,30 @@
 
 use std::time::{Duration, Instant};
 
+use crate::time::Time;
+
 /// Length of a controller cycle (4.15).
 pub(crate) const CYCLE: Duration = Duration::from_millis(8);
 
 /// How a controller's time goes on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug)]
 pub(crate) enum Clock {
-    /// With real time, since this moment, so many times as fast.
-    Real(Instant, f64),
+    /// With this time, since this moment, so many times as fast.
+    Running { time: Time, start: Instant, scale: f64 },
     /// Only by [`Controller::advance`](crate::Controller::advance).
     Stepped,
 }
 
 impl Clock {
+    /// One that goes with this time from now on.
+    pub(crate) fn of(time: &Time, scale: f64) -> Self {
+        Self::Running { time: time.clone(), start: time.now(), scale }
+    }
+
     /// The controller's time, if it goes by itself.
-    pub(crate) fn now(self) -> Option<Duration> {
+    pub(crate) fn now(&self) -> Option<Duration> {
         match self {
-            Self::Real(start, scale) => Some(scaled(start.elapsed(), scale)),
+            Self::Running { time, start, scale } => Some(scaled(time.since(*start), *scale)),
             Self::Stepped => None,
         }
     }

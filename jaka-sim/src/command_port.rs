@@ -4,7 +4,6 @@ mod replayed;
 mod request_reader;
 
 use std::io;
-use std::net::TcpStream;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 
@@ -17,31 +16,33 @@ use crate::connection::{CommandConnection, NextStep};
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
+use crate::socket::Socket;
 use crate::world::World;
 use crate::{Port, Takeover, firmware};
 
 /// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
     let mut serving = None;
-    shared.command_listener.accept_all("command client", |stream| admit(stream, &mut serving, shared));
+    shared.command_listener.accept_all("command client", |socket| admit(socket, &mut serving, shared));
     close_active(&mut serving, shared);
     shared.command_listener.stop();
 }
 
 /// Makes a client the active one, or closes its connection.
-fn admit(stream: TcpStream, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
+fn admit(socket: Socket, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
     if shared.options.takeover == Takeover::Refuse && shared.active_client.is_connected() {
         log::trace!(target: "jaka_sim", "command client refused");
-        Wire::new(stream, Port::Command, &shared.links)?.close();
+        Wire::new(socket, Port::Command, &shared.links)?.close();
         return Ok(());
     }
     close_active(serving, shared);
     log::trace!(target: "jaka_sim", "command client connected");
-    let connection = Arc::new(CommandConnection::new(stream, &shared.links)?);
+    let connection = Arc::new(CommandConnection::new(socket, &shared.links)?);
     shared.active_client.set(Arc::clone(&connection));
     let thread = thread::Builder::new().name("jaka-sim commands".to_owned());
     let (theirs, host) = (Arc::clone(&connection), Arc::clone(shared));
-    match thread.spawn(move || serve_to_end(&theirs, &host)) {
+    let place = shared.time().servant();
+    match thread.spawn(move || place.run(|| serve_to_end(&theirs, &host))) {
         Ok(thread) => *serving = Some(thread),
         Err(error) => {
             shared.active_client.clear(&connection);

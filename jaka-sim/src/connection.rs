@@ -6,8 +6,7 @@ mod reply_writer;
 mod takeover;
 
 use std::io;
-use std::net::TcpStream;
-use std::sync::{Arc, Condvar, Mutex};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 pub(crate) use self::active::ActiveClient;
@@ -17,7 +16,9 @@ pub(crate) use self::reply_writer::ReplyWriter;
 pub(crate) use self::takeover::TakeoverClient;
 use crate::Port;
 use crate::link::{Links, Wire};
-use crate::lock::{lock, wait};
+use crate::lock::lock;
+use crate::socket::Socket;
+use crate::time::Signal;
 
 /// The connection of a command client.
 ///
@@ -27,13 +28,13 @@ pub(crate) struct CommandConnection {
     wire: Arc<Wire>,
     pending: Mutex<PendingReplies>,
     closed: Mutex<bool>,
-    changed: Condvar,
+    changed: Signal,
 }
 
 impl CommandConnection {
-    pub(crate) fn new(stream: TcpStream, links: &Arc<Links>) -> io::Result<Self> {
-        let wire = Wire::new(stream, Port::Command, links)?;
-        Ok(Self { wire, pending: Mutex::default(), closed: Mutex::default(), changed: Condvar::new() })
+    pub(crate) fn new(socket: Socket, links: &Arc<Links>) -> io::Result<Self> {
+        let wire = Wire::new(socket, Port::Command, links)?;
+        Ok(Self { wire, pending: Mutex::default(), closed: Mutex::default(), changed: Signal::new(links.time()) })
     }
 
     pub(crate) fn wire(&self) -> &Wire {
@@ -58,7 +59,7 @@ impl CommandConnection {
 
     /// Waits for the time, and says whether the connection was closed by then.
     pub(crate) fn closes_within(&self, time: Duration) -> bool {
-        *wait(&self.changed, lock(&self.closed), time, |closed| *closed)
+        *self.changed.wait(&self.closed, time, |closed| *closed)
     }
 
     /// Has the connection reset when it is dropped. It must not be closed before.

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use jaka_clock::SimulatedClock;
 use serde_json::Value;
 
 pub use self::links::Link;
@@ -80,6 +81,11 @@ impl Controller {
     pub fn advance(&self, time: Duration) {
         wait_until_accepted(&self.shared.status_listener);
         self.shared.step(time);
+    }
+
+    /// The simulated clock, if it was [given](Builder::clock) one.
+    pub fn clock(&self) -> Option<&SimulatedClock> {
+        self.shared.time().as_simulated()
     }
 
     /// The controller's time since its start, in whole cycles.

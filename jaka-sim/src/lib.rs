@@ -23,10 +23,12 @@ mod readers;
 mod replay;
 mod request_log;
 mod shared;
+mod socket;
 mod spec_index;
 mod state;
 mod status_packet;
 mod status_port;
+mod time;
 mod trips;
 mod underrun;
 mod world;
@@ -39,6 +41,8 @@ pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault
 pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub use habits::{Habit, HabitError, Habits};
 pub use input_script::{AnalogInput, DigitalInput, InputScript};
+/// The clock of tests that take no time.
+pub use jaka_clock::{self, SimulatedClock};
 /// The arm that is simulated.
 pub use jaka_motion::Model;
 /// The messages that [`State`] is made of.

@@ -6,6 +6,8 @@ use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
 use crate::lock::{lock, wait};
+use crate::socket::Socket;
+use crate::time::Time;
 
 /// How long the kernel may take for a connection on loopback.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(2);
@@ -24,6 +26,7 @@ pub(crate) struct Listener {
     address: SocketAddr,
     state: Mutex<ListenerState>,
     changed: Condvar,
+    time: Time,
 }
 
 #[derive(Debug, Default)]
@@ -38,10 +41,13 @@ struct ListenerState {
 
 impl Listener {
     /// Listens at an address, on a free port if `port` is 0.
-    pub(crate) fn bind(address: IpAddr, port: u16) -> io::Result<Self> {
+    pub(crate) fn bind(address: IpAddr, port: u16, time: &Time) -> io::Result<Self> {
         let socket = TcpListener::bind((address, port))?;
         let address = socket.local_addr()?;
-        Ok(Self { socket, address, state: Mutex::default(), changed: Condvar::new() })
+        if let Some(clock) = time.as_simulated() {
+            clock.listen(address);
+        }
+        Ok(Self { socket, address, state: Mutex::default(), changed: Condvar::new(), time: time.clone() })
     }
 
     pub(crate) fn address(&self) -> SocketAddr {
@@ -49,16 +55,18 @@ impl Listener {
     }
 
     /// Passes on each connection until the listener is closed. An error of one says that it is lost, and concerns no other.
-    pub(crate) fn accept_all(&self, client: &str, mut admit: impl FnMut(TcpStream) -> io::Result<()>) {
-        while let Some(stream) = self.accept() {
-            if let Err(error) = admit(stream) {
+    pub(crate) fn accept_all(&self, client: &str, mut admit: impl FnMut(Socket) -> io::Result<()>) {
+        while let Some((stream, peer)) = self.accept() {
+            let accepted = Socket::accepted(stream, peer, &self.time);
+            // A simulated time goes on only after that.
+            if let Err(error) = accepted.and_then(|(socket, _work)| admit(socket)) {
                 log::trace!(target: "jaka_sim", "{client} lost: {error}");
             }
         }
     }
 
     /// Waits for the next connection; `None` once the listener is closed.
-    fn accept(&self) -> Option<TcpStream> {
+    fn accept(&self) -> Option<(TcpStream, SocketAddr)> {
         loop {
             let accepted = self.socket.accept();
             let mut state = lock(&self.state);
@@ -70,7 +78,7 @@ impl Listener {
                     state.wake_ups.retain(|wake_up| *wake_up != peer);
                     self.changed.notify_all();
                 }
-                Ok((stream, _)) => return Some(stream),
+                Ok(accepted) => return Some(accepted),
                 Err(_) => drop(wait(&self.changed, state, RETRY_DELAY, |state| state.closed)),
             }
         }
@@ -91,6 +99,9 @@ impl Listener {
     pub(crate) fn close(&self) -> io::Result<()> {
         lock(&self.state).closed = true;
         self.changed.notify_all();
+        if let Some(clock) = self.time.as_simulated() {
+            clock.stop_listening(self.address);
+        }
         TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT).map(drop)
     }
 
@@ -109,7 +120,7 @@ mod tests {
 
     #[test]
     fn connections_before_a_wake_up_are_accepted_before_it() {
-        let listener = Listener::bind(IpAddr::from([127, 0, 0, 1]), 0).expect("loopback has ports");
+        let listener = Listener::bind(IpAddr::from([127, 0, 0, 1]), 0, &Time::default()).expect("loopback has ports");
         let accepted = Mutex::new(0);
         thread::scope(|scope| {
             scope.spawn(|| {

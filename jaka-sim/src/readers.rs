@@ -6,7 +6,6 @@ mod recorded_packets;
 
 use std::collections::VecDeque;
 use std::io;
-use std::net::TcpStream;
 use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -17,6 +16,7 @@ pub(crate) use self::recorded_packets::RecordedPackets;
 use crate::StatusFault;
 use crate::link::Links;
 use crate::lock::lock;
+use crate::socket::Socket;
 
 /// How many readers there can be, so that no number of connections uses up threads and memory.
 const MAX_READERS: usize = 256;
@@ -91,16 +91,17 @@ impl Readers {
     /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to.
     pub(crate) fn add(
         &self,
-        stream: TcpStream,
+        socket: Socket,
         links: &Arc<Links>,
         run: impl FnOnce(&Reader) + Send + 'static,
     ) -> io::Result<()> {
         let mut list = lock(&self.list);
         list.readers.retain(|(_, thread)| !thread.is_finished());
         let oldest = if list.readers.len() < MAX_READERS { None } else { list.readers.pop_front() };
-        let reader = Arc::new(Reader::new(stream, links, list.fault.clone())?);
-        let theirs = Arc::clone(&reader);
-        let thread = thread::Builder::new().name("jaka-sim status".to_owned()).spawn(move || run(&theirs))?;
+        let reader = Arc::new(Reader::new(socket, links, list.fault.clone())?);
+        let (theirs, place) = (Arc::clone(&reader), links.time().servant());
+        let thread =
+            thread::Builder::new().name("jaka-sim status".to_owned()).spawn(move || place.run(|| run(&theirs)))?;
         list.readers.push_back((reader, thread));
         drop(list);
         oldest.into_iter().for_each(close);

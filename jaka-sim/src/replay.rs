@@ -7,7 +7,7 @@ mod script;
 
 use std::collections::{HashMap, VecDeque};
 use std::fmt;
-use std::sync::{Arc, Condvar, Mutex};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use jaka_proto::recording::{Answer, Port, Recording};
@@ -17,7 +17,8 @@ pub(crate) use self::canonical::is_same;
 use self::dependencies::{Dependencies, Dependency};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, Step};
-use crate::lock::{lock, wait};
+use crate::lock::lock;
+use crate::time::{Signal, Time};
 
 /// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,7 +65,7 @@ pub(crate) struct ReplaySession {
     dependencies: Option<Dependencies>,
     progress: Mutex<Progress>,
     /// Signalled at each deviation.
-    deviated: Condvar,
+    deviated: Signal,
 }
 
 #[derive(Debug, Default)]
@@ -77,7 +78,7 @@ struct Progress {
 }
 
 impl ReplaySession {
-    pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming) -> Self {
+    pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming, time: &Time) -> Self {
         let ReplaySource { recording, mode } = plan;
         let mut progress = Progress::default();
         if *mode == Replay::Matching {
@@ -91,9 +92,9 @@ impl ReplaySession {
             timing,
             commands: script::scripts(recording, Port::Command),
             readers: script::scripts(recording, Port::Status),
-            dependencies: (*mode == Replay::Strict).then(|| Dependencies::new(recording)),
+            dependencies: (*mode == Replay::Strict).then(|| Dependencies::new(recording, time)),
             progress: Mutex::new(progress),
-            deviated: Condvar::new(),
+            deviated: Signal::new(time),
         }
     }
 
@@ -181,7 +182,7 @@ impl ReplaySession {
     /// Waits until there are this many deviations in all; false where there are not in time.
     pub(crate) fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
         let enough = |progress: &Progress| progress.deviations.len() >= count;
-        enough(&wait(&self.deviated, lock(&self.progress), timeout, enough))
+        enough(&self.deviated.wait(&self.progress, timeout, enough))
     }
 }
 

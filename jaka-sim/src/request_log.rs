@@ -1,10 +1,11 @@
 //! The requests that were received.
 
 use std::collections::VecDeque;
-use std::sync::{Condvar, Mutex};
+use std::sync::Mutex;
 use std::time::Duration;
 
-use crate::lock::{lock, wait};
+use crate::lock::lock;
+use crate::time::{Signal, Time};
 
 /// How many texts are kept, and how many bytes of them.
 const KEPT: usize = 10_000;
@@ -14,7 +15,7 @@ const KEPT_BYTES: usize = 16 << 20;
 #[derive(Debug, Default)]
 pub(crate) struct RequestLog {
     logged: Mutex<Logged>,
-    grown: Condvar,
+    grown: Signal,
 }
 
 #[derive(Debug, Default)]
@@ -25,6 +26,10 @@ struct Logged {
 }
 
 impl RequestLog {
+    pub(crate) fn new(time: &Time) -> Self {
+        Self { logged: Mutex::default(), grown: Signal::new(time) }
+    }
+
     /// Adds a request, and forgets the oldest where there are too many.
     pub(crate) fn record(&self, request: String) {
         let mut logged = lock(&self.logged);
@@ -41,7 +46,7 @@ impl RequestLog {
 
     /// Waits until `count` requests were received in all; false if they were not in time.
     pub(crate) fn wait_for(&self, count: usize, timeout: Duration) -> bool {
-        wait(&self.grown, lock(&self.logged), timeout, |logged| logged.count >= count).count >= count
+        self.grown.wait(&self.logged, timeout, |logged| logged.count >= count).count >= count
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::io;
 use std::sync::{Arc, Mutex, MutexGuard};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::{Map, Value};
 
@@ -16,6 +16,7 @@ use crate::readers::Readers;
 use crate::replay::ReplaySession;
 use crate::request_log::RequestLog;
 use crate::spec_index::SpecIndex;
+use crate::time::Time;
 use crate::world::World;
 use crate::{Builder, FaultPlan, State, status_packet};
 
@@ -53,24 +54,30 @@ impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
         options.check()?;
         let spec_index = SpecIndex::open(&options.packs)?;
+        let time = &options.time;
         Ok(Self {
-            command_listener: Listener::bind(options.address, options.command_port)?,
-            status_listener: Listener::bind(options.address, options.status_port)?,
-            active_client: ActiveClient::default(),
+            command_listener: Listener::bind(options.address, options.command_port, time)?,
+            status_listener: Listener::bind(options.address, options.status_port, time)?,
+            active_client: ActiveClient::new(time),
             takeover_client: TakeoverClient::default(),
             readers: Readers::new(options.faults.status_fault().clone()),
-            request_log: RequestLog::default(),
-            links: Arc::new(Links::new(options.faults.links())),
-            replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing)),
+            request_log: RequestLog::new(time),
+            links: Arc::new(Links::new(options.faults.links(), time)),
+            replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing, time)),
             world: Mutex::new(World::new(&options, &spec_index)?),
             spec_index,
             replies: Mutex::default(),
             status_values: Mutex::default(),
-            clock: if options.stepped { Clock::Stepped } else { Clock::Real(Instant::now(), options.time_scale) },
+            clock: if options.stepped { Clock::Stepped } else { Clock::of(time, options.time_scale) },
             faults: Mutex::new(options.faults.clone()),
             steps: Mutex::default(),
             options,
         })
+    }
+
+    /// The time in which threads and connections wait.
+    pub(crate) fn time(&self) -> &Time {
+        &self.options.time
     }
 
     /// The world as it is now.
@@ -106,7 +113,7 @@ impl Shared {
 
     /// Lets a stepped clock go on, and sends the status packets that fall due on the way.
     pub(crate) fn step(&self, time: Duration) {
-        if self.clock != Clock::Stepped {
+        if !matches!(self.clock, Clock::Stepped) {
             return;
         }
         let mut steps = lock(&self.steps);

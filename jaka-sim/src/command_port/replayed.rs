@@ -25,7 +25,7 @@ pub(super) fn serve(connection: &CommandConnection, session: &ReplaySession, sha
         session,
         shared,
         requests,
-        since: (Instant::now(), Duration::ZERO),
+        since: (shared.time().now(), Duration::ZERO),
         came: 0,
         last: String::new(),
     };
@@ -87,7 +87,7 @@ impl Player<'_> {
         loop {
             let received = self.next_request().ok_or_else(|| Deviation::MissingRequest { expected: expected() })?;
             if is_same(&expected(), &received) {
-                self.since = (Instant::now(), at);
+                self.since = (self.shared.time().now(), at);
                 self.last = received;
                 return Ok(());
             }
@@ -113,7 +113,7 @@ impl Player<'_> {
     fn wait_until(&self, recorded: Duration) -> bool {
         let (since, then) = self.since;
         let delay = self.session.delay(recorded.saturating_sub(then));
-        self.connection.closes_within(delay.saturating_sub(since.elapsed()))
+        self.connection.closes_within(delay.saturating_sub(self.shared.time().since(since)))
     }
 }
 

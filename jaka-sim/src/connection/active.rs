@@ -1,19 +1,24 @@
 //! The active client of the command port: there is at most one.
 
-use std::sync::{Arc, Condvar, Mutex};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use super::CommandConnection;
-use crate::lock::{lock, wait};
+use crate::lock::lock;
+use crate::time::{Signal, Time};
 
 /// The connection of the active client, if one is connected.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct ActiveClient {
     connection: Mutex<Option<Arc<CommandConnection>>>,
-    changed: Condvar,
+    changed: Signal,
 }
 
 impl ActiveClient {
+    pub(crate) fn new(time: &Time) -> Self {
+        Self { connection: Mutex::default(), changed: Signal::new(time) }
+    }
+
     pub(crate) fn connection(&self) -> Option<Arc<CommandConnection>> {
         lock(&self.connection).clone()
     }
@@ -24,7 +29,7 @@ impl ActiveClient {
 
     /// Waits until no client is active; false if one still is after the timeout.
     pub(crate) fn wait_until_none(&self, timeout: Duration) -> bool {
-        wait(&self.changed, lock(&self.connection), timeout, Option::is_none).is_none()
+        self.changed.wait(&self.connection, timeout, Option::is_none).is_none()
     }
 
     pub(crate) fn set(&self, connection: Arc<CommandConnection>) {

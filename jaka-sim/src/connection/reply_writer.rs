@@ -9,6 +9,7 @@ use super::NextStep;
 use crate::answer::Sequel;
 use crate::fault::Delivery;
 use crate::link::Wire;
+use crate::time::Time;
 use crate::world::Wait;
 
 /// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
@@ -46,8 +47,8 @@ enum Due {
 }
 
 impl Due {
-    fn after(time: Duration) -> Self {
-        Instant::now().checked_add(time).map_or(Self::Never, Self::At)
+    fn after(delay: Duration, time: &Time) -> Self {
+        time.now().checked_add(delay).map_or(Self::Never, Self::At)
     }
 }
 
@@ -63,12 +64,16 @@ impl<'l> ReplyWriter<'l> {
         Self { wire, pending }
     }
 
+    fn time(&self) -> &Time {
+        self.wire.links().time()
+    }
+
     /// Sends a reply, or lets it wait.
     pub(crate) fn send_reply(&mut self, delivery: Delivery, sequel: Sequel) -> NextStep {
         let due = match (&delivery, sequel) {
-            (Delivery::Later(time, _), _) => Some(Due::after(*time)),
+            (Delivery::Later(time, _), _) => Some(Due::after(*time, self.time())),
             (_, Sequel::Wait(wait)) => Some(Due::After(wait)),
-            _ => (!self.pending.late.is_empty()).then(|| Due::after(Duration::ZERO)),
+            _ => (!self.pending.late.is_empty()).then(|| Due::after(Duration::ZERO, self.time())),
         };
         let next = match due {
             Some(due) => {
@@ -86,8 +91,9 @@ impl<'l> ReplyWriter<'l> {
 
     /// Sends the replies that are due; `is_over` says whether a wait is over.
     pub(crate) fn send_due(&mut self, is_over: impl Fn(Wait) -> bool) -> NextStep {
+        let now = self.time().now();
         let is_due = |late: &LateReply| match late.due {
-            Due::At(time) => time <= Instant::now(),
+            Due::At(time) => time <= now,
             Due::After(wait) => is_over(wait),
             Due::Never => false,
         };
@@ -104,7 +110,7 @@ impl<'l> ReplyWriter<'l> {
     /// How long to wait until the next check whether a late reply is due; `None` if no time makes one due.
     pub(crate) fn wait_for_due(&self) -> Option<Duration> {
         match self.pending.late.front()?.due {
-            Due::At(time) => Some(time.saturating_duration_since(Instant::now())),
+            Due::At(time) => Some(self.time().until(time)),
             Due::After(_) => Some(WAIT_CHECK),
             Due::Never => None,
         }

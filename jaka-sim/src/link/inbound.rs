@@ -1,7 +1,7 @@
 //! What a client sends, as its link lets it pass.
 
 use std::collections::VecDeque;
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, ErrorKind};
 use std::time::{Duration, Instant};
 
 use super::Wire;
@@ -73,9 +73,10 @@ impl<'w> Inbound<'w> {
     }
 
     fn receive_late(&mut self, space: &mut [u8], patience: Option<Duration>) -> io::Result<Received> {
-        let deadline = patience.and_then(|time| Instant::now().checked_add(time));
-        let left = || deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
         let links = self.wire.links();
+        let time = links.time();
+        let deadline = patience.and_then(|patience| time.now().checked_add(patience));
+        let left = || deadline.map(|deadline| time.until(deadline));
         loop {
             if self.wire.is_closed() {
                 return Ok(Received::End);
@@ -86,15 +87,15 @@ impl<'w> Inbound<'w> {
                 ReceiveStep::Take(most) => {
                     let received = self.take(space, most);
                     if let (LinkFault::Slow(per_second), Received::Bytes(count)) = (fault, received) {
-                        self.pace.passed(count, per_second);
+                        self.pace.passed(count, per_second, time.now());
                     }
                     return Ok(received);
                 }
                 _ if left() == Some(Duration::ZERO) => return Ok(Received::Silence),
-                ReceiveStep::Wait(time) => drop(links.wait(state, shorter(shorter(time, stays), left()))),
-                ReceiveStep::Read(time) => {
+                ReceiveStep::Wait(most) => drop(links.wait(state, shorter(shorter(most, stays), left()))),
+                ReceiveStep::Read(most) => {
                     drop(state);
-                    let received = self.read(space, shorter(time, left())).unwrap_or_else(|error| {
+                    let received = self.read(space, shorter(most, left())).unwrap_or_else(|error| {
                         log::trace!(target: "jaka_sim", "client lost on its link: {error}");
                         Received::End
                     });
@@ -105,7 +106,8 @@ impl<'w> Inbound<'w> {
     }
 
     fn next(&self, fault: LinkFault) -> ReceiveStep {
-        let first = self.waiting.front().map(|(came, _)| came.elapsed());
+        let time = self.wire.links().time();
+        let first = self.waiting.front().map(|(came, _)| time.since(*came));
         match fault.passage(first.unwrap_or_default()) {
             Passage::Held | Passage::Lost => ReceiveStep::Wait(None),
             _ if first.is_none() => ReceiveStep::Read(None),
@@ -114,20 +116,21 @@ impl<'w> Inbound<'w> {
             Passage::After(left) => ReceiveStep::Read(Some(left.min(MOST_WAIT))),
             Passage::Paced(per_second) => {
                 let portion = ReceiveStep::Take(Pace::portion(per_second));
-                self.pace.left().map_or(portion, |left| ReceiveStep::Wait(Some(left)))
+                self.pace.left(time.now()).map_or(portion, |left| ReceiveStep::Wait(Some(left)))
             }
         }
     }
 
     fn keep(&mut self, received: Received, space: &[u8]) {
+        let now = self.wire.links().time().now();
         match received {
             Received::Bytes(count) => {
                 self.bytes += count;
-                self.waiting.push_back((Instant::now(), space[..count].to_vec()));
+                self.waiting.push_back((now, space[..count].to_vec()));
             }
             Received::End => {
                 self.ended = true;
-                self.waiting.push_back((Instant::now(), Vec::new()));
+                self.waiting.push_back((now, Vec::new()));
             }
             Received::Silence => {}
         }
@@ -151,7 +154,7 @@ impl<'w> Inbound<'w> {
     fn read(&mut self, space: &mut [u8], patience: Option<Duration>) -> io::Result<Received> {
         self.set_patience(patience)?;
         loop {
-            return match self.wire.stream().read(space) {
+            return match self.wire.socket().read(space, patience) {
                 Ok(0) => Ok(Received::End),
                 Ok(count) => Ok(Received::Bytes(count)),
                 Err(error) if error.kind() == ErrorKind::Interrupted => continue,
@@ -166,7 +169,7 @@ impl<'w> Inbound<'w> {
 
     fn set_patience(&mut self, patience: Option<Duration>) -> io::Result<()> {
         if self.hurried || patience.is_some() {
-            self.wire.stream().set_read_timeout(patience.map(|time| time.max(LEAST_WAIT)))?;
+            self.wire.socket().set_read_timeout(patience.map(|time| time.max(LEAST_WAIT)))?;
         }
         self.hurried = patience.is_some();
         Ok(())

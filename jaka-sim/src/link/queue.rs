@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use crate::fault::{LinkFault, Passage};
+use crate::time::Time;
 
 /// How many bytes may wait.
 const MOST: usize = 16 << 20;
@@ -11,6 +12,7 @@ const MOST: usize = 16 << 20;
 /// What waits to be sent, in order.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
+    time: Time,
     /// What was sent when.
     writes: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
@@ -53,6 +55,10 @@ pub(super) enum SendStep {
 }
 
 impl Queue {
+    pub(super) fn new(time: &Time) -> Self {
+        Self { time: time.clone(), ..Self::default() }
+    }
+
     /// Whether all has been sent that was to be.
     pub(super) fn is_idle(&self) -> bool {
         self.writes.is_empty() && !self.is_sending
@@ -69,13 +75,13 @@ impl Queue {
             return false;
         }
         self.bytes += bytes.len();
-        self.writes.push_back((Instant::now(), bytes.to_vec()));
+        self.writes.push_back((self.time.now(), bytes.to_vec()));
         true
     }
 
     /// Says how the connection ends, unless that has been said.
     pub(super) fn end(&mut self, end: End) {
-        self.end.get_or_insert((Instant::now(), end));
+        self.end.get_or_insert((self.time.now(), end));
     }
 
     /// Nothing more can be written.
@@ -108,7 +114,7 @@ impl Queue {
             _ => {}
         }
         let first = self.writes.front().map(|(sent, _)| *sent).or(self.end.map(|(sent, _)| sent));
-        let step = match fault.passage(first.map_or(Duration::ZERO, |sent| sent.elapsed())) {
+        let step = match fault.passage(first.map_or(Duration::ZERO, |sent| self.time.since(sent))) {
             Passage::Lost => {
                 self.clear();
                 SendStep::Wait(None)
@@ -137,12 +143,12 @@ impl Queue {
     }
 
     fn take_slowly(&mut self, per_second: u64) -> SendStep {
-        if let Some(left) = self.pace.left() {
+        if let Some(left) = self.pace.left(self.time.now()) {
             return SendStep::Wait(Some(left));
         }
         let step = self.take(Pace::portion(per_second));
         if let SendStep::Send(bytes) = &step {
-            self.pace.passed(bytes.len(), per_second);
+            self.pace.passed(bytes.len(), per_second, self.time.now());
         }
         step
     }
@@ -164,14 +170,13 @@ impl Pace {
     }
 
     /// How long nothing more passes; `None` where something does.
-    pub(super) fn left(&self) -> Option<Duration> {
-        let left = self.free_at?.saturating_duration_since(Instant::now());
+    pub(super) fn left(&self, now: Instant) -> Option<Duration> {
+        let left = self.free_at?.saturating_duration_since(now);
         (!left.is_zero()).then_some(left)
     }
 
     /// So many bytes have passed.
-    pub(super) fn passed(&mut self, bytes: usize, per_second: u64) {
-        let now = Instant::now();
+    pub(super) fn passed(&mut self, bytes: usize, per_second: u64, now: Instant) {
         let from = self.free_at.filter(|free_at| now.duration_since(*free_at) < Self::SLACK).unwrap_or(now);
         let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
         let nanos = bytes.saturating_mul(1_000_000_000) / per_second.max(1);

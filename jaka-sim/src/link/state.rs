@@ -2,14 +2,15 @@
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Condvar, Mutex, MutexGuard, Weak};
+use std::sync::{Mutex, MutexGuard, Weak};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::wire::Wire;
 use crate::fault::{LinkEvent, LinkFault};
 use crate::link_selector::LinkSelector;
-use crate::lock::{lock, wait};
+use crate::lock::lock;
+use crate::time::{Signal, Time};
 use crate::{Direction, Port};
 
 /// How many connections may wait to end because of a fault. If there are more, the oldest ends at once.
@@ -18,12 +19,13 @@ const MOST_SENDERS: usize = 512;
 /// The links of a controller.
 ///
 /// Locks are taken in this order: `state`, a wire's queue.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Links {
     /// Whether any link has ever had a fault.
     used: AtomicBool,
     state: Mutex<LinkStates>,
-    changed: Condvar,
+    changed: Signal,
+    time: Time,
     senders: Mutex<VecDeque<Sender>>,
 }
 
@@ -48,14 +50,20 @@ pub(super) struct LinkState {
 
 impl Links {
     /// The links of a controller that starts now.
-    pub(crate) fn new(events: &[LinkEvent]) -> Self {
+    pub(crate) fn new(events: &[LinkEvent], time: &Time) -> Self {
         let mut state = LinkStates::default();
-        let start = Instant::now();
+        let start = time.now();
         for event in events {
             state.schedule(event, start);
         }
         state.links.iter_mut().flatten().for_each(|link| link.catch_up(start));
-        Self { used: AtomicBool::new(!events.is_empty()), state: Mutex::new(state), ..Self::default() }
+        Self {
+            used: AtomicBool::new(!events.is_empty()),
+            state: Mutex::new(state),
+            changed: Signal::new(time),
+            time: time.clone(),
+            senders: Mutex::default(),
+        }
     }
 
     /// Sets what is wrong with these links from now on, and forgets what was to follow.
@@ -71,6 +79,11 @@ impl Links {
         }
         drop(state);
         self.changed.notify_all();
+    }
+
+    /// The time in which they wait.
+    pub(crate) fn time(&self) -> &Time {
+        &self.time
     }
 
     /// Whether any link has ever had a fault.
@@ -89,7 +102,8 @@ impl Links {
         time: Option<Duration>,
     ) -> MutexGuard<'l, LinkStates> {
         let mut waited = false;
-        wait(&self.changed, state, time.unwrap_or(Duration::MAX), |_| std::mem::replace(&mut waited, true))
+        let time = time.unwrap_or(Duration::MAX);
+        self.changed.wait_on(&self.state, state, time, |_| std::mem::replace(&mut waited, true))
     }
 
     /// Has all threads that wait check their link again.
@@ -135,10 +149,10 @@ impl LinkStates {
         }
     }
 
-    /// The link of a port in a direction, as it is now.
-    pub(super) fn now(&mut self, port: Port, direction: Direction) -> &mut LinkState {
+    /// The link of a port in a direction, as it is at this time, which is now.
+    pub(super) fn at(&mut self, now: Instant, port: Port, direction: Direction) -> &mut LinkState {
         let link = self.link(port, direction);
-        link.catch_up(Instant::now());
+        link.catch_up(now);
         link
     }
 
@@ -173,9 +187,9 @@ impl LinkState {
         if self.cuts > generation { LinkFault::Cut } else { self.fault }
     }
 
-    /// How long it stays as it is, if that is known.
-    pub(super) fn stays_for(&self) -> Option<Duration> {
-        self.schedule.front().map(|(at, _)| at.saturating_duration_since(Instant::now()))
+    /// How long it stays as it is now, if that is known.
+    pub(super) fn stays_for(&self, now: Instant) -> Option<Duration> {
+        self.schedule.front().map(|(at, _)| at.saturating_duration_since(now))
     }
 }
 

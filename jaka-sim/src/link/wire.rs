@@ -1,7 +1,7 @@
 //! A connection, with whatever is wrong with its link.
 
-use std::io::{self, ErrorKind, Write};
-use std::net::{Shutdown, TcpStream};
+use std::io::{self, ErrorKind};
+use std::net::Shutdown;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread;
@@ -13,6 +13,7 @@ use super::queue::{End, Queue, SendStep};
 use super::state::{LinkStates, Links, shorter};
 use crate::fault::LinkFault;
 use crate::lock::lock;
+use crate::socket::Socket;
 use crate::{Direction, Port};
 
 /// A connection, with whatever is wrong with its link.
@@ -20,7 +21,7 @@ use crate::{Direction, Port};
 /// One thread writes at a time, and one reads: by [`Inbound`](super::Inbound).
 #[derive(Debug)]
 pub(crate) struct Wire {
-    stream: TcpStream,
+    socket: Socket,
     port: Port,
     links: Arc<Links>,
     /// What the links had gone through when this was connected, by direction.
@@ -30,23 +31,24 @@ pub(crate) struct Wire {
 }
 
 impl Wire {
-    pub(crate) fn new(stream: TcpStream, port: Port, links: &Arc<Links>) -> io::Result<Arc<Self>> {
-        stream.set_nodelay(true)?;
+    pub(crate) fn new(socket: Socket, port: Port, links: &Arc<Links>) -> io::Result<Arc<Self>> {
+        socket.system().set_nodelay(true)?;
         let generations = if links.are_used() {
             let mut state = links.state();
-            Direction::ALL.map(|direction| state.now(port, direction).generation())
+            Direction::ALL.map(|direction| state.at(links.time().now(), port, direction).generation())
         } else {
             [0; 2]
         };
+        let queue = Mutex::new(Queue::new(links.time()));
         let (links, closed) = (Arc::clone(links), AtomicBool::new(false));
-        Ok(Arc::new(Self { stream, port, links, generations, closed, queue: Mutex::default() }))
+        Ok(Arc::new(Self { socket, port, links, generations, closed, queue }))
     }
 
-    pub(crate) fn stream(&self) -> &TcpStream {
-        &self.stream
+    pub(crate) fn socket(&self) -> &Socket {
+        &self.socket
     }
 
-    pub(super) fn links(&self) -> &Links {
+    pub(crate) fn links(&self) -> &Links {
         &self.links
     }
 
@@ -57,8 +59,9 @@ impl Wire {
 
     /// What is wrong in a direction, and how long it stays so if that is known.
     pub(super) fn fault(&self, state: &mut LinkStates, direction: Direction) -> (LinkFault, Option<Duration>) {
-        let link = state.now(self.port, direction);
-        (link.fault(self.generations[direction as usize]), link.stays_for())
+        let now = self.links.time().now();
+        let link = state.at(now, self.port, direction);
+        (link.fault(self.generations[direction as usize]), link.stays_for(now))
     }
 
     /// Writes bytes, or lets them wait where something is wrong.
@@ -66,7 +69,7 @@ impl Wire {
         if self.links.are_used() && self.put_off(bytes)? {
             return Ok(());
         }
-        (&self.stream).write_all(bytes)
+        self.socket.write_all(bytes)
     }
 
     /// Lets bytes wait; false where they can be written at once.
@@ -94,8 +97,9 @@ impl Wire {
     /// Has a thread send what waits. The state of the links must not be locked: another connection may have to end for this.
     fn have_sender(self: &Arc<Self>, mut queue: MutexGuard<'_, Queue>) -> io::Result<()> {
         if !queue.has_sender {
-            let this = Arc::clone(self);
-            let thread = thread::Builder::new().name("jaka-sim link".to_owned()).spawn(move || this.send_all())?;
+            let (this, place) = (Arc::clone(self), self.links.time().servant());
+            let thread = thread::Builder::new().name("jaka-sim link".to_owned());
+            let thread = thread.spawn(move || place.run(|| this.send_all()))?;
             queue.has_sender = true;
             drop(queue);
             self.links.add_sender((Arc::downgrade(self), thread));
@@ -112,7 +116,7 @@ impl Wire {
             match step {
                 SendStep::Send(bytes) => {
                     drop(state);
-                    if let Err(error) = (&self.stream).write_all(&bytes) {
+                    if let Err(error) = self.socket.write_all(&bytes) {
                         log::trace!(target: "jaka_sim", "client lost on its link: {error}");
                         lock(&self.queue).lose();
                     }
@@ -139,7 +143,7 @@ impl Wire {
     /// Has the connection reset when the last one drops it, and not before its link lets that pass. It must not be closed
     /// before.
     pub(crate) fn reset_on_drop(self: &Arc<Self>) {
-        if let Err(error) = SockRef::from(&self.stream).set_linger(Some(Duration::ZERO)) {
+        if let Err(error) = SockRef::from(self.socket.system()).set_linger(Some(Duration::ZERO)) {
             log::trace!(target: "jaka_sim", "the connection cannot be reset: {error}");
         }
         self.closed.store(true, Ordering::SeqCst);
@@ -176,6 +180,6 @@ impl Wire {
 
     fn shut_down(&self, how: Shutdown) {
         // An error says that it has ended already.
-        self.stream.shutdown(how).ok();
+        self.socket.shutdown(how).ok();
     }
 }

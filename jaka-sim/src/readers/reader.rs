@@ -3,16 +3,17 @@
 use std::collections::VecDeque;
 use std::io;
 use std::mem;
-use std::net::TcpStream;
 use std::ops::ControlFlow;
-use std::sync::{Arc, Condvar, Mutex};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::packet_writer::{PacketWriter, period};
 use super::recorded_packets::{RecordedPackets, RecordedStep};
 use crate::link::{Links, Wire};
-use crate::lock::{lock, wait};
+use crate::lock::lock;
 use crate::replay::ReplaySession;
+use crate::socket::Socket;
+use crate::time::{Signal, Time};
 use crate::{Port, StatusFault};
 
 /// How long a write may take. The connection holds packets of many seconds.
@@ -23,7 +24,8 @@ const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 pub(crate) struct Reader {
     wire: Arc<Wire>,
     outbox: Mutex<Outbox>,
-    changed: Condvar,
+    changed: Signal,
+    time: Time,
 }
 
 #[derive(Debug, Default)]
@@ -57,11 +59,12 @@ enum Job {
 }
 
 impl Reader {
-    pub(super) fn new(stream: TcpStream, links: &Arc<Links>, fault: StatusFault) -> io::Result<Self> {
-        stream.set_write_timeout(Some(WRITE_TIMEOUT))?;
-        let wire = Wire::new(stream, Port::Status, links)?;
+    pub(super) fn new(mut socket: Socket, links: &Arc<Links>, fault: StatusFault) -> io::Result<Self> {
+        socket.set_write_timeout(WRITE_TIMEOUT)?;
+        let wire = Wire::new(socket, Port::Status, links)?;
         let outbox = Outbox { fault: Some(fault), ..Outbox::default() };
-        Ok(Self { wire, outbox: Mutex::new(outbox), changed: Condvar::new() })
+        let (changed, time) = (Signal::new(links.time()), links.time().clone());
+        Ok(Self { wire, outbox: Mutex::new(outbox), changed, time })
     }
 
     /// Writes a packet at once, and then one each period if a period is given, until the connection ends.
@@ -125,7 +128,7 @@ impl Reader {
     fn write(&self, usual: Option<Duration>, packet: impl Fn() -> Vec<u8>) -> io::Result<()> {
         let mut writer = self.first_outlet();
         writer.send_packet(&packet())?;
-        let mut last = Instant::now();
+        let mut last = self.time.now();
         loop {
             let period = usual.map(|usual| period(writer.fault(), usual));
             let due = period.and_then(|period| last.checked_add(period));
@@ -133,7 +136,7 @@ impl Reader {
                 Job::Packet => {
                     writer.send_packet(&packet())?;
                     // One period after the last was due, unless that time has passed.
-                    last = due.filter(|due| Some(due.elapsed()) < period).unwrap_or_else(Instant::now);
+                    last = due.filter(|due| Some(self.time.since(*due)) < period).unwrap_or_else(|| self.time.now());
                 }
                 job => {
                     if self.do_job(job, &mut writer)?.is_break() {
@@ -145,11 +148,11 @@ impl Reader {
     }
 
     fn next_job(&self, due: Option<Instant>) -> Job {
-        let left = due.map_or(Duration::MAX, |due| due.saturating_duration_since(Instant::now()));
+        let left = due.map_or(Duration::MAX, |due| self.time.until(due));
         let ready = |outbox: &Outbox| {
             outbox.closed || outbox.rescheduled || outbox.fault.is_some() || !outbox.messages.is_empty()
         };
-        let mut outbox = wait(&self.changed, lock(&self.outbox), left, ready);
+        let mut outbox = self.changed.wait(&self.outbox, left, ready);
         if outbox.closed {
             return Job::End;
         }
@@ -188,7 +191,7 @@ impl Reader {
     /// Waits until the bytes with this number are written, or never will be.
     pub(super) fn wait_for(&self, number: u64) {
         let done = |outbox: &Outbox| outbox.closed || outbox.written >= number;
-        drop(wait(&self.changed, lock(&self.outbox), Duration::MAX, done));
+        drop(self.changed.wait(&self.outbox, Duration::MAX, done));
     }
 
     /// Ends the connection, as its link lets it, and wakes the thread.

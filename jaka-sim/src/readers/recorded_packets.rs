@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::packet_writer::LEAST_PERIOD;
 use crate::replay::{ReplaySession, Script, Step};
+use crate::time::Time;
 
 /// The packets of one connection of a recording, each with its time.
 #[derive(Debug)]
@@ -14,6 +15,7 @@ pub(crate) struct RecordedPackets {
     began: Instant,
     last: Option<Instant>,
     period: Duration,
+    time: Time,
 }
 
 /// What comes next on a connection.
@@ -24,8 +26,15 @@ pub(super) enum RecordedStep {
 }
 
 impl RecordedPackets {
-    pub(crate) fn new(script: Arc<Script>, period: Duration) -> Self {
-        Self { script, position: 0, began: Instant::now(), last: None, period: period.max(LEAST_PERIOD) }
+    pub(crate) fn new(script: Arc<Script>, period: Duration, time: &Time) -> Self {
+        Self {
+            script,
+            position: 0,
+            began: time.now(),
+            last: None,
+            period: period.max(LEAST_PERIOD),
+            time: time.clone(),
+        }
     }
 
     /// When the next step is due; `None` if that is not known yet, or there is none.
@@ -54,7 +63,7 @@ impl RecordedPackets {
             Some(Step::Expect { .. } | Step::Gap { .. }) => return None,
             None => self.script.last.as_ref()?.bytes().to_vec(),
         };
-        self.last = Some(Instant::now());
+        self.last = Some(self.time.now());
         Some(RecordedStep::Packet(packet))
     }
 }

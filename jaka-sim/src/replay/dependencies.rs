@@ -6,12 +6,14 @@ use std::time::{Duration, Instant};
 use jaka_proto::recording::{Event, Port, Recording};
 
 use crate::lock::lock;
+use crate::time::Time;
 
 /// The requests of all command connections, in the order of their recorded times.
 #[derive(Debug)]
 pub(super) struct Dependencies {
     recorded: Vec<Duration>,
     arrivals: Mutex<Arrivals>,
+    time: Time,
 }
 
 #[derive(Debug)]
@@ -34,13 +36,13 @@ pub(super) enum Dependency {
 }
 
 impl Dependencies {
-    pub(super) fn new(recording: &Recording) -> Self {
+    pub(super) fn new(recording: &Recording, time: &Time) -> Self {
         let sent = |event: &Event| matches!(event, Event::Sent(_));
         let requests = recording.entries.iter().filter(|entry| entry.port == Port::Command && sent(&entry.event));
         let mut recorded: Vec<_> = requests.map(|entry| entry.time).collect();
         recorded.sort_unstable();
         let came = vec![None; recorded.len()];
-        Self { recorded, arrivals: Mutex::new(Arrivals { came, whole: 0 }) }
+        Self { recorded, arrivals: Mutex::new(Arrivals { came, whole: 0 }), time: time.clone() }
     }
 
     /// The request that was recorded at this time has come, or never will.
@@ -48,7 +50,7 @@ impl Dependencies {
         let first = self.recorded.partition_point(|time| *time < recorded);
         let mut arrivals = lock(&self.arrivals);
         if let Some(request) = arrivals.came[first..].iter_mut().find(|request| request.is_none()) {
-            *request = Some(Instant::now());
+            *request = Some(self.time.now());
         }
         while arrivals.came.get(arrivals.whole).is_some_and(Option::is_some) {
             arrivals.whole += 1;
@@ -78,7 +80,8 @@ mod tests {
         let millis = Duration::from_millis;
         let sent = |at, connection| Entry::new(millis(at), Port::Command, connection, Event::Sent(Message::new("{}")));
         let entries = vec![sent(10, 1), sent(20, 1), sent(20, 2)];
-        let dependencies = Dependencies::new(&Recording::new(Header::new(Duration::ZERO, ""), entries));
+        let dependencies =
+            Dependencies::new(&Recording::new(Header::new(Duration::ZERO, ""), entries), &Time::default());
         assert_eq!(dependencies.before(millis(10)), Dependency::None);
         assert_eq!(dependencies.before(millis(11)), Dependency::Awaited);
         dependencies.came(millis(20));
