@@ -9,6 +9,7 @@ mod hand_fed;
 mod recording_buffer;
 mod reserved_port;
 mod seeds;
+pub mod simulated;
 mod skipped;
 pub mod soak;
 pub mod witness;

@@ -41,6 +41,7 @@ mod robot_faults;
 mod safety;
 mod schema;
 mod servo;
+mod simulated_time;
 mod spec_mutations;
 mod stalls;
 mod status;

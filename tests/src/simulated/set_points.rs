@@ -1,0 +1,145 @@
+//! A proxy to a command port that takes part in a simulated time, and sees the set-points on the wire.
+
+use std::io::ErrorKind;
+use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use jaka_proto::framing::Framer;
+use jaka_sim::SimulatedClock;
+use jaka_sim::jaka_clock::Channel;
+use serde_json::Value;
+
+/// A proxy to a command port for one client. It knows nothing of who makes the set-points.
+#[derive(Debug)]
+pub struct SetPoints {
+    address: SocketAddr,
+    seen: Arc<Mutex<SetPointsSeen>>,
+}
+
+/// What the proxy has seen. Its size does not grow.
+#[derive(Debug, Clone, Default)]
+pub struct SetPointsSeen {
+    /// How many set-points came.
+    pub count: u64,
+    /// The shortest and the longest time from one to the next.
+    pub shortest: Option<Duration>,
+    /// See [`shortest`](Self::shortest).
+    pub longest: Option<Duration>,
+    /// How many were not the ones expected, by their number from 0.
+    pub unexpected: u64,
+    last: Option<Duration>,
+}
+
+/// An end of a connection of the proxy.
+struct End {
+    stream: TcpStream,
+    channel: Channel,
+}
+
+impl SetPoints {
+    /// Begins to listen, for one client of this controller. `is_expected` judges the joint positions of each set-point, by its number from 0.
+    pub fn watch(
+        clock: &SimulatedClock,
+        controller: SocketAddr,
+        is_expected: impl Fn(u64, [f64; 6]) -> bool + Send + 'static,
+    ) -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+        let address = listener.local_addr().expect("it is bound");
+        clock.listen(address);
+        let (clock, seen) = (clock.clone(), Arc::<Mutex<SetPointsSeen>>::default());
+        let theirs = Arc::clone(&seen);
+        thread::spawn(move || {
+            let (stream, peer) = listener.accept().expect("it listens");
+            let (channel, _work) = clock.accepted(&stream, peer).expect("the client waits");
+            let near = Arc::new(End { stream, channel });
+            let stream = TcpStream::connect(controller).expect("the controller listens");
+            stream.set_nodelay(true).expect("the connection is open");
+            near.stream.set_nodelay(true).expect("the connection is open");
+            let far = Arc::new(End { channel: clock.connected(&stream).expect("it is connected"), stream });
+            let (place, back) = (clock.servant(), (Arc::clone(&far), Arc::clone(&near)));
+            thread::spawn(move || place.run(|| pass(&back.0, &back.1, |_| ())));
+            let (place, mut framer, now) = (clock.servant(), Framer::new(1 << 16), clock.clone());
+            thread::spawn(move || {
+                place.run(|| {
+                    pass(&near, &far, |bytes| {
+                        see(&mut framer, bytes, &mut lock(&theirs), now.elapsed(), &is_expected);
+                    });
+                });
+            });
+        });
+        Self { address, seen }
+    }
+
+    /// Where it listens.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// What it has seen by now.
+    pub fn seen(&self) -> SetPointsSeen {
+        lock(&self.seen).clone()
+    }
+}
+
+fn lock(seen: &Mutex<SetPointsSeen>) -> std::sync::MutexGuard<'_, SetPointsSeen> {
+    seen.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Passes bytes on to the end of the connection.
+fn pass(from: &End, to: &End, mut see: impl FnMut(&[u8])) {
+    let mut space = vec![0; 1 << 16];
+    loop {
+        match from.channel.read(&from.stream, &mut space, None) {
+            Ok(count) if count > 0 => {
+                see(&space[..count]);
+                if to.channel.write_all(&to.stream, &space[..count], None).is_err() {
+                    return;
+                }
+            }
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {}
+            _ => {
+                // An error says that it has ended already.
+                to.channel.shutdown(&to.stream, Shutdown::Both).ok();
+                return;
+            }
+        }
+    }
+}
+
+fn see(
+    framer: &mut Framer,
+    bytes: &[u8],
+    seen: &mut SetPointsSeen,
+    now: Duration,
+    is_expected: impl Fn(u64, [f64; 6]) -> bool,
+) {
+    let mut rest = bytes;
+    while !rest.is_empty() {
+        let space = framer.spare();
+        let count = space.len().min(rest.len());
+        space[..count].copy_from_slice(&rest[..count]);
+        framer.filled(count);
+        rest = &rest[count..];
+        while let Some(frame) = framer.next_frame().expect("requests are whole") {
+            let request: Value = serde_json::from_slice(frame).expect("requests are JSON");
+            if request["cmdName"] == "servo_j" {
+                let joints = std::array::from_fn(|joint| request["jointPosition"][joint].as_f64().expect("a number"));
+                seen.unexpected += u64::from(!is_expected(seen.count, joints));
+                seen.set_point(now);
+            }
+        }
+    }
+}
+
+impl SetPointsSeen {
+    fn set_point(&mut self, now: Duration) {
+        self.count += 1;
+        if let Some(last) = self.last.replace(now) {
+            let gap = now.saturating_sub(last);
+            self.shortest = Some(self.shortest.map_or(gap, |shortest| shortest.min(gap)));
+            self.longest = Some(self.longest.map_or(gap, |longest| longest.max(gap)));
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! A robot, its monitor and the simulator by one simulated clock: long times in short ones, and each time exact.
+
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays, Fault, Port, SimulatedClock, StatusFault};
+use jaka_sync::jaka_motion::{Limits, Model};
+use jaka_sync::motion::JointMove;
+use jaka_sync::types::JointPosition;
+use jaka_sync::{Client, Config, Outcome, Reconnect, Robot, ServoConfig, StreamConfig};
+use jaka_tests::simulated::{SetPoints, beside, clock_of};
+
+const LONG: Duration = Duration::from_secs(60);
+const CYCLE: Duration = Duration::from_millis(8);
+const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
+
+/// How long sessions last: `JAKA_SIMULATED_MINUTES`, one if it is not set.
+fn minutes() -> u64 {
+    std::env::var("JAKA_SIMULATED_MINUTES").ok().and_then(|minutes| minutes.parse().ok()).unwrap_or(1)
+}
+
+fn arm(status_period: Duration) -> Controller {
+    let builder = Controller::builder().clock(&SimulatedClock::new()).delays(Delays::NONE);
+    let controller = builder.status_period(status_period).start().expect("loopback has free ports");
+    controller.set_state(|state| {
+        (state.powered, state.enabled) = (true, true);
+        state.joint_position = JointPosition(START);
+    });
+    controller
+}
+
+fn config(controller: &Controller) -> Config {
+    Config::new().clock(clock_of(controller))
+}
+
+fn robot_of(controller: &Controller, config: &Config) -> Robot {
+    let robot = config.connect_robot_at(controller.command_addr(), controller.status_addr());
+    let robot = robot.expect("the controller listens");
+    robot.monitor().next_packet().expect("packets come");
+    robot
+}
+
+fn to(angle: f64, speed: f64) -> JointMove {
+    JointMove::absolute([angle, START[1], START[2], START[3], START[4], START[5]], speed).acceleration(400.0)
+}
+
+/// What this process holds in memory, where the system says it.
+fn memory_kib() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    line.trim().trim_end_matches(" kB").parse().ok()
+}
+
+/// Joint 6 at a cycle: it swings by 10 deg each 8 s, from rest to rest.
+fn swing(cycle: u64) -> f64 {
+    let phase = (cycle % 1000) as f64 / 1000.0 * std::f64::consts::TAU;
+    5.0 - 5.0 * phase.cos()
+}
+
+#[test]
+fn no_cycle_of_a_long_session_is_late_or_missing() {
+    let (began, cycles) = (Instant::now(), minutes() * 60 * 125);
+    let controller = arm(Duration::from_millis(30));
+    let clock = clock_of(&controller);
+    // Those of the landing brake the arm, which hardly moves, and hold it.
+    let tolerance = move |cycle| if cycle < cycles { 1e-5 } else { 0.01 };
+    let expected =
+        move |cycle: u64, joints: [f64; 6]| (joints[5] - swing(cycle.min(cycles - 1))).abs() < tolerance(cycle);
+    let wire = SetPoints::watch(clock, controller.command_addr(), expected);
+    let config = config(&controller);
+    let robot = config.connect_robot_at(wire.address(), controller.status_addr());
+    let mut robot = robot.expect("the proxy listens");
+    robot.monitor().next_packet().expect("packets come");
+    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let mut memory = None;
+    for cycle in 0..cycles {
+        session.send_joints([START[0], START[1], START[2], START[3], START[4], swing(cycle)]).expect("answers come");
+        if cycle == cycles / 10 {
+            memory = memory_kib();
+        }
+    }
+    let grown = memory.zip(memory_kib());
+    let report = session.land().expect("the arm comes to rest");
+    let seen = wire.seen();
+    println!("{} set-points in {:?} of real time, memory {grown:?} KiB, {report:?}", seen.count, began.elapsed());
+    assert_eq!((report.cycles, report.late_cycles, report.gaps, report.lateness(1.0)), (cycles, 0, 0, Duration::ZERO));
+    assert_eq!((report.refused, report.unanswered), (0, 0));
+    assert_eq!(report.accepted, seen.count);
+    assert_eq!(seen.count, report.cycles + report.landing_cycles);
+    assert_eq!((seen.shortest, seen.longest, seen.unexpected), (Some(CYCLE), Some(CYCLE), 0));
+    let packets = robot.monitor().statistics();
+    assert_eq!((packets.skipped, packets.unfit, packets.jitter), (0, 0, Duration::ZERO));
+    assert_eq!((packets.period, packets.longest_gap), (Some(Duration::from_millis(30)), Duration::from_millis(30)));
+}
+
+#[test]
+fn no_cycle_of_a_long_stream_is_late_or_missing() {
+    let began = Instant::now();
+    let controller = arm(Duration::from_millis(30));
+    let clock = clock_of(&controller);
+    let wire = SetPoints::watch(clock, controller.command_addr(), |_, _| true);
+    let robot = config(&controller).connect_robot_at(wire.address(), controller.status_addr());
+    let robot = robot.expect("the proxy listens");
+    robot.monitor().next_packet().expect("packets come");
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let stream = robot.stream(&StreamConfig::new()).expect("the arm is at rest");
+    let since = clock.elapsed();
+    for target in 0..minutes() * 60 * 20 {
+        let angle = (target * 7919 % 40) as f64;
+        stream.set_joints([angle - 10.0, START[1], START[2], START[3], START[4], angle]).expect("it is within limits");
+        clock.sleep(Duration::from_millis(50));
+    }
+    let lasted = clock.elapsed() - since;
+    let report = stream.land().expect("the arm comes to rest");
+    let seen = wire.seen();
+    println!("{} set-points in {:?} of real time, {report:?}", seen.count, began.elapsed());
+    assert_eq!(lasted, LONG * u32::try_from(minutes()).expect("few"));
+    assert_eq!((report.late_cycles, report.gaps, report.unanswered), (0, 0, 0));
+    assert_eq!(seen.count, report.cycles + report.landing_cycles);
+    assert_eq!((seen.shortest, seen.longest), (Some(CYCLE), Some(CYCLE)));
+    // From the first target to the last, none is missing.
+    assert!(u128::from(report.cycles).abs_diff(lasted.as_nanos() / CYCLE.as_nanos()) <= 1, "{report:?}");
+}
+
+#[test]
+fn a_slow_status_is_lost_at_the_end_of_the_silence_that_is_allowed() {
+    let controller = arm(Duration::from_secs(2));
+    let clock = clock_of(&controller);
+    let config = config(&controller).stale_after(Duration::from_secs(3));
+    let mut robot = robot_of(&controller, &config).with_status_silence(Duration::from_secs(4));
+    let silent = || {
+        clock.sleep(Duration::from_secs(7));
+        controller.status_fault(StatusFault::Silent);
+    };
+    let end = beside(clock, silent, || robot.run(&to(40.0, 1.0), LONG)).expect("it is reachable");
+    assert!(matches!(end.outcome, Outcome::StatusLost { cause: None, .. }), "{:?}", end.outcome);
+    let last = robot.monitor().last_known_packet().expect("packets came");
+    assert_eq!(clock.now(), last.received + Duration::from_secs(4));
+    assert_eq!(robot.monitor().statistics().period, Some(Duration::from_secs(2)));
+}
+
+#[test]
+fn a_slow_status_that_falls_silent_for_a_while_ends_no_motion() {
+    let controller = arm(Duration::from_secs(2));
+    let clock = clock_of(&controller);
+    let config = config(&controller).stale_after(Duration::from_secs(3));
+    let mut robot = robot_of(&controller, &config).with_status_silence(Duration::from_secs(8));
+    let silent = || {
+        clock.sleep(Duration::from_secs(7));
+        controller.status_fault(StatusFault::Silent);
+        clock.sleep(Duration::from_secs(5));
+        controller.status_fault(StatusFault::None);
+    };
+    let end = beside(clock, silent, || robot.run(&to(30.0, 1.0), LONG)).expect("it is reachable");
+    assert!(end.outcome.is_reached() && controller.state().at_rest, "{:?}", end.outcome);
+    let gap = robot.monitor().statistics().longest_gap;
+    assert!((Duration::from_secs(5)..Duration::from_secs(8)).contains(&gap), "{gap:?}");
+}
+
+#[test]
+fn replies_and_timeouts_come_at_their_times() {
+    let controller = arm(Duration::from_millis(30));
+    let clock = clock_of(&controller);
+    let connect = || config(&controller).connect_client(controller.command_addr()).expect("the controller listens");
+    let took = |client: &mut Client| {
+        let since = clock.elapsed();
+        (client.get_joint_pos().is_ok(), clock.elapsed() - since)
+    };
+    let mut client = connect();
+    assert_eq!(took(&mut client), (true, Duration::ZERO));
+    controller.inject(Fault::Delay(Duration::from_secs(3)));
+    assert_eq!(took(&mut client), (true, Duration::from_secs(3)));
+    let link = controller.link(Port::Command);
+    link.to_client().delay(Duration::from_millis(800));
+    assert_eq!(took(&mut client), (true, Duration::from_millis(800)));
+    link.to_controller().delay(Duration::from_millis(300));
+    assert_eq!(took(&mut client), (true, Duration::from_millis(1100)));
+    link.hold();
+    assert_eq!(took(&mut client), (false, Duration::from_secs(5)));
+    link.release();
+    // What was held is answered, too.
+    assert!(controller.wait_for_requests(5, LONG));
+    controller.inject(Fault::Drop);
+    assert_eq!(took(&mut connect()), (false, Duration::from_secs(5)));
+}
+
+#[test]
+fn a_monitor_connects_again_after_its_delay() {
+    let controller = arm(Duration::from_millis(30));
+    let clock = clock_of(&controller);
+    let config =
+        config(&controller).reconnect(Reconnect::Attempts { limit: 1, delay: Duration::from_secs(10), longest: LONG });
+    let robot = robot_of(&controller, &config);
+    controller.disconnect();
+    let since = clock.elapsed();
+    robot.monitor().wait_until(|_| true, LONG).expect("packets come again");
+    while robot.monitor().statistics().reconnects == 0 {
+        robot.monitor().next_packet().ok();
+    }
+    assert_eq!(clock.elapsed() - since, Duration::from_secs(10));
+}
+
+#[test]
+fn powering_up_takes_the_arms_time_and_no_other() {
+    let clock = SimulatedClock::new();
+    let controller = Controller::builder().clock(&clock).start().expect("loopback has free ports");
+    let mut robot = robot_of(&controller, &config(&controller));
+    let since = clock.elapsed();
+    robot.power_up(LONG).expect("nothing is in its way");
+    // 8 s and 3.5 s, queries each 100 ms, and the packet that shows it.
+    let took = (clock.elapsed() - since).as_millis();
+    assert!((11_500..11_800).contains(&took), "{took} ms");
+}
