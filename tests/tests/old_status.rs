@@ -6,10 +6,11 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Controller, Delays, Fault, Habit, Port};
+use jaka_sim::{Builder, Controller, Delays, Fault, Habit, Port, SimulatedClock};
 use jaka_sync::motion::{JointMove, LineMode, MoveC, MoveL};
 use jaka_sync::types::Pose;
 use jaka_sync::{Config, Error, ErrorKind, Monitor, Outcome, Robot, ServoConfig};
+use jaka_tests::simulated::{beside, clock_of};
 
 const LONG: Duration = Duration::from_secs(60);
 const PERIOD: Duration = Duration::from_millis(20);
@@ -19,7 +20,11 @@ fn ms(ms: u64) -> Duration {
 }
 
 fn arm_with(habits: impl Into<jaka_sim::Habits>, period: Duration) -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).habits(habits).status_period(period).start();
+    start(Controller::builder().habits(habits).status_period(period).clock(&SimulatedClock::new()))
+}
+
+fn start(builder: Builder) -> Controller {
+    let controller = builder.delays(Delays::NONE).start();
     let controller = controller.expect("loopback has free ports");
     controller.set_state(|state| {
         state.powered = true;
@@ -29,6 +34,7 @@ fn arm_with(habits: impl Into<jaka_sim::Habits>, period: Duration) -> Controller
 }
 
 fn robot_of(controller: &Controller, config: &Config) -> Robot {
+    let config = config.clone().clock(clock_of(controller));
     let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     Robot::new(config.connect_client(controller.command_addr()).expect("the controller listens"), monitor)
@@ -47,7 +53,7 @@ fn ready() -> (Controller, Robot) {
 /// A constant delay of the status that has lasted for a while: packets come at their pace, and each is so old.
 fn delayed(controller: &Controller, time: Duration) {
     controller.link(Port::Status).to_client().delay(time);
-    thread::sleep(time + ms(200));
+    clock_of(controller).sleep(time + ms(200));
 }
 
 fn to(angle: f64, speed: f64) -> JointMove {
@@ -164,6 +170,11 @@ fn no_motion_is_sent_while_the_newest_packet_shows_a_stop() {
     assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out while the newest packet shows a stop");
 }
 
+/// By the system's clock, since the program waits for the observer by other means.
+fn arm_by_the_systems_clock() -> Controller {
+    start(Controller::builder().status_period(PERIOD))
+}
+
 /// A robot whose monitor has had an observer before it that takes its time over a packet with a protective stop, and says so before.
 fn robot_after_a_slow_observer(controller: &Controller) -> (Robot, mpsc::Receiver<()>) {
     let config = lenient();
@@ -194,7 +205,7 @@ fn release_packets_with_a_stop_in_their_midst(controller: &Controller) {
 
 #[test]
 fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
-    let controller = arm_with([], PERIOD);
+    let controller = arm_by_the_systems_clock();
     let (mut robot, saw) = robot_after_a_slow_observer(&controller);
     controller.collide();
     saw.recv_timeout(LONG).expect("packets come");
@@ -206,7 +217,7 @@ fn a_slow_observer_opens_no_gap_between_a_packet_and_the_next_motion() {
 
 #[test]
 fn a_slow_observer_does_not_keep_a_stop_from_being_known_that_a_packet_passed_over_shows() {
-    let controller = arm_with([], PERIOD);
+    let controller = arm_by_the_systems_clock();
     let (mut robot, saw) = robot_after_a_slow_observer(&controller);
     release_packets_with_a_stop_in_their_midst(&controller);
     saw.recv_timeout(LONG).expect("packets come");
@@ -223,7 +234,7 @@ fn a_stop_that_only_a_packet_passed_over_shows_latches() {
     let since = Instant::now();
     while robot.unacknowledged().is_none() {
         assert!(since.elapsed() < LONG, "a packet showed a protective stop");
-        thread::sleep(ms(1));
+        clock_of(&controller).sleep(ms(1));
     }
 }
 
@@ -246,16 +257,15 @@ fn no_motion_is_sent_after_its_deadline() {
     let controller = arm_with([], PERIOD);
     let config = Config::new().stale_after(ms(1000));
     let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
+    let clock = clock_of(&controller);
     controller.link(Port::Status).to_client().hold();
-    thread::sleep(ms(1300));
-    let result = thread::scope(|scope| {
-        scope.spawn(|| {
-            thread::sleep(ms(600));
-            controller.link(Port::Status).to_client().release();
-        });
-        robot.run(&to(30.0, 40.0), ms(100))
-    });
-    thread::sleep(ms(200));
+    clock.sleep(ms(1300));
+    let release = || {
+        clock.sleep(ms(600));
+        controller.link(Port::Status).to_client().release();
+    };
+    let result = beside(clock, release, || robot.run(&to(30.0, 40.0), ms(100)));
+    clock.sleep(ms(200));
     assert_eq!(sent(&controller, "joint_move"), 0, "a motion went out after its deadline: {result:?}");
 }
 
@@ -285,13 +295,12 @@ fn a_relative_motion_after_a_stop_is_not_measured_from_a_moving_arm() {
     delayed(&controller, ms(2000));
     let stop = robot.stop_handle();
     let slow = to(60.0, 20.0).acceleration(20.0);
-    let stopped = thread::scope(|scope| {
-        scope.spawn(|| {
-            thread::sleep(ms(1200));
-            stop.stop().expect("taken");
-        });
-        robot.run(&slow, LONG).expect("accepted")
-    });
+    let clock = clock_of(&controller);
+    let stop = || {
+        clock.sleep(ms(1200));
+        stop.stop().expect("taken");
+    };
+    let stopped = beside(clock, stop, || robot.run(&slow, LONG).expect("accepted"));
     assert!(matches!(stopped.outcome, Outcome::Stopped), "{:?}", stopped.outcome);
     let by = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0).acceleration(100.0);
     let end = robot.run(&by, LONG).expect("accepted");
@@ -306,17 +315,16 @@ fn no_motion_is_sent_on_the_first_packet_of_a_backlog() {
     for _ in 0..2 {
         let mut robot = robot_of(&controller, &config).with_status_silence(LONG);
         let before = sent(&controller, "joint_move");
+        let clock = clock_of(&controller);
         controller.link(Port::Status).to_client().hold();
-        thread::sleep(ms(1100));
+        clock.sleep(ms(1100));
         controller.collide();
-        thread::sleep(ms(300));
-        let _ = thread::scope(|scope| {
-            scope.spawn(|| {
-                thread::sleep(ms(100));
-                controller.link(Port::Status).to_client().release();
-            });
-            robot.start(&to(30.0, 40.0))
-        });
+        clock.sleep(ms(300));
+        let release = || {
+            clock.sleep(ms(100));
+            controller.link(Port::Status).to_client().release();
+        };
+        let _ = beside(clock, release, || robot.start(&to(30.0, 40.0)));
         let now = sent(&controller, "joint_move") - before;
         gone_out += now;
         robot.client().clear_error().expect("fine");
@@ -337,18 +345,17 @@ fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
     delayed(&controller, ms(400));
     robot.start(&circle).expect("accepted");
     controller.link(Port::Command).to_client().hold();
-    let end = thread::scope(|scope| {
-        scope.spawn(|| {
-            thread::sleep(ms(1000));
-            // Its reply is held, but the stop is carried out.
-            drop(foreign.stop());
-        });
-        scope.spawn(|| {
-            thread::sleep(ms(3500));
-            controller.link(Port::Command).to_client().release();
-        });
-        robot.wait(ms(9000))
-    });
+    let clock = clock_of(&controller);
+    let stop = || {
+        clock.sleep(ms(1000));
+        // Its reply is held, but the stop is carried out.
+        drop(foreign.stop());
+    };
+    let release = || {
+        clock.sleep(ms(3500));
+        controller.link(Port::Command).to_client().release();
+    };
+    let end = beside(clock, stop, || beside(clock, release, || robot.wait(ms(9000))));
     let state = controller.state();
     if end.outcome.is_reached() {
         assert!(state.tcp_pose.distance_mm(&end_pose) < 0.5 && state.at_rest);
@@ -367,7 +374,7 @@ fn a_stop_that_fails_after_an_acknowledgement_keeps_the_next_motion_back() {
         thread::yield_now();
     }
     robot.acknowledge();
-    let stopped = stopping.join().expect("no panic");
+    let stopped = clock_of(&controller).outside(|| stopping.join()).expect("no panic");
     assert!(stopped.is_err());
     controller.link(Port::Command).to_controller().release();
     let result = robot.start(&to(5.0, 40.0));
@@ -382,7 +389,7 @@ fn servo_mode_is_not_entered_while_the_arm_moves() {
     let (controller, mut robot) = ready();
     delayed(&controller, ms(1500));
     robot.client().joint_move(&to(40.0, 20.0)).expect("accepted");
-    thread::sleep(ms(300));
+    clock_of(&controller).sleep(ms(300));
     let session = robot.enter_servo_mode(&ServoConfig::new());
     let state = controller.state();
     drop(session);
@@ -397,10 +404,10 @@ fn a_refused_motion_is_reported_within_its_deadline() {
     let mut far = up(0.0, 20.0);
     far.pose = Pose { x: 9000.0, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz: 0.0 };
     far.mode = LineMode::Absolute;
-    let since = Instant::now();
+    let since = clock_of(&controller).elapsed();
     let error = robot.run(&far, ms(200)).expect_err("it is not reachable");
-    let took = since.elapsed();
-    assert!(took < ms(2500), "{error} after {took:?}");
+    let took = clock_of(&controller).elapsed() - since;
+    assert!(took <= ms(200), "{error} after {took:?}");
 }
 
 #[test]
@@ -417,7 +424,8 @@ fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_reported(
             thread::yield_now();
         }
         let second = scope.spawn(|| two.stop());
-        [first, second].map(|stop| stop.join().expect("it does not panic"))
+        let join = |stop: thread::ScopedJoinHandle<'_, _>| clock_of(&controller).outside(|| stop.join());
+        [first, second].map(|stop| join(stop).expect("it does not panic"))
     });
     let end = robot.wait(LONG);
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
@@ -433,7 +441,7 @@ fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_reported(
 /// Neither does it hold up a stop.
 #[test]
 fn a_slow_predicate_holds_up_no_stop() {
-    let (_controller, mut robot) = ready();
+    let (controller, mut robot) = ready();
     let (stop, monitor) = (robot.stop_handle(), Arc::clone(robot.monitor()));
     let (looking, looks) = mpsc::channel();
     let (go_on, may_go_on) = mpsc::channel::<()>();
@@ -449,7 +457,7 @@ fn a_slow_predicate_holds_up_no_stop() {
         let moving = scope.spawn(|| robot.start(&to(5.0, 40.0)));
         // It goes out, or is refused because of the stop, and does not wait for observers.
         stop.stop().expect("the controller takes the stop");
-        let _ = moving.join().expect("it does not panic");
+        let _ = clock_of(&controller).outside(|| moving.join()).expect("it does not panic");
         drop(go_on);
     });
 }

@@ -2,20 +2,21 @@
 //! session, no stop that is lost. The arm itself is the witness: the simulator says where it is, and whether it is at rest.
 
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use jaka_sim::{Controller, Delays, Fault, LinkFault, Port, StatusFault};
+use jaka_sim::{Controller, Delays, Fault, LinkFault, Port, SimulatedClock, StatusFault};
 use jaka_sync::motion::{JointMove, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
-use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, MotionEnd, Outcome, Robot, ServoConfig};
+use jaka_sync::{Config, Error, ErrorKind, Monitor, MotionEnd, Outcome, Robot, ServoConfig};
+use jaka_tests::simulated::{beside, clock_of};
 
 const LONG: Duration = Duration::from_secs(60);
 const PERIOD: Duration = Duration::from_millis(30);
 
-/// An arm that is powered and enabled, at real time.
+/// An arm that is powered and enabled, by a simulated clock.
 fn arm() -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).status_period(PERIOD).start();
-    let controller = controller.expect("loopback has free ports");
+    let builder = Controller::builder().clock(&SimulatedClock::new()).delays(Delays::NONE);
+    let controller = builder.status_period(PERIOD).start().expect("loopback has free ports");
     controller.set_state(|state| {
         state.powered = true;
         state.enabled = true;
@@ -24,6 +25,7 @@ fn arm() -> Controller {
 }
 
 fn robot_of(controller: &Controller, config: &Config) -> Robot {
+    let config = config.clone().clock(clock_of(controller));
     let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     Robot::new(config.connect_client(controller.command_addr()).expect("the controller listens"), monitor)
@@ -61,16 +63,15 @@ fn assert_there(controller: &Controller, end: &MotionEnd, angle: f64) {
 fn old_status_after_a_stall_ends_no_motion() {
     let (controller, mut robot) = ready();
     // What the link holds is from before the motion: in position.
+    let clock = clock_of(&controller);
     controller.link(Port::Status).to_client().hold();
-    thread::sleep(Duration::from_millis(300));
+    clock.sleep(Duration::from_millis(300));
     robot.start(&to(50.0, 40.0)).expect("the command port is fine");
-    let end = thread::scope(|scope| {
-        scope.spawn(|| {
-            thread::sleep(Duration::from_millis(400));
-            controller.link(Port::Status).to_client().release();
-        });
-        robot.wait(LONG)
-    });
+    let release = || {
+        clock.sleep(Duration::from_millis(400));
+        controller.link(Port::Status).to_client().release();
+    };
+    let end = beside(clock, release, || robot.wait(LONG));
     assert_there(&controller, &end, 50.0);
 }
 
@@ -92,15 +93,15 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
     let (controller, mut robot) = ready();
     let stop = robot.client().stop_handle();
     let start = controller.state().tcp_pose.z;
-    let end = thread::scope(|scope| {
-        scope.spawn(|| {
-            while controller.state().tcp_pose.z < start + 15.0 {
-                thread::yield_now();
-            }
-            stop.stop().expect("the controller takes the stop");
-        });
-        robot.run(&up(100.0, 50.0), LONG)
-    });
+    let clock = clock_of(&controller);
+    let stop_where = |is_there: &(dyn Fn() -> bool + Sync)| {
+        while !is_there() {
+            clock.sleep(Duration::from_millis(8));
+        }
+        stop.stop().expect("the controller takes the stop");
+    };
+    let is_up = || controller.state().tcp_pose.z >= start + 15.0;
+    let end = beside(clock, || stop_where(&is_up), || robot.run(&up(100.0, 50.0), LONG));
     let end = end.expect("it is reachable");
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
     assert!(controller.state().tcp_pose.z < start + 90.0);
@@ -110,15 +111,8 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
         changed.joint_position = [40.0, 0.0, 0.0, 0.0, 0.0, 0.0].into();
         changed
     };
-    let end = thread::scope(|scope| {
-        scope.spawn(|| {
-            while joint_1(&controller) < 8.0 {
-                thread::yield_now();
-            }
-            stop.stop().expect("the controller takes the stop");
-        });
-        robot.run(&offset, LONG)
-    });
+    let is_turned = || joint_1(&controller) >= 8.0;
+    let end = beside(clock, || stop_where(&is_turned), || robot.run(&offset, LONG));
     assert!(matches!(end.expect("it is reachable").outcome, Outcome::Stopped));
 }
 
@@ -176,10 +170,10 @@ fn a_late_answer_delays_an_end_and_nothing_else() {
     assert_there(&controller, &robot.run(&to(5.0, 60.0), LONG).expect("it is reachable"), 5.0);
     // The deadline is kept, and the next wait takes the answer over.
     controller.inject_for("get_joint_pos", Fault::Hold);
-    let since = Instant::now();
+    let since = clock_of(&controller).elapsed();
     let end = robot.run(&to(15.0, 60.0), Duration::from_secs(2)).expect("it is reachable");
     assert!(matches!(end.outcome, Outcome::Deadline), "{:?}", end.outcome);
-    assert!(since.elapsed() < Duration::from_secs(20), "{:?}", since.elapsed());
+    assert_eq!(clock_of(&controller).elapsed() - since, Duration::from_secs(2));
     let queries = |requests: Vec<String>| requests.iter().filter(|request| request.contains("get_joint_pos")).count();
     let asked = queries(controller.requests());
     controller.release();
@@ -206,7 +200,7 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     let controller = arm();
     let mut robot = robot_of(&controller, &Config::new().stale_after(Duration::from_millis(200)));
     controller.link(Port::Status).to_client().hold();
-    thread::sleep(Duration::from_millis(300));
+    clock_of(&controller).sleep(Duration::from_millis(300));
     let before = controller.requests().len();
     let error = robot.run(&to(5.0, 60.0), LONG).expect_err("nobody knows how the arm is");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }) && !error.may_have_run(), "{error:?}");
@@ -225,9 +219,9 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     let mut robot = robot_of(&controller, &Config::new());
     controller.link(Port::Status).to_client().set(LinkFault::None);
     controller.status_fault(StatusFault::CloseAfter(0));
-    let since = Instant::now();
-    while robot.monitor().disconnect_cause().is_none() && since.elapsed() < LONG {
-        thread::yield_now();
+    let clock = clock_of(&controller);
+    while robot.monitor().disconnect_cause().is_none() && clock.elapsed() < LONG {
+        clock.sleep(Duration::from_millis(1));
     }
     let error = robot.start(&to(5.0, 60.0)).expect_err("nobody knows how the arm is");
     assert!(error.to_string().contains("make a new `Robot`"), "{error}");
@@ -313,7 +307,8 @@ fn two_concurrent_stops_keep_the_next_motion_back_until_both_are_reported() {
         robot.start(&to(target, 60.0)).expect("it is reachable");
         let started = thread::scope(|scope| {
             for stop in &stops {
-                scope.spawn(|| stop.stop().expect("the controller takes the stop"));
+                let place = clock_of(&controller).participant();
+                scope.spawn(|| place.run(|| stop.stop().expect("the controller takes the stop")));
             }
             let end = robot.wait(LONG);
             assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
@@ -333,12 +328,12 @@ fn two_concurrent_stops_keep_the_next_motion_back_until_both_are_reported() {
 
 /// How far joint 1 moves after a time.
 fn moves_on(controller: &Controller, for_time: Duration) -> f64 {
-    let from = joint_1(controller);
-    let since = Instant::now();
+    let (from, clock) = (joint_1(controller), clock_of(controller));
+    let since = clock.elapsed();
     let mut furthest: f64 = 0.0;
-    while since.elapsed() < for_time {
+    while clock.elapsed() - since < for_time {
         furthest = furthest.max((joint_1(controller) - from).abs());
-        thread::sleep(Duration::from_millis(5));
+        clock.sleep(Duration::from_millis(5));
     }
     furthest
 }
@@ -370,13 +365,13 @@ fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
     let (controller, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
     controller.link(Port::Command).hold();
-    let error = thread::scope(|scope| {
-        scope.spawn(|| {
-            thread::sleep(Duration::from_millis(400));
-            controller.link(Port::Command).release();
-        });
-        (0..2000).find_map(|_| session.send_joint_offset([0.02; 6]).err()).expect("nothing is answered")
-    });
+    let clock = clock_of(&controller);
+    let release = || {
+        clock.sleep(Duration::from_millis(400));
+        controller.link(Port::Command).release();
+    };
+    let mut go = || (0..2000).find_map(|_| session.send_joint_offset([0.02; 6]).err()).expect("nothing is answered");
+    let error = beside(clock, release, &mut go);
     assert!(matches!(error.kind(), ErrorKind::SetPointsUnanswered { .. }) && error.may_have_run(), "{error:?}");
     drop(session);
     assert!(!controller.state().servo_mode);
@@ -435,7 +430,8 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
     assert!(!controller.requests().iter().any(|request| request.contains("servo_move")));
     assert_there(&controller, &robot.wait(LONG), 20.0);
     // A motion that somebody else has sent is waited for.
-    let mut other = Client::connect(controller.command_addr()).expect("the controller listens");
+    let config = Config::new().clock(clock_of(&controller));
+    let mut other = config.connect_client(controller.command_addr()).expect("the controller listens");
     let monitor = robot.monitor().clone();
     let packets = monitor.subscribe(1000);
     other.joint_move(&to(30.0, 5.0)).expect("it is reachable");
@@ -443,15 +439,17 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
         |_| packets.next_packet_within(LONG).expect("packets come").status.in_position == Some(false);
     assert!((0..1000).any(packet_of_motion), "the arm moves");
     drop(robot);
-    let mut robot = Robot::new(Client::connect(controller.command_addr()).expect("the controller listens"), monitor);
+    let client = config.connect_client(controller.command_addr()).expect("the controller listens");
+    let mut robot = Robot::new(client, monitor);
     drop(robot.enter_servo_mode(&ServoConfig::new()).expect("the arm has come to rest"));
     assert!((joint_1(&controller) - 30.0).abs() < 0.01);
 }
 
 #[test]
 fn power_up_keeps_its_time_and_says_what_is_in_its_way() {
-    let controller = Controller::builder().status_period(PERIOD).start().expect("loopback has free ports");
-    let config = Config::new().stale_after(LONG);
+    let builder = Controller::builder().clock(&SimulatedClock::new()).status_period(PERIOD);
+    let controller = builder.start().expect("loopback has free ports");
+    let config = Config::new().stale_after(LONG).clock(clock_of(&controller));
     let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
     let mut robot =
         Robot::new(config.connect_client(controller.command_addr()).expect("the controller listens"), monitor);
