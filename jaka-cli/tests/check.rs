@@ -225,5 +225,6 @@ fn the_help_has_an_example() {
           -h, --help
                   Print help (see a summary with '-h')
 
-    "#]].assert_eq(help);
+    "#]]
+    .assert_eq(help);
 }

@@ -145,5 +145,6 @@ fn the_help_says_what_is_measured() {
           -h, --help
                   Print help (see a summary with '-h')
 
-    "#]].assert_eq(help);
+    "#]]
+    .assert_eq(help);
 }
