@@ -396,9 +396,16 @@ impl ErrorKind {
 }
 
 impl ErrorKind {
-    /// The text of an error of a guard or a wait for an input.
-    fn fmt_of_guard(&self, f: &mut impl Write) -> fmt::Result {
+    /// The text of an error that is about status packets, and what is judged by them.
+    fn fmt_of_status(&self, f: &mut impl Write) -> fmt::Result {
         match self {
+            Self::StateTimeout { after, packets, says } => {
+                write!(f, "the robot was not in the expected state within {after:?} ({packets} status packets came)")?;
+                says.as_ref().map_or(Ok(()), |says| write!(f, "; the last one says: {says}"))
+            }
+            Self::StatusUnknown { problem } => {
+                write!(f, "not sent, because the state of the robot is unknown: {problem}")
+            }
             Self::NotShown { what, reason } => write!(f, "it is not known whether {what}: {reason}"),
             Self::WaitEnded { what, problem } => {
                 write!(f, "the wait has ended, because it is not known any more whether {what}: {problem}")
@@ -455,18 +462,13 @@ impl fmt::Display for ErrorKind {
                 write!(f, "no status packet has shown the arm at rest at its last set-point within {after:?}")
             }
             Self::NotLanded { first, landing } => write!(f, "{first}; and the arm was not braked to rest: {landing}"),
-            Self::StateTimeout { after, packets, says } => {
-                write!(f, "the robot was not in the expected state within {after:?} ({packets} status packets came)")?;
-                says.as_ref().map_or(Ok(()), |says| write!(f, "; the last one says: {says}"))
-            }
-            Self::StatusUnknown { problem } => {
-                write!(f, "not sent, because the state of the robot is unknown: {problem}")
-            }
-            Self::NotShown { .. }
+            Self::StateTimeout { .. }
+            | Self::StatusUnknown { .. }
+            | Self::NotShown { .. }
             | Self::WaitEnded { .. }
             | Self::NotGuarded { .. }
             | Self::GuardTripped { .. }
-            | Self::NotStopped { .. } => self.fmt_of_guard(&mut f),
+            | Self::NotStopped { .. } => self.fmt_of_status(&mut f),
             Self::NotReady { explanation } => write!(f, "the robot cannot do this now: {explanation}"),
             Self::SetPointsUnanswered { count, oldest } => write!(
                 f,
