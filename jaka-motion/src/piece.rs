@@ -128,7 +128,7 @@ impl Piece {
     }
 
     fn way(&self, joint: usize) -> [f64; 6] {
-        let [a, b, c, d, e] = self.way[joint];
-        [0.0, a, b, c, d, e]
+        let way = self.way[joint];
+        std::array::from_fn(|index| if index == 0 { 0.0 } else { way[index - 1] })
     }
 }

@@ -60,11 +60,11 @@ fn slow_enough(points: &[TimedPoint], checker: &Checker) -> (Vec<TimedPoint>, Tr
         if let Ok(trajectory) = Trajectory::timed(&points, checker) {
             return (points, trajectory);
         }
-        points.iter_mut().for_each(|point| {
+        for point in &mut points {
             point.time_s *= 1.3;
             point.velocity = point.velocity.map(|speeds| speeds.map(|speed| speed / 1.3));
             point.acceleration = point.acceleration.map(|all| all.map(|one| one / 1.3 / 1.3));
-        });
+        }
     }
     panic!("no time is enough")
 }

@@ -91,14 +91,14 @@ pub(super) fn plan(lengths: &[f64], bounds: &[Bounds], corners: &[Corner]) -> Ve
     let speeds = corner_speeds(lengths, bounds, corners);
     let passage = |leg: usize| {
         let ends = [speeds[leg], speeds[leg + 1]];
-        let [before_s, corner_s] = [0, 1].map(|end| corners[leg + end].seconds(ends[end]));
-        let [from, after] = [0.5 * ends[0] * before_s, 0.5 * ends[1] * corner_s];
+        let [entry_s, exit_s] = [0, 1].map(|end| corners[leg + end].seconds(ends[end]));
+        let [from, after] = [0.5 * ends[0] * entry_s, 0.5 * ends[1] * exit_s];
         let bounds = bounds[leg];
         let way = lengths[leg] - from - after;
         let top = top_speed(way, bounds, ends);
         let steady = (way - bounds.way(ends[0], top) - bounds.way(top, ends[1])) / top;
         let seconds = [bounds.seconds(top - ends[0]), steady, bounds.seconds(top - ends[1])];
-        Passage { from, speeds: [ends[0], top, ends[1]], seconds, corner_s }
+        Passage { from, speeds: [ends[0], top, ends[1]], seconds, corner_s: exit_s }
     };
     (0..lengths.len()).map(passage).collect()
 }

@@ -135,7 +135,11 @@ impl Through {
         }
         let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
         let jerks = self.jerks.iter().flatten().map(|jerk| ("jerks", *jerk));
-        match speeds.chain(jerks).chain([("tcp_speed", self.tcp_speed)]).find(|(_, given)| !(*given > LEAST)) {
+        match speeds
+            .chain(jerks)
+            .chain([("tcp_speed", self.tcp_speed)])
+            .find(|(_, given)| given.is_nan() || *given <= LEAST)
+        {
             Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "above 0.001" }),
             None => Ok(()),
         }

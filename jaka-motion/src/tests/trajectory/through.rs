@@ -84,7 +84,7 @@ fn lines_are_straight_but_for_their_corners() {
         let start = checker.frames().pose(checker.limits().model().forward(HOME));
         let seen = |pose: Pose| checker.frames().pose(Transform::from(pose));
         let poses: Vec<_> =
-            std::iter::once(start).chain((0..1 + round % 5).map(|_| seen(some_pose(&mut random)))).collect();
+            std::iter::once(start).chain((0..=round % 5).map(|_| seen(some_pose(&mut random)))).collect();
         let points = std::iter::once(Via::from(HOME)).chain(poses[1..].iter().map(|pose| Via::from(*pose)));
         let trajectory = Trajectory::through(points).corner_mm(tolerance).build(&checker).expect("a way");
         for period_s in [0.001, 0.008] {
@@ -115,7 +115,7 @@ fn where_a_line_meets_a_way_in_joints_it_stops() {
     let trajectory = Trajectory::through(points).corner_mm(5.0).corner_deg(5.0).build(&checker).expect("a way");
     witness(&trajectory, &checker, 0.008);
     let found = trajectory.way_points();
-    assert_eq!(found[2].time_s, found[3].time_s);
+    assert!((found[2].time_s - found[3].time_s).abs() < 1e-12);
     assert!(found.iter().all(|point| point.passing == Passing::Stops));
 }
 
@@ -164,7 +164,7 @@ fn no_numbers_make_it_panic() {
         let mut number = |usual: f64| if random.below(8) == 0 { odd[random.below(8)] } else { usual };
         let pose = Pose::from(checker.limits().model().forward(HOME));
         let points = [
-            Via::from(HOME.map(|joint| number(joint))),
+            Via::from(HOME.map(&mut number)),
             HOME.map(|joint| joint + number(1.0)).into(),
             Pose { x: number(pose.x), y: number(pose.y), z: number(pose.z + 10.0), ..pose }.into(),
             Pose { rx: number(pose.rx), ry: number(pose.ry), rz: number(pose.rz + 3.0), ..pose }.into(),

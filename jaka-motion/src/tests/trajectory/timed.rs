@@ -23,7 +23,7 @@ fn points_are_passed_at_their_times_within_the_limits() {
         let (points, trajectory) = slow_enough(&points, &checker);
         for (point, way_point) in points.iter().zip(trajectory.way_points()) {
             let here = trajectory.at(point.time_s);
-            assert!(here.joints.max_distance(&point.joints) < 1e-11 && way_point.time_s == point.time_s);
+            assert!(here.joints.max_distance(&point.joints) < 1e-11 && (way_point.time_s - point.time_s).abs() < 1e-12);
             for (given, found) in [(point.velocity, here.velocity), (point.acceleration, here.acceleration)] {
                 let differ = |(given, found): (f64, f64)| (given - found).abs() > 1e-8;
                 assert!(!given.is_some_and(|given| given.into_iter().zip(found).any(differ)), "{given:?}, {found:?}");
