@@ -227,109 +227,114 @@ mod tests {
         }
     }
 
+    fn check(text: &str, expected: &Expect) {
+        expected.assert_eq(&text.parse::<Condition>().expect_err("it is not a condition"));
+    }
+
     #[test]
     fn errors_point_at_the_column() {
-        let check = |text: &str, expected: Expect| {
-            expected.assert_eq(&text.parse::<Condition>().expect_err("it is not a condition"));
-        };
         check(
             "enabled && in_positon",
-            expect![[r#"
+            &expect![[r"
             column 12: there is no status field `in_positon`; similar names: `in_position`
               enabled && in_positon
-                         ^"#]],
+                         ^"]],
         );
         check(
             "enabled & in_position",
-            expect![[r#"
+            &expect![[r#"
             column 9: `&&` stands for "and"
               enabled & in_position
                       ^"#]],
         );
         check(
             "rapid_rate = 1",
-            expect![[r#"
+            &expect![[r"
             column 12: `==` compares
               rapid_rate = 1
-                         ^"#]],
+                         ^"]],
         );
         check(
             "enabled > 1",
-            expect![[r#"
+            &expect![[r"
             column 9: a truth value and a number cannot be compared
               enabled > 1
-                      ^"#]],
+                      ^"]],
         );
         check(
             "enabled < in_position",
-            expect![[r#"
+            &expect![[r"
             column 9: truth values are compared with `==` and `!=` alone
               enabled < in_position
-                      ^"#]],
+                      ^"]],
         );
         check(
             "rapid_rate",
-            expect![[r#"
+            &expect![[r"
             column 1: this is a number: compare it, as in `rapid_rate > 0.5`
               rapid_rate
-              ^"#]],
+              ^"]],
         );
         check(
             "!rapid_rate",
-            expect![[r#"
+            &expect![[r"
             column 2: this is a number: compare it, as in `rapid_rate > 0.5`
               !rapid_rate
-               ^"#]],
+               ^"]],
         );
         check(
             "actual_position == 1",
-            expect![[r#"
+            &expect![[r"
             column 1: the status field `actual_position` is neither a truth value nor a number
               actual_position == 1
-              ^"#]],
+              ^"]],
         );
+    }
+
+    #[test]
+    fn errors_of_form_do_too() {
         check(
             "(enabled",
-            expect![[r#"
+            &expect![[r"
             column 9: expected `)`
               (enabled
-                      ^"#]],
+                      ^"]],
         );
         check(
             "enabled)",
-            expect![[r#"
+            &expect![[r"
             column 8: expected `&&`, `||` or the end
               enabled)
-                     ^"#]],
+                     ^"]],
         );
         check(
             "enabled and in_position",
-            expect![[r#"
+            &expect![[r"
             column 9: expected `&&`, `||` or the end
               enabled and in_position
-                      ^"#]],
+                      ^"]],
         );
         check(
             "rapid_rate == 1.5.14",
-            expect![[r#"
+            &expect![[r"
             column 15: `1.5.14` is not a number
               rapid_rate == 1.5.14
-                            ^"#]],
+                            ^"]],
         );
         check(
             "1 < rapid_rate < 2",
-            expect![[r#"
+            &expect![[r"
             column 16: compare two values at a time, and join comparisons with `&&`
               1 < rapid_rate < 2
-                             ^"#]],
+                             ^"]],
         );
-        check("", expect!["expected a field, a number, `!` or `(`"]);
+        check("", &expect!["expected a field, a number, `!` or `(`"]);
         check(
             "enabled §",
-            expect![[r#"
+            &expect![[r"
             column 9: `§` means nothing here
               enabled §
-                      ^"#]],
+                      ^"]],
         );
         let deep = "(".repeat(1000).parse::<Condition>().expect_err("it is not a condition");
         assert!(deep.starts_with("column 51: there are too many parts in each other"), "{deep}");

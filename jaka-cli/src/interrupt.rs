@@ -120,7 +120,12 @@ impl UnderWay {
                 let stop = stop.clone();
                 *stage = Stage::Moving(stop);
             }
-            Stage::Answered => {}
+            // The program is about to end, unless the reader of its output never continues.
+            Stage::Answered => {
+                drop(stage);
+                thread::sleep(PATIENCE);
+                end(exit::INTERRUPTED)
+            }
         }
     }
 

@@ -10,6 +10,10 @@ use jaka_sim::{Controller, Delays};
 use crate::common::interrupt;
 use crate::program::{Run, address_of, command, jaka, result};
 
+/// What happens while the arm moves.
+#[cfg(unix)]
+type Happening = fn(&Controller);
+
 /// A controller whose arm has no power.
 fn controller() -> Controller {
     Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
@@ -149,13 +153,13 @@ fn what_is_beyond_a_limit_is_not_sent() {
 #[test]
 fn what_is_wrong_on_the_line_is_told() {
     let text = |line: &str| jaka(line.split(' ')).text();
-    expect![[r#"
+    expect![[r"
         jaka: invalid value '0,90' for '--joints <DEG,...>': six numbers with commas between them are needed, such as 0,90,90,90,-90,0
 
         For more information, try '--help'.
         exit code 2
-    "#]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
-    expect![[r#"
+    "]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
+    expect![[r"
         jaka: the following required arguments were not provided:
           <--joints <DEG,...>|--pose <X,Y,Z,RX,RY,RZ>>
 
@@ -163,19 +167,19 @@ fn what_is_wrong_on_the_line_is_told() {
 
         For more information, try '--help'.
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text("move --speed 10 --sim"));
-    expect![[r#"
+    expect![[r"
         jaka: invalid value '7' for '<AXIS>': there are joints 1 to 6, and the axes x, y and z
 
         For more information, try '--help'.
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text("jog 7 5 --speed 10 --sim"));
-    expect![[r#"
+    expect![[r"
         jaka: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller
         exit code 2
-    "#]].assert_eq(&text("jog 1 5 --speed 0 --sim"));
+    "]].assert_eq(&text("jog 1 5 --speed 0 --sim"));
 }
 
 #[cfg(unix)]
@@ -238,7 +242,7 @@ fn a_script_ends_at_the_first_motion_that_fails() {
     let run = script(&quick, "60", |_| {});
     assert_eq!(run.code, Some(0), "{run:?}");
     assert_eq!((count(&quick, "joint_move"), count(&quick, "power_off")), (2, 1));
-    let ends: [(&str, fn(&Controller), i32); 5] = [
+    let ends: [(&str, Happening, i32); 5] = [
         ("60", Controller::collide, 23),
         ("60", Controller::press_emergency_stop, 24),
         ("60", Controller::cut_power, 25),

@@ -42,7 +42,7 @@ pub(crate) struct Status {
     /// End after this many packets; without --watch one a second
     #[arg(long, short = 'n', value_name = "N")]
     count: Option<NonZeroU64>,
-    /// Wait until a packet shows this, such as 'in_position && !protective_stop'; print that packet
+    /// Wait until a packet shows this, such as `in_position && !protective_stop`; print that packet
     ///
     /// Fields that are truth values; comparisons of numbers with ==, !=, <, <=, > and >=; &&, ||, ! and parentheses. With --watch, packets
     /// before it are printed, too. The exit code is 27 if it is not shown within --timeout, and 130 on Ctrl-C.

@@ -12,11 +12,11 @@ fn check(line: &str, expected: &Expect) {
 fn unknown_commands_suggest_the_nearest() {
     check(
         "joint_mov --speed 1",
-        &expect![[r#"
+        &expect![[r"
             jaka: there is no command `joint_mov`
             `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "zzzzzzzz",
@@ -224,25 +224,25 @@ fn whole_requests_are_checked_too() {
     );
     check(
         r#"--params {"cmdName":"power_of"} --dry-run"#,
-        &expect![[r#"
+        &expect![[r"
             jaka: there is no command `power_of`
             `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "--params {} --dry-run",
-        &expect![[r#"
+        &expect![[r"
             jaka: no command is named: name it on the line, or as `cmdName` in the request
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "power_on --params [1] --dry-run",
-        &expect![[r#"
+        &expect![[r"
             jaka: the request is not a JSON object: invalid type: sequence, expected a map at line 1 column 0
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "power_on --params @no/such/file --dry-run",
@@ -299,10 +299,10 @@ fn raw_requests_go_out_as_they_are() {
     );
     check(
         "--raw --dry-run",
-        &expect![[r#"
+        &expect![[r"
             jaka: no command is named: name it on the line, or as `cmdName` in the request
             exit code 2
-        "#]],
+        "]],
     );
 }
 

@@ -12,6 +12,9 @@ use crate::program::{Run, address_of, command, jaka, result};
 
 const LONG: Duration = Duration::from_secs(30);
 
+/// What happens while the arm moves.
+type Happening = fn(&Controller);
+
 /// 90 deg of the first joint in 9 s.
 const SLOW: &str = "joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 10 --yes --wait";
 
@@ -49,7 +52,7 @@ fn a_motion_that_reaches_its_target_is_a_success() {
 
 #[test]
 fn each_outcome_has_its_exit_code() {
-    let ends: [(&str, fn(&Controller), i32, &str); 6] = [
+    let ends: [(&str, Happening, i32, &str); 6] = [
         ("", Controller::collide, 23, "protective stop"),
         ("", Controller::press_emergency_stop, 24, "emergency stop"),
         ("", Controller::cut_power, 25, "no longer powered"),

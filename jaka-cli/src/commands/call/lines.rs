@@ -25,7 +25,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
     let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
     let connection =
-        if options.wait { Connection::Robot(target.robot()?) } else { Connection::Client(target.client()?) };
+        if options.wait { Connection::Robot(Box::new(target.robot()?)) } else { Connection::Client(target.client()?) };
     let mut session = Session { protocol, options, target, connection, under_way };
     let mut first = Ok(());
     session.under_way.idle();
@@ -51,7 +51,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
 enum Connection {
     Client(Client),
     /// Motions are waited for.
-    Robot(Robot),
+    Robot(Box<Robot>),
 }
 
 struct Session<'s> {

@@ -36,7 +36,8 @@ pub(super) struct Options {
     /// Wait until the motion has ended, and tell by the exit code how; Ctrl-C stops the arm
     ///
     /// The arm is where it was sent if the controller says so when it is asked after the motion. The wait ends after 300 s, or after
-    /// --timeout; the motion does not. For joint_move, end_move, moveL, movc and start_torq_sensor_payload_identify.
+    /// --timeout; the motion does not. For `joint_move`, `end_move`, `moveL`, `movc` and
+    /// `start_torq_sensor_payload_identify`.
     #[arg(long)]
     pub(super) wait: bool,
     /// Print the bytes that would be sent, and send nothing

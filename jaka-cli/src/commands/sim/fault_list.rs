@@ -21,7 +21,7 @@ pub(super) fn text() -> String {
 /// The words of all faults of replies.
 pub(super) fn words() -> String {
     let faults = Fault::one_of_each();
-    let words: Vec<_> = faults.iter().map(|fault| fault.to_string()).collect();
+    let words: Vec<_> = faults.iter().map(ToString::to_string).collect();
     let words: Vec<_> = words.iter().filter_map(|text| text.split(' ').next()).collect();
     words.join(", ")
 }
