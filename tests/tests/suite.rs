@@ -20,6 +20,7 @@ mod io_waits;
 mod kinematics;
 mod landing;
 mod limits;
+mod mistakes;
 mod monitor;
 mod motion;
 mod odd_replies;
