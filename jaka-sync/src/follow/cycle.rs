@@ -126,7 +126,8 @@ impl<'o> Way<'o> {
         };
         let outcome = match &error {
             Some(error) => FollowOutcome::of(error, session.shown_after(error).as_ref()),
-            None if self.follower.is_at_end() => FollowOutcome::Completed,
+            None if self.follower.is_at_end() && session.rest_was_seen() => FollowOutcome::Completed,
+            None if self.follower.is_at_end() => FollowOutcome::RestNotSeen,
             None if self.is_overdue => FollowOutcome::Deadline,
             None => FollowOutcome::Stopped,
         };

@@ -136,17 +136,7 @@ impl FollowEnd {
 
     /// True if packets have shown the arm at rest at its last set-point. False where that is not known: look at the arm then.
     pub fn is_at_rest(&self) -> bool {
-        match self.error.as_ref().map(Error::kind) {
-            None => true,
-            Some(ErrorKind::NotAcknowledged { outcome }) => matches!(outcome, Outcome::Stopped),
-            Some(kind) => matches!(
-                kind,
-                ErrorKind::GuardTripped { .. }
-                    | ErrorKind::Departed { .. }
-                    | ErrorKind::SetPointLate { .. }
-                    | ErrorKind::BeyondLimit { .. }
-            ),
-        }
+        self.report.rest_was_seen
     }
 }
 

@@ -42,6 +42,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             let refused = self.report.refused.saturating_add(outstanding);
             self.brake(braking, refused).and_then(|()| self.hold(refused))
         } else {
+            // It was entered at rest.
+            self.report.rest_was_seen = true;
             Ok(())
         };
         self.robot.expect_set_point(None);
@@ -77,6 +79,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             }
             let packet = self.robot.monitor().last_known_packet();
             if packet.is_some_and(|packet| rest.is_seen(&S::snapshot(&packet))) {
+                self.report.rest_was_seen = true;
                 return Ok(());
             }
             let is_blind = self.robot.monitor().fresh_packet().is_err();

@@ -42,6 +42,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.leave_landed(landed)
     }
 
+    /// Whether packets showed the arm at rest before servo mode was left.
+    #[cfg(feature = "stream")]
+    pub(crate) fn rest_was_seen(&self) -> bool {
+        self.report.rest_was_seen
+    }
+
     /// What the session did, once it has ended.
     #[cfg(feature = "stream")]
     pub(crate) fn into_report(mut self) -> ServoReport {
@@ -51,7 +57,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     fn leave_landed(&mut self, landed: Result<(), Error>) -> Result<(), Error> {
         let answers = self.last_answers();
         let left = self.leave();
-        let first = answers.err().or(self.refusal.take()).or(landed.err()).map(|error| self.explained(error));
+        let first = answers.err().or(self.refusal.take()).map(|error| self.explained(error));
+        let first = match (first, landed) {
+            // That of a connection that is lost says so.
+            (Some(first), Err(landing)) if !first.is_disconnected() => Some(not_seen(first, landing)),
+            (first, landed) => first.or(landed.err()).map(|error| self.explained(error)),
+        };
         match (first, left) {
             (first, Ok(())) => first.map_or(Ok(()), Err),
             (first, Err(leaving)) => Err(not_left(first, leaving)),

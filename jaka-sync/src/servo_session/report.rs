@@ -22,6 +22,9 @@ pub struct ServoReport {
     pub refused: u64,
     /// Set-points whose answers never came.
     pub unanswered: u64,
+    /// True if packets showed the arm at rest at its last set-point before servo mode was left. False where none came and motions are allowed without a
+    /// known status, and where the error says so.
+    pub rest_was_seen: bool,
     /// The most answers that were outstanding at once.
     pub most_outstanding: usize,
     lateness: Histogram,

@@ -95,7 +95,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Waits for the next cycle and sends a set-point for all joints.
     ///
     /// # Errors
-    /// The session has ended after each of them, and the arm was braked unless the text says otherwise; [`ErrorKind::ServoModeNotLeft`] if
+    /// The session has ended after each of them, and the arm was braked unless the text says otherwise or the controller refused: it follows no
+    /// more set-points then, those that brake included; [`ErrorKind::ServoModeNotLeft`] if
     /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
     /// - [`ErrorKind::InvalidArgument`]: a joint would have to be too fast, or to become so too soon. The set-point was not sent.
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
