@@ -40,6 +40,9 @@ struct End {
 
 impl SetPoints {
     /// Begins to listen, for one client of this controller. `is_expected` judges the joint positions of each set-point, by its number from 0.
+    ///
+    /// # Panics
+    /// Loopback has no free port.
     pub fn watch(
         clock: &SimulatedClock,
         controller: SocketAddr,
