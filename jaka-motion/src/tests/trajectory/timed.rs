@@ -127,7 +127,7 @@ fn what_is_beyond_a_limit_is_refused_with_its_place() {
         texts,
         [
             "after way-point 1, at 0.532 s: the tool centre point would move at 100.01 mm/s; limit 100 (Zu 5)",
-            "after way-point 1, at 2.456 s: the tool centre point would be 3.2 mm beyond `table` (Zu 5)",
+            "after way-point 1, at 2.442 s: the tool centre point would be 2.3 mm beyond `table` (Zu 5)",
         ]
     );
 }
