@@ -29,14 +29,14 @@ impl TimedPoint {
     /// 1.0,0.1,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
     /// ";
     /// let points = TimedPoint::from_csv(text, "way.csv")?;
-    /// assert_eq!(points[1].joints.0[1], 60.0);
+    /// assert!((points[1].joints.0[1] - 60.0).abs() < 1e-12);
     /// assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv")?, points);
     ///
     /// let errors = TimedPoint::from_csv(&text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6"), "way.csv").unwrap_err();
     /// assert_eq!(
     ///     errors.to_string(),
     ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\
-    ///      way.csv:1:68: unknown column `joint_6`; is it `joint_6_rad`?\n\
+    ///      way.csv:1:68: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad` and the like\n\
     ///      way.csv:3:5: joint_1_rad: found `O.1`, expected a finite number"
     /// );
     /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
