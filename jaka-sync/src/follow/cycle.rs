@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::mpsc::SyncSender;
 use std::time::Duration;
 
-use jaka_motion::{Follower, Trajectory};
+use jaka_motion::{Checker, Follower, Trajectory};
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
@@ -46,12 +46,13 @@ pub(super) fn run<S: MotionStatus>(
         let _ = ready.send((Err(error), clock.hand_over()));
         None
     };
-    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config);
+    let mut checked = None;
+    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config).map(|with| checked = Some(with));
     let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };
-    let mut way = match Way::new(&session, trajectory, config, orders) {
+    let mut way = match Way::new(&session, (trajectory, checked.as_ref()), config, orders) {
         Ok(way) => way,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
@@ -82,13 +83,16 @@ struct Way<'o> {
 impl<'o> Way<'o> {
     fn new<S: MotionStatus>(
         session: &ServoSession<'_, S>,
-        trajectory: &Trajectory,
+        (trajectory, checked): (&Trajectory, Option<&Checker>),
         config: &FollowConfig,
         orders: &'o Orders,
     ) -> Result<Self, Error> {
         let (checker, at) = session.checker_and_start().ok_or_else(start::no_limits)?;
         // A frame may have changed since, or the arm have moved.
-        start::check_with(checker, at, trajectory, config)?;
+        if checked != Some(checker) {
+            start::check_limits(checker, trajectory)?;
+        }
+        start::check_start(checker, at, trajectory, config)?;
         let period = config.servo.period();
         let approach = Approach::new(checker, at, trajectory.start(), config.approach_deg_s, period.as_secs_f64())?;
         Ok(Self {

@@ -11,12 +11,12 @@ use crate::{Error, ErrorKind, MotionStatus, Robot, Unchecked};
 /// How far, in degrees, the joints may be from where the trajectory starts: what controllers round off. Ours.
 const AT_START_DEG: f64 = 0.01;
 
-/// Checks all that can be checked without servo mode.
+/// Checks all that can be checked without servo mode; what it was compared with.
 pub(super) fn check<S: MotionStatus>(
     robot: &mut Robot<S>,
     trajectory: &Trajectory,
     config: &FollowConfig,
-) -> Result<(), Error> {
+) -> Result<Checker, Error> {
     if robot.limits().is_none() {
         return Err(no_limits());
     }
@@ -24,17 +24,24 @@ pub(super) fn check<S: MotionStatus>(
     let timeout = config.servo.enter_timeout;
     let pose = robot.tcp_pose(timeout)?;
     robot.prepare_set_points(at, pose, timeout)?;
-    robot.limits().map_or_else(|| Err(no_limits()), |checker| check_with(checker, at, trajectory, config))
+    let checker = robot.limits().ok_or_else(no_limits)?;
+    check_limits(checker, trajectory)?;
+    check_start(checker, at, trajectory, config)?;
+    Ok(checker.clone())
 }
 
-/// Checks the trajectory, and the way from where the arm is to its start.
-pub(super) fn check_with(
+/// Checks the trajectory.
+pub(super) fn check_limits(checker: &Checker, trajectory: &Trajectory) -> Result<(), Error> {
+    trajectory.check(checker).map_err(|source| ErrorKind::Trajectory { source }.into())
+}
+
+/// Checks where the arm is, and the way from there to the start of the trajectory.
+pub(super) fn check_start(
     checker: &Checker,
     at: JointPosition,
     trajectory: &Trajectory,
     config: &FollowConfig,
 ) -> Result<(), Error> {
-    trajectory.check(checker).map_err(|source| Error::from(ErrorKind::Trajectory { source }))?;
     let start = trajectory.start();
     let off = |joint: usize| (start.0[joint] - at.0[joint]).abs();
     let worst = (0..6).fold(0, |worst, joint| if off(joint) > off(worst) { joint } else { worst });

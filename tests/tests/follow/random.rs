@@ -117,13 +117,15 @@ fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
     }
 }
 
-/// Ten arms at once: each waits most of the time.
+/// How many arms there are at once: each waits most of the time.
+const AT_ONCE: u32 = 10;
+
 #[test]
 fn on_the_wire_they_stay_on_the_curve_and_within_the_limits() {
-    let (all, at_once) = (count(10), 10);
-    for first in (0..all).step_by(at_once) {
+    let all = count(10);
+    for first in (0..all).step_by(AT_ONCE as usize) {
         thread::scope(|scope| {
-            for seed in first..all.min(first + at_once as u32) {
+            for seed in first..all.min(first + AT_ONCE) {
                 scope.spawn(move || follow_at_random(1_000_000 + seed));
             }
         });
