@@ -86,6 +86,10 @@ pub const STATUS_PORT: u16 = 10000;
 #[doc = include_str!("../docs/newer-firmware.md")]
 pub mod newer_firmware {}
 
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/cookbook.md")]
+pub mod cookbook {}
+
 /// What macros of this crate name; no part of the interface.
 #[doc(hidden)]
 pub mod __private {
