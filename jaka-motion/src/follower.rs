@@ -69,7 +69,7 @@ impl Follower {
     /// Before the first set-point the rate is this at once.
     pub fn set_scale(&mut self, scale: f64) {
         self.scale = if scale.is_nan() { 0.0 } else { scale.clamp(0.0, 1.0) };
-        if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step == [0.0; 6] {
+        if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step.iter().all(|step| *step == 0.0) {
             self.state.rate = self.scale;
         }
     }

@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let angle = 5.0 - 5.0 * (f64::from(cycle) / 1000.0 * TAU).cos();
         session.send_joints([start[0], start[1], start[2], start[3], start[4], start[5] + angle])?;
     }
-    let lasted = clock.elapsed() - since;
+    let lasted = clock.elapsed().saturating_sub(since);
     let report = session.land()?;
     println!("{} set-points in {lasted:?}, {} of them late", report.cycles, report.late_cycles);
     println!(

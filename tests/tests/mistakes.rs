@@ -145,9 +145,12 @@ fn fits(quotation: &str, message: &str) -> bool {
     })
 }
 
+/// What is told, line by line.
+type Mistake = fn() -> Vec<String>;
+
 #[test]
 fn each_of_the_ten_mistakes_is_told_as_the_page_says() {
-    let mistakes: [(&str, fn() -> Vec<String>); 10] = [
+    let mistakes: [(&str, Mistake); 10] = [
         ("Wrong address", wrong_address),
         ("The arm has no power", robot_off),
         ("The arm is not enabled", not_enabled),

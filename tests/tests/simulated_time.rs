@@ -52,7 +52,7 @@ fn memory_kib() -> Option<u64> {
 
 /// Joint 6 at a cycle: it swings by 10 deg each 8 s, from rest to rest.
 fn swing(cycle: u64) -> f64 {
-    let phase = (cycle % 1000) as f64 / 1000.0 * std::f64::consts::TAU;
+    let phase = f64::from(u32::try_from(cycle % 1000).unwrap_or_default()) / 1000.0 * std::f64::consts::TAU;
     5.0 - 5.0 * phase.cos()
 }
 
@@ -106,11 +106,11 @@ fn no_cycle_of_a_long_stream_is_late_or_missing() {
     let stream = robot.stream(&StreamConfig::new()).expect("the arm is at rest");
     let since = clock.elapsed();
     for target in 0..minutes() * 60 * 20 {
-        let angle = (target * 7919 % 40) as f64;
+        let angle = f64::from(u32::try_from(target * 7919 % 40).unwrap_or_default());
         stream.set_joints([angle - 10.0, START[1], START[2], START[3], START[4], angle]).expect("it is within limits");
         clock.sleep(Duration::from_millis(50));
     }
-    let lasted = clock.elapsed() - since;
+    let lasted = clock.elapsed().saturating_sub(since);
     let report = stream.land().expect("the arm comes to rest");
     let seen = wire.seen();
     println!("{} set-points in {:?} of real time, {report:?}", seen.count, began.elapsed());
@@ -164,7 +164,7 @@ fn replies_and_timeouts_come_at_their_times() {
     let connect = || config(&controller).connect_client(controller.command_addr()).expect("the controller listens");
     let took = |client: &mut Client| {
         let since = clock.elapsed();
-        (client.get_joint_pos().is_ok(), clock.elapsed() - since)
+        (client.get_joint_pos().is_ok(), clock.elapsed().saturating_sub(since))
     };
     let mut client = connect();
     assert_eq!(took(&mut client), (true, Duration::ZERO));
@@ -197,7 +197,7 @@ fn a_monitor_connects_again_after_its_delay() {
     while robot.monitor().statistics().reconnects == 0 {
         robot.monitor().next_packet().ok();
     }
-    assert_eq!(clock.elapsed() - since, Duration::from_secs(10));
+    assert_eq!(clock.elapsed().saturating_sub(since), Duration::from_secs(10));
 }
 
 #[test]
@@ -208,6 +208,6 @@ fn powering_up_takes_the_arms_time_and_no_other() {
     let since = clock.elapsed();
     robot.power_up(LONG).expect("nothing is in its way");
     // 8 s and 3.5 s, queries each 100 ms, and the packet that shows it.
-    let took = (clock.elapsed() - since).as_millis();
+    let took = clock.elapsed().saturating_sub(since).as_millis();
     assert!((11_500..11_800).contains(&took), "{took} ms");
 }

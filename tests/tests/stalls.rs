@@ -173,7 +173,7 @@ fn a_late_answer_delays_an_end_and_nothing_else() {
     let since = clock_of(&controller).elapsed();
     let end = robot.run(&to(15.0, 60.0), Duration::from_secs(2)).expect("it is reachable");
     assert!(matches!(end.outcome, Outcome::Deadline), "{:?}", end.outcome);
-    assert_eq!(clock_of(&controller).elapsed() - since, Duration::from_secs(2));
+    assert_eq!(clock_of(&controller).elapsed().saturating_sub(since), Duration::from_secs(2));
     let queries = |requests: Vec<String>| requests.iter().filter(|request| request.contains("get_joint_pos")).count();
     let asked = queries(controller.requests());
     controller.release();
@@ -331,7 +331,7 @@ fn moves_on(controller: &Controller, for_time: Duration) -> f64 {
     let (from, clock) = (joint_1(controller), clock_of(controller));
     let since = clock.elapsed();
     let mut furthest: f64 = 0.0;
-    while clock.elapsed() - since < for_time {
+    while clock.elapsed().saturating_sub(since) < for_time {
         furthest = furthest.max((joint_1(controller) - from).abs());
         clock.sleep(Duration::from_millis(5));
     }

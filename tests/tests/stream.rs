@@ -299,7 +299,7 @@ fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_t
             filters
                 .iter()
                 .zip(underruns.iter().cycle())
-                .for_each(|(filter, underrun)| lands_with_lag(filter, *underrun))
+                .for_each(|(filter, underrun)| lands_with_lag(filter, *underrun));
         });
         scope.spawn(|| filters.iter().for_each(trips_by_deviation));
     });
@@ -308,7 +308,7 @@ fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_t
 fn lagging(filter: &SetServoMoveFilter, underrun: Underrun, trip: Trip) -> (Controller, Robot, StreamConfig) {
     let builder = Controller::builder().lag(Duration::from_millis(80)).underrun(underrun).trips([trip]);
     let (controller, robot) = of_builder(builder, &Config::new().stale_after(LONG));
-    let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(LONG).filter(filter.clone());
+    let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(LONG).filter(*filter);
     let robot = robot.with_limits(limits()).expect("it is this arm");
     (controller, robot, StreamConfig::new().servo(servo).max_gap(LONG).max_departure(1000.0))
 }

@@ -159,10 +159,10 @@ impl Case {
     /// On lines the tool is no further off than a corner may be, and nowhere nearer to a singularity than it may be.
     fn lines_are_straight(&self) -> Result<(), String> {
         let Some([_, mm, _]) = self.tolerances else { return Ok(()) };
-        let (ways, times) = (self.points.windows(2), self.trajectory.way_points().windows(2));
+        let (ways, ends) = (self.points.windows(2), self.trajectory.way_points().windows(2));
         let start = self.tool(self.trajectory.start().0).map(|row| row[3]);
         let mut from = start;
-        for (ways, times) in ways.zip(times) {
+        for (ways, ends) in ways.zip(ends) {
             let Via::Line(to) = ways[1] else {
                 let Via::Joints(joints) = ways[1] else { continue };
                 from = self.tool(joints.0).map(|row| row[3]);
@@ -171,9 +171,9 @@ impl Case {
             let to = Pose::position_mm(&to);
             // A line that starts nearer to a singularity may lead away from it.
             let nearest = |time_s: f64| self.rig.bounds.nearest_singularity(self.trajectory.at(time_s).joints.0);
-            let least = self.rig.bounds.least.min(nearest(times[0].time_s)).min(nearest(times[1].time_s));
+            let least = self.rig.bounds.least.min(nearest(ends[0].time_s)).min(nearest(ends[1].time_s));
             for place in 0..=60 {
-                let time_s = times[0].time_s + f64::from(place) / 60.0 * (times[1].time_s - times[0].time_s);
+                let time_s = ends[0].time_s + f64::from(place) / 60.0 * (ends[1].time_s - ends[0].time_s);
                 let joints = self.trajectory.at(time_s).joints.0;
                 let off = off_line(self.tool(joints).map(|row| row[3]), from, to);
                 if off > mm + OFF_LINE.0 {

@@ -83,13 +83,13 @@ struct Way<'o> {
 impl<'o> Way<'o> {
     fn new<S: MotionStatus>(
         session: &ServoSession<'_, S>,
-        (trajectory, checked): (&Trajectory, Option<&Checker>),
+        (trajectory, known_by): (&Trajectory, Option<&Checker>),
         config: &FollowConfig,
         orders: &'o Orders,
     ) -> Result<Self, Error> {
         let (checker, at) = session.checker_and_start().ok_or_else(start::no_limits)?;
         // A frame may have changed since, or the arm have moved.
-        if checked != Some(checker) {
+        if known_by != Some(checker) {
             start::check_limits(checker, trajectory)?;
         }
         start::check_start(checker, at, trajectory, config)?;

@@ -58,12 +58,13 @@ impl FollowOutcome {
             ErrorKind::RestNotSeen { first: None, .. } => Self::RestNotSeen,
             ErrorKind::ServoModeNotLeft { first: None, leaving } => Self::of_kind(leaving.kind()),
             ErrorKind::NotAcknowledged { outcome: Outcome::Stopped } => Self::Stopped,
-            ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } } => Self::StatusLost,
             ErrorKind::GuardTripped { .. } => Self::Guard,
             ErrorKind::Refused { .. } => Self::Refused,
             ErrorKind::SetPointLate { .. } => Self::Underrun,
             ErrorKind::Departed { .. } => Self::Departed,
-            ErrorKind::StatusUnknown { .. } => Self::StatusLost,
+            ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } } | ErrorKind::StatusUnknown { .. } => {
+                Self::StatusLost
+            }
             ErrorKind::SetPointsUnanswered { .. } => Self::LinkLost,
             _ => Self::Failed,
         }

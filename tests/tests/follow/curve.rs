@@ -88,12 +88,12 @@ pub(super) fn are_on(
     let mut times = Vec::new();
     let mut least = 0.0;
     for (index, joints) in set_points.iter().enumerate() {
-        let (time_s, off) = nearest(curve, duration_s, joints, least);
+        let (on_s, off) = nearest(curve, duration_s, joints, least);
         if off > ON_CURVE {
-            return Err(format!("set-point {index} is {off} deg from the curve: {joints:?}, next to {time_s} s"));
+            return Err(format!("set-point {index} is {off} deg from the curve: {joints:?}, next to {on_s} s"));
         }
-        times.push(time_s);
-        least = time_s;
+        times.push(on_s);
+        least = on_s;
     }
     Ok(times)
 }

@@ -7,6 +7,7 @@ use jaka_sim::{Fault, Port};
 use jaka_sync::Guard;
 use jaka_sync::jaka_motion::TimedPoint;
 use jaka_sync::status::RobotStatus;
+use jaka_sync::types::JointPosition;
 
 use super::*;
 
@@ -194,7 +195,10 @@ fn a_run_that_is_dropped_or_unwinds_stops_along_the_trajectory() {
         assert_eq!(end.is_err(), panics);
         let (set_points, _) = set_points(&controller);
         to_and_fro().has(&set_points).expect("they are on the curve");
-        assert!(set_points.len() < 90 && set_points[set_points.len() - 2] == set_points[set_points.len() - 1]);
+        assert!(
+            set_points.len() < 90
+                && JointPosition(set_points[set_points.len() - 2]) == JointPosition(set_points[set_points.len() - 1])
+        );
         assert!(!controller.state().servo_mode);
         robot.client().get_version().expect("the connection works");
     }

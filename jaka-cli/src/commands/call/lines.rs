@@ -24,8 +24,11 @@ use crate::{motion, output};
 pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Failure> {
     let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
-    let connection =
-        if options.wait { Connection::Robot(Box::new(target.robot()?)) } else { Connection::Client(target.client()?) };
+    let connection = if options.wait {
+        Connection::Robot(Box::new(target.robot()?))
+    } else {
+        Connection::Client(Box::new(target.client()?))
+    };
     let mut session = Session { protocol, options, target, connection, under_way };
     let mut first = Ok(());
     session.under_way.idle();
@@ -49,7 +52,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
 
 /// The connection for all lines.
 enum Connection {
-    Client(Client),
+    Client(Box<Client>),
     /// Motions are waited for.
     Robot(Box<Robot>),
 }
