@@ -10,6 +10,7 @@ mod check;
 mod clear;
 mod completions;
 mod down;
+mod export;
 mod follow;
 mod jitter;
 mod jog;
@@ -47,6 +48,7 @@ pub(crate) enum Command {
     Sim(Box<sim::Sim>),
     Record(record::Record),
     Replay(replay::Replay),
+    Export(export::Export),
     Spec(spec::Spec),
     Completions(completions::Completions),
 }
@@ -71,6 +73,7 @@ impl Command {
             Self::Sim(command) => command.run(),
             Self::Record(command) => command.run(),
             Self::Replay(command) => command.run(),
+            Self::Export(command) => command.run(),
             Self::Spec(command) => command.run(),
             Self::Completions(command) => command.run(),
         }

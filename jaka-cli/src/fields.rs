@@ -6,7 +6,13 @@ mod suggestions;
 use jaka_spec::{Scalar, Shape as Wire, Type};
 use serde_json::{Map, Value};
 
+use crate::failure::Failure;
 use crate::packs::of_status;
+
+/// The fields that are shown by default.
+const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_stop,drag_status,task_mode,\
+                     interpreter_state,rapid_rate,error_code,error_message,joint_actual_position,actual_position,\
+                     tcp_speed,current_tool_id,current_user_frame_id";
 
 /// A field of the status packet, or a part of one.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,6 +60,17 @@ impl Field {
     /// All fields of the packet, in the order of the spec.
     pub(crate) fn all() -> Vec<Self> {
         Self::packet().members()
+    }
+
+    /// The fields that are named, with commas between them: the usual ones where none are, and all of them for `all`.
+    ///
+    /// # Errors
+    /// There is no field of a name; the message has similar ones.
+    pub(crate) fn named(names: Option<&str>) -> Result<Vec<Self>, Failure> {
+        match names.unwrap_or(USUAL) {
+            "all" => Ok(Self::all()),
+            names => names.split(',').map(|name| Self::find(name).map_err(Failure::Usage)).collect(),
+        }
     }
 
     /// The field at a path of names, in Rust or on the wire, and indices: `joint_actual_position[0]`.

@@ -179,6 +179,7 @@ fn the_help_explains_exit_codes() {
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
           replay       Serve a recording in place of a robot until it is interrupted, or show it
+          export       Write the status packets of a recording as a table, a line for each packet
           spec         Check specs and packs, compare them, and make documents from them
           completions  Print the completion script of a shell
           help         Print this message or the help of the given subcommand(s)

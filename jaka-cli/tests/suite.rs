@@ -3,6 +3,7 @@
 mod call;
 mod check;
 mod common;
+mod export;
 mod follow;
 mod guide;
 mod held_packets;

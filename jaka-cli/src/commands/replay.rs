@@ -4,22 +4,20 @@ mod filter;
 mod show;
 mod summary;
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use jaka_sim::{Controller, Replay as Mode, ReplayTiming};
-use jaka_sync::recording::Recording;
 
 use self::filter::FilterArgs;
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
 use crate::listen::ListenArgs;
 use crate::number::count;
-use crate::output;
+use crate::{output, recorded};
 
 /// The interval at which Ctrl-C is checked.
 const TICK: Duration = Duration::from_millis(100);
@@ -68,7 +66,7 @@ enum TimingName {
 
 impl Replay {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let recording = read(&self.file)?;
+        let recording = recorded::read(&self.file)?;
         if self.show {
             return show::print(&recording, &self.filter.filter(&recording));
         }
@@ -89,17 +87,6 @@ impl Replay {
             told => Err(Failure::Departs(count(told, "deviation") + " from the recording")),
         }
     }
-}
-
-/// Reads a recording. One whose last line is cut off, as after a crash, is still used.
-fn read(path: &Path) -> Result<Recording, Failure> {
-    let file = fs::read(path);
-    let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
-    let recording = Recording::read(&file).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
-    if let Some(error) = &recording.truncated {
-        output::tell(&format!("warning: {}: the file ends in the middle of a line: {error}", path.display()));
-    }
-    Ok(recording)
 }
 
 /// Prints deviations as they come, and returns how many there were.

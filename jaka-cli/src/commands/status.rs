@@ -26,11 +26,6 @@ use crate::packs::SpecArgs;
 use crate::seconds::seconds;
 use crate::target::RobotArgs;
 
-/// The fields that are shown by default.
-const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_stop,drag_status,task_mode,\
-                     interpreter_state,rapid_rate,error_code,error_message,joint_actual_position,actual_position,\
-                     tcp_speed,current_tool_id,current_user_frame_id";
-
 /// Print the robot's state, once or repeatedly.
 ///
 /// Only reads, from the status port, so that it disturbs no other program.
@@ -82,7 +77,7 @@ impl Status {
         let protocol = self.spec.load(self.robot.config())?;
         let target = self.robot.target(&protocol.packs)?;
         protocol.read_status();
-        let fields = self.fields()?;
+        let fields = Field::named(self.fields.as_deref())?;
         let until = self.until.as_deref().map(str::parse::<Condition>).transpose();
         let until = until.map_err(|error| Failure::Usage(format!("--until, {error}")))?;
         end_on_interrupt(if until.is_some() { exit::INTERRUPTED } else { 0 })?;
@@ -108,14 +103,6 @@ impl Status {
                 self.print(packets, |packets| Ok(columns.lines(&packets.next()?)))
             }
         }
-    }
-
-    fn fields(&self) -> Result<Vec<Field>, Failure> {
-        let names = self.fields.as_deref().unwrap_or(USUAL);
-        if names == "all" {
-            return Ok(Field::all());
-        }
-        names.split(',').map(|name| Field::find(name).map_err(Failure::Usage)).collect()
     }
 
     fn repeats(&self) -> bool {

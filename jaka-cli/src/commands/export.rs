@@ -1,0 +1,124 @@
+//! `jaka export`: the status packets of a recording as a table for other programs.
+
+mod columns;
+
+use clap::{Args, ValueEnum};
+use jaka_sync::proto::wire::DecodeError;
+use jaka_sync::recording::Recording;
+use serde_json::Value;
+
+use self::columns::{Columns, Row};
+use crate::failure::Failure;
+use crate::fields::Field;
+use crate::number::count;
+use crate::output;
+use crate::packed_status::PackedStatus;
+use crate::packs::SpecArgs;
+use crate::recorded::{self, RecordedArgs, packets};
+
+const EXAMPLES: &str = "\
+Examples:
+  jaka export session.jsonl -o session.csv
+  jaka export session.jsonl --fields joint_actual_position,tcp_speed --format jsonl | head -1";
+
+/// Write the status packets of a recording as a table, a line for each packet
+///
+/// Talks to no robot, and does not wait: the times are those of the recording. The columns are named as the fields, with their units. They are `time (s)`, since the
+/// recording began; `unix_time (s)`; `connection`; then each field, divided into its parts. What a packet does not have is an empty cell, or null.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Export {
+    #[command(flatten)]
+    recorded: RecordedArgs,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// What to write, such as `enabled,actual_position.x`; `all` for everything [default: as `jaka status`]
+    ///
+    /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
+    #[arg(long, short, value_name = "NAMES")]
+    fields: Option<String>,
+    #[command(flatten)]
+    spec: SpecArgs,
+}
+
+/// How packets are written.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum Format {
+    /// A header, then one line per packet
+    #[default]
+    Csv,
+    /// One JSON object per line, whose keys are the columns
+    Jsonl,
+}
+
+impl Export {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        self.spec.load(None)?.read_status();
+        let fields = Field::named(self.fields.as_deref())?;
+        let recording = recorded::read(&self.recorded.file)?;
+        let columns = Columns::new(fields, &widest(&recording)?);
+        let mut out = self.recorded.create()?;
+        if let Format::Csv = self.format {
+            out.write(&columns.header())?;
+        }
+        let mut left_out = LeftOut::default();
+        for packet in packets(&recording) {
+            let Ok(status) = packet.status else {
+                left_out.messages += 1;
+                continue;
+            };
+            left_out.fields(&status);
+            let unix_time = recording.header.started.saturating_add(packet.time);
+            let row = Row { time: packet.time, unix_time, connection: packet.connection, packet: json(&status)? };
+            out.write(&match self.format {
+                Format::Csv => columns.csv(&row),
+                Format::Jsonl => columns.json(&row),
+            })?;
+        }
+        out.finish()?;
+        left_out.tell();
+        Ok(())
+    }
+}
+
+/// All parts that any packet has, in one.
+fn widest(recording: &Recording) -> Result<Value, Failure> {
+    let mut statuses = packets(recording).filter_map(|packet| packet.status.ok());
+    statuses.try_fold(Value::Null, |widest, status| Ok(columns::wider(widest, json(&status)?)))
+}
+
+fn json(status: &PackedStatus) -> Result<Value, Failure> {
+    status.json().map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))
+}
+
+/// What is not in the table though it is in the recording.
+#[derive(Debug, Default)]
+struct LeftOut {
+    /// How many messages of the status port are not packets.
+    messages: usize,
+    /// What does not fit, once for each field.
+    unfit: Vec<DecodeError>,
+}
+
+impl LeftOut {
+    fn fields(&mut self, status: &PackedStatus) {
+        for error in &status.unfit {
+            if !self.unfit.iter().any(|told| told.field() == error.field()) {
+                self.unfit.push(error.clone());
+            }
+        }
+    }
+
+    fn tell(&self) {
+        for error in &self.unfit {
+            output::tell(&format!("warning: {error}; it is left out"));
+        }
+        if self.messages > 0 {
+            let messages = count(self.messages, "message");
+            output::tell(&format!(
+                "warning: {messages} of the status port cannot be read as packets, and are left out"
+            ));
+        }
+    }
+}

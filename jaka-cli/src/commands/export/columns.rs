@@ -1,0 +1,125 @@
+//! The columns of a table of packets, and its lines.
+
+use std::time::Duration;
+
+use jaka_sync::proto::text::visible_json;
+use serde_json::Value;
+
+use crate::csv::{cell, row};
+use crate::fields::Field;
+
+/// The columns before those of the fields, with their units.
+const FIRST: [&str; 3] = ["time (s)", "unix_time (s)", "connection"];
+
+/// The parts of the fields, each a column with a name of its own.
+#[derive(Debug)]
+pub(super) struct Columns(Vec<(String, Field)>);
+
+/// A packet, and when it came.
+#[derive(Debug)]
+pub(super) struct Row {
+    pub(super) time: Duration,
+    pub(super) unix_time: Duration,
+    pub(super) connection: u32,
+    pub(super) packet: Value,
+}
+
+impl Row {
+    fn first(&self) -> [String; 3] {
+        [seconds(self.time), seconds(self.unix_time), self.connection.to_string()]
+    }
+}
+
+impl Columns {
+    /// The columns of these fields, as many as the widest of all packets needs.
+    pub(super) fn new(fields: Vec<Field>, widest: &Value) -> Self {
+        Self(fields.into_iter().flat_map(|field| field.leaves(widest)).map(|leaf| (titled(&leaf), leaf)).collect())
+    }
+
+    /// The header of CSV.
+    pub(super) fn header(&self) -> String {
+        row(FIRST
+            .map(str::to_owned)
+            .into_iter()
+            .chain(self.0.iter().map(|(title, _)| cell(Some(title.as_str().into())))))
+    }
+
+    /// A packet as a line of CSV.
+    pub(super) fn csv(&self, packet: &Row) -> String {
+        let cells = self.0.iter().map(|(_, field)| cell(field.named_value(&packet.packet)));
+        row(packet.first().into_iter().chain(cells))
+    }
+
+    /// A packet as a line of JSON.
+    pub(super) fn json(&self, packet: &Row) -> String {
+        let first = FIRST.into_iter().zip(packet.first()).map(|(title, text)| format!("\"{title}\":{text}"));
+        let fields = self.0.iter().map(|(title, field)| {
+            let value = field.named_value(&packet.packet).unwrap_or_default();
+            format!("{}:{value}", Value::from(title.as_str()))
+        });
+        let entries: Vec<_> = first.chain(fields).collect();
+        visible_json(&format!("{{{}}}\n", entries.join(","))).into_owned()
+    }
+}
+
+fn titled(field: &Field) -> String {
+    match &field.unit {
+        Some(unit) => format!("{} ({unit})", field.name),
+        None => field.name.clone(),
+    }
+}
+
+/// A time with all digits that a recording has.
+fn seconds(time: Duration) -> String {
+    format!("{}.{:06}", time.as_secs(), time.subsec_micros())
+}
+
+/// A value with the parts of both. Where one of them has no parts, neither has: it is written as a whole, so that nothing is lost.
+pub(super) fn wider(one: Value, other: Value) -> Value {
+    match (one, other) {
+        (Value::Null, value) | (value, Value::Null) => value,
+        (Value::Object(mut one), Value::Object(other)) => {
+            for (key, value) in other {
+                let before = one.remove(&key).unwrap_or_default();
+                one.insert(key, wider(before, value));
+            }
+            Value::Object(one)
+        }
+        (Value::Array(one), Value::Array(other)) => {
+            let (mut longer, shorter) = if one.len() < other.len() { (other, one) } else { (one, other) };
+            for (value, other) in longer.iter_mut().zip(shorter) {
+                *value = wider(value.take(), other);
+            }
+            Value::Array(longer)
+        }
+        (whole, other) => {
+            if whole.is_object() || whole.is_array() {
+                other
+            } else {
+                whole
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn the_widest_has_all_parts() {
+        let packets =
+            [json!({"a": [1]}), json!({"a": [1, 2], "b": {"c": 1}}), json!({"b": {"d": null, "e": 2}, "f": null})];
+        let widest = packets.into_iter().fold(Value::Null, wider);
+        assert_eq!(widest, json!({"a": [1, 2], "b": {"c": 1, "d": null, "e": 2}, "f": null}));
+    }
+
+    #[test]
+    fn what_has_no_parts_once_is_written_as_a_whole() {
+        for packets in [[json!("none"), json!([1, 2])], [json!([1, 2]), json!("none")]] {
+            assert_eq!(packets.into_iter().fold(Value::Null, wider), json!("none"));
+        }
+    }
+}
