@@ -19,6 +19,7 @@ mod move_to;
 mod probe;
 mod record;
 mod replay;
+mod report;
 mod sim;
 mod spec;
 mod status;
@@ -48,6 +49,7 @@ pub(crate) enum Command {
     Sim(Box<sim::Sim>),
     Record(record::Record),
     Replay(replay::Replay),
+    Report(report::Report),
     Export(export::Export),
     Spec(spec::Spec),
     Completions(completions::Completions),
@@ -73,6 +75,7 @@ impl Command {
             Self::Sim(command) => command.run(),
             Self::Record(command) => command.run(),
             Self::Replay(command) => command.run(),
+            Self::Report(command) => command.run(),
             Self::Export(command) => command.run(),
             Self::Spec(command) => command.run(),
             Self::Completions(command) => command.run(),

@@ -210,8 +210,17 @@ fn neither_a_recording_nor_its_replay_passes_on_what_a_terminal_obeys() {
     ];
     fs::write(&path, lines.join("\n") + "\n{\"\u{1b}[2J").expect("the folder is there");
     assert_run("replay --show of another's", &jaka(["replay", file, "--show"]));
+    assert_run("report of another's", &jaka(["report", file]));
+    let packet = json!({"errmsg": HOSTILE, "errcode": HOSTILE, "extio": {HOSTILE: HOSTILE}, "monitor_data": HOSTILE})
+        .to_string();
+    let packet = json!({"time": 0.3, "port": "status", "event": "received", "text": packet}).to_string();
+    fs::write(&path, [&lines[0], &packet, ""].join("\n")).expect("the folder is there");
+    for format in ["csv", "jsonl"] {
+        assert_run("export of another's", &jaka(["export", file, "--fields", "all", "--format", format]));
+    }
     fs::write(&path, "{\"\u{1b}[2J\u{202e}\": 1}\n").expect("the folder is there");
     assert_run("replay of no recording", &jaka(["replay", file, "--show"]));
+    assert_run("report of no recording", &jaka(["report", file]));
 }
 
 /// Starts a program that prints its ports, sends these bytes to the first of them, and gives what it prints, with these bytes' text.

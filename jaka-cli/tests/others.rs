@@ -179,6 +179,7 @@ fn the_help_explains_exit_codes() {
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
           replay       Serve a recording in place of a robot until it is interrupted, or show it
+          report       Make a page with pictures of a recording: an HTML file, for browsers and for print
           export       Write the status packets of a recording as a table, a line for each packet
           spec         Check specs and packs, compare them, and make documents from them
           completions  Print the completion script of a shell

@@ -15,6 +15,7 @@ mod probe;
 mod program;
 mod record;
 mod replay;
+mod report;
 mod spec;
 mod status;
 mod target;

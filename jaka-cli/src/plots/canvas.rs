@@ -1,0 +1,64 @@
+//! What all pictures have in common.
+
+use std::io;
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use crate::chart;
+pub(super) use crate::chart::{Chart, Drawn, FINE};
+use crate::failure::Failure;
+
+/// Width of a picture over time, in pixels.
+pub(super) const WIDTH: u32 = 1000;
+/// What of it is left of the time axis, and right of it.
+pub(super) const LEFT: u32 = 210;
+pub(super) const RIGHT: u32 = 14;
+/// How many columns of pixels the time axis has: no more of a series is drawn than they can show.
+pub(super) const COLUMNS: u32 = WIDTH - LEFT - RIGHT;
+
+pub(super) const INK: RGBColor = RGBColor(0, 0, 0);
+pub(super) const FRAME: RGBColor = RGBColor(110, 110, 110);
+pub(super) const MESH: RGBColor = RGBColor(222, 222, 222);
+
+/// A picture, or why there is none.
+pub(super) type Picture = Result<String, Failure>;
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Draws a picture of this width and height in pixels. The page says how large it is shown.
+pub(super) fn picture(size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Drawn) -> Picture {
+    let drawn = chart::page(size, draw).map_err(|error| io::Error::other(error.to_string()));
+    let text = drawn.map_err(|error| Failure::local("a picture cannot be drawn", error))?;
+    // Within a page the name space goes without saying.
+    let sized = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
+    Ok(text.replacen(&sized, "<svg", 1).replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1))
+}
+
+/// Pixels, as whole units.
+#[allow(clippy::cast_possible_wrap, reason = "pictures are small")]
+pub(super) fn px(pixels: u32) -> i32 {
+    (FINE * pixels) as i32
+}
+
+/// A font of this size in pixels.
+pub(super) fn font(size: u32) -> TextStyle<'static> {
+    // The backend makes it smaller by this factor.
+    ("sans-serif", f64::from(FINE * size) * 1.24).into_font().color(&INK)
+}
+
+/// The same, with the side at which a text begins.
+pub(super) fn anchored(size: u32, side: HPos) -> TextStyle<'static> {
+    font(size).pos(Pos::new(side, VPos::Center))
+}
+
+/// A number as a label of an axis that is as long as this.
+pub(super) fn label(number: f64, length: f64) -> String {
+    let decimals = match length {
+        _ if length < 0.1 => 3,
+        _ if length < 1.0 => 2,
+        _ if length < 10.0 => 1,
+        _ => 0,
+    };
+    crate::number::fixed(number, decimals)
+}

@@ -1,0 +1,193 @@
+//! A quantity over time.
+
+/// Values over time, in seconds; none where it is not known.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Series {
+    points: Vec<(f64, Option<f64>)>,
+}
+
+/// A point of a curve.
+pub(super) type Point = (f64, f64);
+
+impl Series {
+    /// Adds a value, which comes after those before it.
+    pub(crate) fn push(&mut self, time: f64, value: Option<f64>) {
+        self.points.push((time, value));
+    }
+
+    /// The same for what stays as it is until it changes: what is the same as before is not kept.
+    pub(crate) fn push_change(&mut self, time: f64, value: Option<f64>) {
+        if value.is_none() {
+            self.interrupt(time);
+        } else if self.points.last().is_none_or(|(_, last)| *last != value) {
+            self.points.push((time, value));
+        }
+    }
+
+    /// What stayed as it is did so until then; afterwards it is not known.
+    pub(crate) fn interrupt(&mut self, time: f64) {
+        if let Some(&(_, last @ Some(_))) = self.points.last() {
+            self.points.extend([(time, last), (time, None)]);
+        }
+    }
+
+    /// Whether it has two different values.
+    pub(crate) fn changes(&self) -> bool {
+        self.range().is_some_and(|(low, high)| low < high)
+    }
+
+    /// The lowest and the highest value; none if there is none.
+    pub(crate) fn range(&self) -> Option<(f64, f64)> {
+        let values = self.points.iter().filter_map(|(_, value)| *value);
+        values.fold(None, |range, value| match range {
+            None => Some((value, value)),
+            Some((low, high)) => Some((value.min(low), value.max(high))),
+        })
+    }
+
+    /// Curves up to a time, with the lowest, the highest and the last value in each of so many columns. They are interrupted where nothing is known for a column.
+    pub(super) fn curves(&self, end: f64, columns: u32) -> Vec<Vec<Point>> {
+        let mut curves = Curves::default();
+        for &(time, value) in self.points.iter().filter(|(time, _)| *time <= end) {
+            curves.add((time / end * f64::from(columns)).floor(), time, value);
+        }
+        curves.end()
+    }
+}
+
+#[derive(Debug, Default)]
+struct Curves {
+    done: Vec<Vec<Point>>,
+    curve: Vec<Point>,
+    column: Option<Column>,
+    is_interrupted: bool,
+}
+
+/// What is drawn of the values in a column.
+#[derive(Debug)]
+struct Column {
+    at: f64,
+    lowest: Point,
+    highest: Point,
+    last: Point,
+}
+
+impl Curves {
+    fn add(&mut self, at: f64, time: f64, value: Option<f64>) {
+        let Some(value) = value else {
+            self.is_interrupted = true;
+            return;
+        };
+        let point = (time, value);
+        match &mut self.column {
+            Some(column) if column.at >= at => column.add(point),
+            _ => {
+                self.finish_column();
+                if self.is_interrupted {
+                    self.finish_curve();
+                }
+                self.column = Some(Column { at, lowest: point, highest: point, last: point });
+            }
+        }
+        self.is_interrupted = false;
+    }
+
+    fn finish_column(&mut self) {
+        let Some(Column { lowest, highest, last, .. }) = self.column.take() else { return };
+        let (first, second) = if lowest.0 <= highest.0 { (lowest, highest) } else { (highest, lowest) };
+        for point in [first, second, last] {
+            self.draw(point);
+        }
+    }
+
+    /// Adds a point; of several of the same value, the first and the last are enough.
+    fn draw(&mut self, point: Point) {
+        if self.curve.last() == Some(&point) {
+            return;
+        }
+        if let [.., (_, before), (time, last)] = self.curve.as_mut_slice()
+            && (*before, *last) == (point.1, point.1)
+        {
+            *time = point.0;
+            return;
+        }
+        self.curve.push(point);
+    }
+
+    fn finish_curve(&mut self) {
+        if !self.curve.is_empty() {
+            self.done.push(std::mem::take(&mut self.curve));
+        }
+    }
+
+    fn end(mut self) -> Vec<Vec<Point>> {
+        self.finish_column();
+        self.finish_curve();
+        self.done
+    }
+}
+
+impl Column {
+    fn add(&mut self, point: Point) {
+        if point.1 < self.lowest.1 {
+            self.lowest = point;
+        }
+        if point.1 > self.highest.1 {
+            self.highest = point;
+        }
+        self.last = point;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn series(points: &[(f64, Option<f64>)]) -> Series {
+        Series { points: points.to_vec() }
+    }
+
+    #[test]
+    fn peaks_stay_and_the_number_of_points_is_bounded() {
+        let mut all = Series::default();
+        for at in 0..100_000_u32 {
+            all.push(f64::from(at), Some(if at == 54_321 { 1e3 } else { f64::from(at % 7) }));
+        }
+        let curves = all.curves(1e5, 100);
+        assert_eq!(curves.len(), 1);
+        assert!(curves[0].len() <= 300, "{}", curves[0].len());
+        assert!(curves[0].contains(&(54_321.0, 1e3)));
+        assert!(curves[0].is_sorted_by(|one, other| one.0 <= other.0));
+    }
+
+    #[test]
+    fn what_is_not_known_interrupts_the_curve() {
+        let all = series(&[
+            (0.0, Some(1.0)),
+            (1.0, Some(2.0)),
+            (2.0, None),
+            (3.0, Some(3.0)),
+            (9.0, None),
+            (10.0, Some(9.0)),
+        ]);
+        let expected = vec![vec![(0.0, 1.0), (1.0, 2.0)], vec![(3.0, 3.0)], vec![(10.0, 9.0)]];
+        assert_eq!(all.curves(10.0, 10), expected);
+        assert_eq!(all.curves(5.0, 10), expected[..2], "what comes later is not drawn");
+        assert_eq!(series(&[(0.0, None)]).curves(10.0, 10), Vec::<Vec<_>>::new());
+    }
+
+    #[test]
+    fn what_stays_as_it_is_takes_two_points() {
+        let mut level = Series::default();
+        for at in 0..1000_u32 {
+            level.push_change(f64::from(at), Some(f64::from(at / 500)));
+        }
+        level.interrupt(999.0);
+        level.interrupt(999.0);
+        assert_eq!(level.points, [(0.0, Some(0.0)), (500.0, Some(1.0)), (999.0, Some(1.0)), (999.0, None)]);
+        assert!(level.changes());
+        let constant = series(&[(0.0, Some(1.0)), (1.0, Some(1.0)), (2.0, Some(1.0)), (3.0, Some(1.0))]);
+        assert_eq!(constant.curves(3.0, 4), [vec![(0.0, 1.0), (3.0, 1.0)]]);
+        assert!(!constant.changes());
+    }
+}

@@ -1,0 +1,116 @@
+//! The way of a point, seen from one side.
+
+use std::ops::Range;
+
+use plotters::prelude::*;
+
+use super::canvas::{Area, Drawn, FINE, FRAME, INK, MESH, Picture, font, label, picture, px};
+use super::series::Point;
+
+/// In pixels: the picture, and the room for its labels.
+const SIZE: (u32, u32) = (490, 440);
+const LABELS: (u32, u32) = (66, 46);
+const MARGIN: u32 = 12;
+/// How far apart points are that are drawn, in pixels.
+const APART: f64 = 0.5;
+/// A way is drawn on this many millimetres at least, so that an arm at rest looks so.
+const LEAST: f64 = 20.0;
+
+/// From where it is seen: the names of the axes to the right and upwards.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct View {
+    pub(crate) right: &'static str,
+    pub(crate) up: &'static str,
+}
+
+/// Draws curves in millimetres, both axes in the same scale. A circle is at the beginning, a square at the end.
+pub(crate) fn way(view: View, curves: &[Vec<Point>]) -> Picture {
+    picture(SIZE, |area| draw(area, view, curves))
+}
+
+fn draw(area: &Area<'_>, view: View, curves: &[Vec<Point>]) -> Drawn {
+    let (right, up, scale) = ranges(curves);
+    let length = right.end - right.start;
+    let mut chart = ChartBuilder::on(area)
+        .margin(px(MARGIN))
+        .x_label_area_size(px(LABELS.1))
+        .y_label_area_size(px(LABELS.0))
+        .build_cartesian_2d(right, up)?;
+    chart
+        .configure_mesh()
+        .bold_line_style(MESH.stroke_width(FINE / 2))
+        .light_line_style(TRANSPARENT)
+        .axis_style(FRAME.stroke_width(FINE / 2))
+        .set_all_tick_mark_size(px(3))
+        .x_labels(6)
+        .y_labels(8)
+        .x_label_formatter(&|x| label(*x, length))
+        .y_label_formatter(&|y| label(*y, length))
+        .x_desc(view.right)
+        .y_desc(view.up)
+        .label_style(font(11))
+        .axis_desc_style(font(12))
+        .draw()?;
+    for curve in curves {
+        chart.draw_series([PathElement::new(thinned(curve, APART * scale), INK.stroke_width(FINE))])?;
+    }
+    let first = curves.iter().flatten().next();
+    let last = curves.iter().flatten().next_back();
+    if let (Some(&first), Some(&(x, y))) = (first, last) {
+        let half = 4.0 * scale;
+        chart.draw_series([Circle::new(first, px(6), INK.stroke_width(FINE * 2))])?;
+        chart.draw_series([Rectangle::new([(x - half, y - half), (x + half, y + half)], INK.filled())])?;
+    }
+    Ok(())
+}
+
+/// What the axes reach from and to, and how many millimetres a pixel is.
+fn ranges(curves: &[Vec<Point>]) -> (Range<f64>, Range<f64>, f64) {
+    let bounds = |of: fn(&Point) -> f64| {
+        let values = curves.iter().flatten().map(of);
+        let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (value.min(low), value.max(high)));
+        if low > high { (0.0, 0.0) } else { (low, high) }
+    };
+    let (x, y) = (bounds(|point| point.0), bounds(|point| point.1));
+    let width = f64::from(SIZE.0 - LABELS.0 - 2 * MARGIN);
+    let height = f64::from(SIZE.1 - LABELS.1 - 2 * MARGIN);
+    let scale = 1.1 * ((x.1 - x.0).max(LEAST) / width).max((y.1 - y.0).max(LEAST) / height);
+    let around = |(low, high), pixels: f64| {
+        let middle = f64::midpoint(low, high);
+        middle - pixels * scale / 2.0..middle + pixels * scale / 2.0
+    };
+    (around(x, width), around(y, height), scale)
+}
+
+/// The points of a curve that are this far apart, with the first and the last.
+fn thinned(curve: &[Point], apart: f64) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    for (at, &(x, y)) in curve.iter().enumerate() {
+        let is_far = kept.last().is_none_or(|last| (x - last.0).hypot(y - last.1) >= apart);
+        if is_far || at + 1 == curve.len() {
+            kept.push((x, y));
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_axes_have_the_same_scale() {
+        let (right, up, scale) = ranges(&[vec![(0.0, 0.0), (412.0, 10.0)]]);
+        let pixels = |range: &Range<f64>| (range.end - range.start) / scale;
+        assert!((pixels(&right) - 400.0).abs() < 1e-6 && (pixels(&up) - 370.0).abs() < 1e-6);
+        assert!(right.contains(&0.0) && right.contains(&412.0) && up.contains(&10.0));
+        let (right, ..) = ranges(&[]);
+        assert!(right.contains(&0.0) && right.end > 9.0);
+    }
+
+    #[test]
+    fn ends_and_corners_stay() {
+        let curve = [(0.0, 0.0), (0.1, 0.0), (5.0, 0.0), (5.0, 5.0), (5.1, 5.0)];
+        assert_eq!(thinned(&curve, 1.0), [(0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (5.1, 5.0)]);
+    }
+}

@@ -1,0 +1,181 @@
+//! The pictures of a page, each with what it shows.
+
+use std::collections::BTreeMap;
+
+use super::more;
+use super::page::{escaped, figure, paragraph};
+use super::session::{Kind, Lateness, Packets, Session};
+use crate::failure::Failure;
+use crate::number::count;
+use crate::plots::{Series, Strip, Trace, View, calls, histogram, strips, way};
+
+/// How many strips of inputs and outputs are drawn.
+const MOST_DIGITAL: usize = 24;
+const MOST_ANALOG: usize = 8;
+/// How many points of a way there may be: of longer ones, each of so many is left out.
+const MOST_POINTS: usize = 8000;
+
+/// An input or output: the name of its list, and its index.
+type Key = (&'static str, usize);
+
+/// A part of the page.
+pub(super) struct Section {
+    pub(super) id: &'static str,
+    pub(super) title: &'static str,
+    text: String,
+    pictures: Vec<String>,
+}
+
+impl Section {
+    /// Its HTML, without the title.
+    pub(super) fn html(&self) -> String {
+        paragraph(&self.text) + &figure(&self.pictures)
+    }
+}
+
+/// All parts that have pictures.
+pub(super) fn sections(session: &Session<'_>) -> Result<Vec<Section>, Failure> {
+    let end = session.end;
+    let section = |id, title, text: String, pictures: Vec<Strip>| {
+        let (text, pictures) = match pictures.as_slice() {
+            [] => (text, Vec::new()),
+            some => (format!("{text} Time in s since the recording began."), vec![strips(end, some)?]),
+        };
+        Ok::<_, Failure>(Section { id, title, text, pictures })
+    };
+    let packets = &session.packets;
+    let known = |text: &str, strips: &[Strip]| if strips.is_empty() { none(packets) } else { text.to_owned() };
+    let (joints, speeds, state) = (joints(packets), speeds(packets), state(packets));
+    let (io, io_text) = inputs_and_outputs(packets);
+    Ok(vec![
+        section("joints", "Joints", known("Actual positions, by status packets.", &joints), joints)?,
+        section("speeds", "Speeds", known(SPEEDS, &speeds), speeds)?,
+        path(packets)?,
+        section("state", "State", known("As status packets say; high is true.", &state), state)?,
+        section("io", "Inputs and outputs", io_text, io)?,
+        requests(session)?,
+        section("events", "Events", "What the list at the end of this page has.".to_owned(), events(session))?,
+        lateness(&session.lateness)?,
+    ])
+}
+
+const SPEEDS: &str = "Of the joints: means over 0.1 s or more, from the positions and the times at which packets arrived, so that shorter peaks are not shown. \
+                      Of the tool centre point: as status packets say.";
+
+fn none(packets: &Packets) -> String {
+    if packets.count == 0 { "The recording has no status packets." } else { "No status packet has these fields." }
+        .to_owned()
+}
+
+fn curve(title: String, series: &Series) -> Option<Strip> {
+    series.range().map(|_| Strip { title, trace: Trace::Curve(series.clone()) })
+}
+
+fn joints(packets: &Packets) -> Vec<Strip> {
+    let joints = packets.joints.iter().enumerate();
+    joints.filter_map(|(at, series)| curve(format!("joint {} (deg)", at + 1), series)).collect()
+}
+
+fn speeds(packets: &Packets) -> Vec<Strip> {
+    let joints = packets.speeds.series.iter().enumerate();
+    let joints = joints.filter_map(|(at, series)| curve(format!("joint {} (deg/s)", at + 1), series));
+    joints.chain(curve("tool centre (mm/s)".to_owned(), &packets.tcp_speed)).collect()
+}
+
+fn state(packets: &Packets) -> Vec<Strip> {
+    let known = packets.state.iter().filter(|(_, series)| series.range().is_some());
+    known.map(|(name, series)| Strip { title: (*name).to_owned(), trace: Trace::Level(series.clone()) }).collect()
+}
+
+/// Those that change, and in words the others.
+fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
+    let title = |(name, at): &Key| format!("{name}[{at}]");
+    let (digital, analog) = (changing(&packets.digital), changing(&packets.analog));
+    let levels = digital.iter().take(MOST_DIGITAL);
+    let levels = levels.map(|(key, series)| Strip { title: title(key), trace: Trace::Level((*series).clone()) });
+    let steps = analog.iter().take(MOST_ANALOG);
+    let steps = steps.map(|(key, series)| Strip { title: title(key), trace: Trace::Steps((*series).clone()) });
+    let strips: Vec<_> = levels.chain(steps).collect();
+    if packets.digital.is_empty() && packets.analog.is_empty() {
+        return (strips, none(packets));
+    }
+    let on = packets.digital.iter().filter(|(_, series)| series.range() == Some((1.0, 1.0)));
+    let on: Vec<_> = on.map(|(key, _)| title(key)).collect();
+    let mut text = vec!["Those that change; high is true.".to_owned()];
+    text.push(if on.is_empty() {
+        "None is on throughout.".to_owned()
+    } else {
+        format!("On throughout: {}.", on.join(", "))
+    });
+    text.extend(more(digital.len(), MOST_DIGITAL, "digital one"));
+    text.extend(more(analog.len(), MOST_ANALOG, "analog one"));
+    if strips.is_empty() {
+        text[0] = "None changes.".to_owned();
+    }
+    (strips, text.join(" "))
+}
+
+fn changing(all: &BTreeMap<Key, Series>) -> Vec<(&Key, &Series)> {
+    all.iter().filter(|(_, series)| series.changes()).collect()
+}
+
+/// The way of the tool centre point from two sides.
+fn path(packets: &Packets) -> Result<Section, Failure> {
+    let (id, title) = ("path", "Path of the tool centre point");
+    let points: usize = packets.tcp.iter().map(Vec::len).sum();
+    if points == 0 {
+        return Ok(Section { id, title, text: none(packets), pictures: Vec::new() });
+    }
+    let step = points.div_ceil(MOST_POINTS);
+    let seen = |right: usize, up: usize| -> Vec<Vec<(f64, f64)>> {
+        let curves = packets.tcp.iter().filter(|curve| !curve.is_empty());
+        curves.map(|curve| curve.iter().step_by(step).map(|point| (point[right], point[up])).collect()).collect()
+    };
+    let above = way(View { right: "x (mm)", up: "y (mm)" }, &seen(0, 1))?;
+    let side = way(View { right: "x (mm)", up: "z (mm)" }, &seen(0, 2))?;
+    let mut text = "From above (x to the right, y upwards) and from the side (x to the right, z upwards), in the user frame that is selected. \
+                    A circle is at the beginning, a square at the end."
+        .to_owned();
+    if step > 1 {
+        text += &format!(" One of {step} packets is drawn.");
+    }
+    Ok(Section { id, title, text, pictures: vec![above, side] })
+}
+
+fn requests(session: &Session<'_>) -> Result<Section, Failure> {
+    let (id, title) = ("calls", "Calls");
+    let requests = &session.calls.latencies;
+    if requests.is_empty() {
+        let text = "The recording has no requests.".to_owned();
+        return Ok(Section { id, title, text, pictures: Vec::new() });
+    }
+    let text = "How long replies took, at the time of the request. A dot: accepted; a triangle: refused; a cross at the top: no reply is recorded. \
+                Of requests at almost the same time the slowest is drawn. Time in s since the recording began."
+        .to_owned();
+    Ok(Section { id, title, text, pictures: vec![calls(session.end, requests)?] })
+}
+
+fn events(session: &Session<'_>) -> Vec<Strip> {
+    let of_kind = |kind: Kind| session.happenings.iter().filter(move |happening| happening.kind == kind);
+    let strips = Kind::ALL.into_iter().filter_map(|(kind, title)| {
+        let times: Vec<_> = of_kind(kind).map(|happening| happening.time.as_secs_f64()).collect();
+        (!times.is_empty()).then(|| Strip { title: title.to_owned(), trace: Trace::Marks(times) })
+    });
+    strips.collect()
+}
+
+fn lateness(lateness: &Lateness) -> Result<Section, Failure> {
+    let (id, title) = ("lateness", "Lateness of set-points");
+    let Some([median, p99, latest]) = lateness.figures() else {
+        let text = "The recording has no set-points that follow each other.".to_owned();
+        return Ok(Section { id, title, text, pictures: Vec::new() });
+    };
+    let text = format!(
+        "By how many ms the time between two set-points (servo_j, servo_p) was longer than the period of the first, as the program sent them: {}; median {median:.3}, \
+         99th percentile {p99:.3}, latest {latest:.3}; late by 8 or more: {}, by 24 or more: {}. Heights are logarithmic.",
+        count(lateness.count(), "interval"),
+        lateness.late_by(8.0),
+        lateness.late_by(24.0),
+    );
+    Ok(Section { id, title, text: escaped(&text), pictures: vec![histogram(&lateness.bars())?] })
+}

@@ -1,0 +1,82 @@
+//! What happened at a moment.
+
+use std::time::Duration;
+
+use jaka_sync::recording::{Ending, Entry, Event};
+
+use crate::number::count;
+
+/// Something that happened.
+#[derive(Debug)]
+pub(in crate::report) struct Happening {
+    pub(in crate::report) time: Duration,
+    pub(in crate::report) kind: Kind,
+    /// In words.
+    pub(in crate::report) what: String,
+    pub(in crate::report) is_wrong: bool,
+}
+
+/// What kind of thing happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::report) enum Kind {
+    Connection,
+    Refused,
+    Unanswered,
+    Error,
+    State,
+    ControllerEvent,
+    Packets,
+}
+
+impl Kind {
+    pub(in crate::report) const ALL: [(Self, &'static str); 7] = [
+        (Self::Connection, "connections"),
+        (Self::Refused, "refused"),
+        (Self::Unanswered, "without reply"),
+        (Self::Error, "errors of the program"),
+        (Self::State, "state of the robot"),
+        (Self::ControllerEvent, "events of the controller"),
+        (Self::Packets, "packets, entries missing"),
+    ];
+}
+
+impl Happening {
+    /// What is as it should be.
+    pub(super) fn usual(time: Duration, kind: Kind, what: impl Into<String>) -> Self {
+        Self { time, kind, what: what.into(), is_wrong: false }
+    }
+
+    /// What went wrong.
+    pub(super) fn wrong(time: Duration, kind: Kind, what: impl Into<String>) -> Self {
+        Self { time, kind, what: what.into(), is_wrong: true }
+    }
+}
+
+/// What an entry says of its connection.
+pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
+    let Entry { time, port, connection, event, .. } = entry;
+    let time = *time;
+    Some(match event {
+        Event::Connected { address } => {
+            Happening::usual(time, Kind::Connection, format!("connection {connection} to {address}, the {port} port"))
+        }
+        Event::Closed { by: Ending::Client, why } => {
+            Happening::usual(time, Kind::Connection, format!("connection {connection} closed by the program: {why}"))
+        }
+        Event::Closed { by, why } => {
+            let by = if *by == Ending::Controller { "closed by the controller" } else { "lost" };
+            Happening::wrong(time, Kind::Connection, format!("connection {connection} {by}: {why}"))
+        }
+        Event::Error { text } => Happening::wrong(time, Kind::Error, text.as_str()),
+        Event::Dropped { count: dropped } => {
+            let entries = usize::try_from(*dropped).map_or_else(|_| format!("{dropped} entries"), |n| entries(n));
+            let what = format!("{entries} of connection {connection} missing: the file could not be written as fast");
+            Happening::wrong(time, Kind::Packets, what)
+        }
+        _ => return None,
+    })
+}
+
+fn entries(number: usize) -> String {
+    if number == 1 { count(1, "entry") } else { format!("{number} entries") }
+}
