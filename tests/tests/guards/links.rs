@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use jaka_sim::{Direction, LinkFault, Port};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
-use jaka_sync::{Command, Config, Error, MotionEnd, Outcome};
+use jaka_sync::{Command, Config, Error, ErrorKind, MotionEnd, Outcome};
 
 use super::{IO, LONG, count, names, ready, wait_for_motion};
 
@@ -64,8 +64,9 @@ impl Case {
     }
 }
 
-/// Runs a motion, which something befalls on its way together with an input that trips the guard.
-fn run(case: Case) {
+/// Runs a motion, which something befalls on its way together with an input that trips the guard; none where the machine was so busy that packets which pass were
+/// stale.
+fn run(case: Case) -> Option<()> {
     let config = Config::new().stale_after(SHORT).reply_timeout(SHORT);
     let (controller, mut robot) = ready(&config);
     let motion = JointMove::absolute([100.0, 90.0, 90.0, 90.0, -90.0, 0.0], 12.0).acceleration(500.0);
@@ -79,8 +80,14 @@ fn run(case: Case) {
         robot.run_until(&motion, IO.cabinet(1).rises(), DEADLINE)
     });
     assert!(since.elapsed() < LONG, "{case:?}: {:?}", since.elapsed());
-    let end = end.unwrap_or_else(|error| panic!("{case:?}: the reply came before: {error}"));
-    assert!(!end.outcome.is_at_rest(), "{case:?}: {end:?}");
+    let end = match end {
+        Err(error) if matches!(error.kind(), ErrorKind::StatusUnknown { .. }) => return None,
+        end => end.unwrap_or_else(|error| panic!("{case:?}: the reply came before: {error}")),
+    };
+    if case.has_packets() && matches!(end.outcome, Outcome::StatusLost { .. }) {
+        return None;
+    }
+    assert!(!end.outcome.is_at_rest(), "{case:?}: {:?}", end.outcome);
     if case.has_requests() {
         assert_eq!(count(&controller, StopProgram::INFO.name), 1, "{case:?}: {:?}", names(&controller));
         let since = Instant::now();
@@ -90,25 +97,25 @@ fn run(case: Case) {
         }
         assert!(controller.state().joint_position.0[0] < 99.0, "{case:?}: the arm went on to its target");
     } else {
-        assert!(matches!(&end.stop, Some(Err(_))), "{case:?}: {end:?}");
+        assert!(matches!(&end.stop, Some(Err(_))), "{case:?}: {:?}", end.outcome);
     }
     match &end.outcome {
         Outcome::Guard(trip) if !case.has_packets() => panic!("{case:?}: no packet can have shown it: {trip:?}"),
         Outcome::Guard(_) => {}
-        Outcome::StatusLost { .. } => assert!(!case.has_packets(), "{case:?}: {end:?}"),
+        Outcome::StatusLost { .. } => assert!(!case.has_packets(), "{case:?}: {:?}", end.outcome),
         other => panic!("{case:?}: {other:?}"),
     }
     // Whether a stop was accepted is told as it was: what was not may not be taken for it.
     let is_accepted = matches!(&end.stop, Some(Ok(())));
-    assert_eq!(is_accepted, case.has_requests() && case.has_replies(), "{case:?}: {end:?}");
+    assert_eq!(is_accepted, case.has_requests() && case.has_replies(), "{case:?}: {:?}", end.outcome);
     assert_eq!(end.guarded().is_ok(), is_accepted && case.has_packets(), "{case:?}");
+    Some(())
 }
 
 #[test]
 fn no_fault_of_a_link_leaves_an_arm_unstopped_that_can_be_reached() {
-    thread::scope(|scope| {
-        for case in cases() {
-            scope.spawn(move || run(case));
-        }
-    });
+    let try_again = |case| (0..10).find_map(|_| run(case)).expect("this machine is too busy");
+    for some in cases().chunks(6) {
+        thread::scope(|scope| some.iter().for_each(|case| drop(scope.spawn(move || try_again(*case)))));
+    }
 }
