@@ -10,6 +10,7 @@ mod held_packets;
 mod hostile_text;
 mod jitter;
 mod others;
+mod pages;
 mod plain_socket;
 mod probe;
 mod program;

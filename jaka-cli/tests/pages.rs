@@ -1,0 +1,242 @@
+//! The commands that pages show: each line of `jaka` runs as it stands, and each line of cargo names what there is.
+//!
+//! Robots of the pages are names in a config file that leads to a simulated controller. A person answers yes where a command asks; here `--yes` does.
+//! What listens at the ports of a real controller listens at free ones. A page names what is not run in a comment: `<!-- not run: jaka monitor -->`.
+
+#![cfg(unix)]
+
+mod named;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use jaka_sim::{Controller, Delays};
+
+use crate::common::{end, interrupt};
+use crate::program::{jaka, scratch};
+
+const LONG: Duration = Duration::from_secs(60);
+
+/// Lines that may end otherwise than with 0, and how.
+const OTHER_CODES: [(&str, &[i32]); 2] = [
+    // The controller does not know it.
+    ("jaka call new_command --raw", &[1]),
+    // There may be something to look at: an arm without power, a machine that is slow.
+    ("jaka check", &[0, 8]),
+];
+
+const PACK: &str = include_str!("guide/newer.toml");
+
+/// A recording that can be replayed.
+const SESSION: &str = r#"{"jaka_recording":1,"started":1763726000.5,"software":"a test"}
+{"time":0.001,"port":"command","connection":1,"event":"connected","address":"10.5.5.100:10001"}
+{"time":0.002,"port":"command","connection":1,"event":"sent","text":"{\"cmdName\":\"get_version\"}"}
+{"time":0.004,"port":"command","connection":1,"event":"received","text":"{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"get_version\",\"version\":\"1.7\"}"}
+{"time":0.005,"port":"command","connection":1,"event":"closed","by":"client","why":"the program has closed it"}
+"#;
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// The pages, and the text of each.
+fn pages() -> Vec<(String, String)> {
+    let docs =
+        fs::read_dir(root().join("docs")).expect("it is there").map(|entry| entry.expect("it can be read").path());
+    let docs = docs.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
+    let readmes = ["README.md", "README.zh.md", "CONTRIBUTING.md", "jaka-cli/README.md", "jaka-sim/README.md"]
+        .map(|page| root().join(page));
+    let mut pages: Vec<_> = docs.chain(readmes).collect();
+    pages.sort();
+    let named = |path: &PathBuf| path.strip_prefix(root()).expect("it is below").display().to_string();
+    pages.iter().map(|path| (named(path), fs::read_to_string(path).expect("it is text"))).collect()
+}
+
+/// The lines of a page's blocks of shell commands, without comments; those of scripts have tests of their own.
+fn lines(page: &str) -> Vec<&str> {
+    let blocks = page.split("\n```sh\n").skip(1).filter_map(|rest| rest.split("\n```").next());
+    let lines = blocks.filter(|block| !block.starts_with("#!")).flat_map(str::lines);
+    let indented = page.lines().filter_map(|line| line.strip_prefix("    ")).filter(|line| line.starts_with("cargo "));
+    lines.chain(indented).map(without_comment).filter(|line| !line.is_empty()).collect()
+}
+
+/// The line up to a `#` that follows a blank.
+fn without_comment(line: &str) -> &str {
+    line.split_once(" #").map_or(line, |(line, _)| line).trim()
+}
+
+/// What the page says is not run here: how the lines begin.
+fn not_run(page: &str) -> Vec<&str> {
+    let marks = page.split("<!-- not run: ").skip(1).filter_map(|rest| rest.split(" -->").next());
+    marks.flat_map(|mark| mark.split(", ")).collect()
+}
+
+/// A folder with the files that the pages name, and a config file with their robots.
+fn folder(controller: &Controller) -> PathBuf {
+    let folder = scratch("pages");
+    fs::remove_dir_all(&folder).ok();
+    fs::create_dir_all(folder.join("spec")).expect("it can be made");
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("it can be written");
+    for source in jaka_spec::BUILTIN {
+        let name = Path::new(source.path).file_name().expect("it is a file");
+        fs::write(folder.join("spec").join(name), source.text).expect("it can be written");
+    }
+    write("limits.toml", include_str!("../../jaka-sync/examples/limits.toml"));
+    let line = r#"{"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,1,0,0,0],"speed":20,"accel":100,"tol":0}"#;
+    write("request.json", line);
+    let robot = |name: &str| {
+        let (commands, status) = (controller.command_addr().port(), controller.status_addr().port());
+        format!("[robots.\"{name}\"]\naddress = '127.0.0.1'\ncommand_port = {commands}\nstatus_port = {status}\n")
+    };
+    write("config.toml", &format!("robot = 'cell1'\n{}{}", robot("cell1"), robot("10.5.5.100")));
+    folder
+}
+
+/// The line as it is run: on free ports, and with a yes if that is asked for.
+fn runnable(line: &str, yes: &str) -> String {
+    let (command, file) =
+        line.split_once(" > ").map_or((line, String::new()), |(line, file)| (line, format!(" > {file}")));
+    let serves = command.starts_with("jaka sim") || command.starts_with("jaka replay") && !command.contains("--show");
+    let ports = if command.contains("--listen 127") {
+        " --listen-commands 0 --listen-status 0"
+    } else if serves && !command.contains("--commands 0") {
+        " --commands 0 --status 0"
+    } else {
+        ""
+    };
+    format!("exec {command}{ports}{yes}{file}")
+}
+
+/// True if the command goes on until it is interrupted.
+fn goes_on(line: &str) -> bool {
+    let serves = line.starts_with("jaka sim ") || line.starts_with("jaka replay") && !line.contains("--show");
+    (serves && !line.contains("--help")) || line.starts_with("jaka record ") || line.contains(" --watch")
+}
+
+/// The line at work in a shell, in this folder, with its output in files.
+fn start(folder: &Path, line: &str) -> Child {
+    let file = |name: &str| fs::File::create(folder.join(name)).expect("it can be written");
+    let program = Path::new(env!("CARGO_BIN_EXE_jaka")).parent().expect("it is in a folder").to_owned();
+    let paths = std::env::var_os("PATH").expect("there is one");
+    let path = std::env::join_paths(std::iter::once(program).chain(std::env::split_paths(&paths)));
+    let mut shell = Command::new("sh");
+    shell.args(["-c", line]).current_dir(folder).env("PATH", path.expect("it has no colon"));
+    shell.env("JAKA_CONFIG", folder.join("config.toml")).env_remove("JAKA_ROBOT").env_remove("JAKA_PACK");
+    shell.stdin(Stdio::null()).stdout(file("out")).stderr(file("err"));
+    shell.spawn().expect("there is a shell")
+}
+
+/// Waits until a command that goes on has something to show, and interrupts it.
+fn interrupt_when_it_works(folder: &Path, before: u64, child: &mut Child) {
+    let since = Instant::now();
+    while size(folder) <= before && child.try_wait().expect("it is a child").is_none() {
+        assert!(since.elapsed() < LONG, "it shows nothing");
+        thread::sleep(Duration::from_millis(10));
+    }
+    if child.try_wait().expect("it is a child").is_none() {
+        interrupt(child);
+    }
+}
+
+/// Of all files of the folder.
+fn size(folder: &Path) -> u64 {
+    let files = fs::read_dir(folder).expect("it is there").filter_map(|entry| entry.ok()?.metadata().ok());
+    files.map(|file| file.len()).sum()
+}
+
+/// Runs a line to its end: its exit code, and what it said.
+fn run(folder: &Path, line: &str, yes: &str) -> (Option<i32>, String) {
+    let line = runnable(line, yes);
+    fs::write(folder.join("out"), "").and_then(|()| fs::write(folder.join("err"), "")).expect("they can be written");
+    let before = size(folder);
+    let mut child = start(folder, &line);
+    if goes_on(line.trim_start_matches("exec ")) {
+        interrupt_when_it_works(folder, before, &mut child);
+    }
+    let code = end(child).code();
+    let text = |name: &str| fs::read_to_string(folder.join(name)).unwrap_or_default();
+    (code, text("out") + &text("err"))
+}
+
+/// Runs the lines of a page in order, each on an arm that is powered and enabled.
+fn assert_runs(page: &str, text: &str) {
+    let controller =
+        Controller::builder().delays(Delays::NONE).time_scale(5.0).start().expect("loopback has free ports");
+    let folder = folder(&controller);
+    let not_run = not_run(text);
+    for line in lines(text).into_iter().filter(|line| line.starts_with("jaka ")) {
+        if not_run.iter().any(|begin| line.starts_with(begin)) {
+            continue;
+        }
+        controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+        // What a line reads is there, whatever the lines before have written in its place; what it writes is not.
+        for (name, text) in [("session.jsonl", SESSION), ("newer.toml", PACK)] {
+            fs::write(folder.join(name), text).expect("it can be written");
+        }
+        for name in named::written(line) {
+            fs::remove_file(folder.join(name)).ok();
+        }
+        let mut ended = run(&folder, line, "");
+        if ended.0 == Some(2) && ended.1.contains("--yes") {
+            ended = run(&folder, line, " --yes");
+        }
+        let other = OTHER_CODES.iter().find(|(begin, _)| line.starts_with(begin));
+        let codes = other.map_or(&[0][..], |(_, codes)| *codes);
+        assert!(ended.0.is_some_and(|code| codes.contains(&code)), "{page}: {line}\n{ended:?}");
+    }
+}
+
+#[test]
+fn every_line_of_jaka_runs_as_it_stands() {
+    let pages = pages();
+    let all: Vec<_> = pages.iter().flat_map(|(_, text)| lines(text)).collect();
+    assert!(all.iter().filter(|line| line.starts_with("jaka ")).count() > 50, "{all:?}");
+    for (page, text) in &pages {
+        let lines = lines(text);
+        for begin in not_run(text) {
+            assert!(lines.iter().any(|line| line.starts_with(begin)), "{page}: nothing begins with `{begin}`");
+        }
+        // Its code is that of the English one.
+        if page != "README.zh.md" {
+            assert_runs(page, text);
+        }
+    }
+}
+
+#[test]
+fn every_line_of_cargo_and_of_scripts_names_what_there_is() {
+    let mut count = 0;
+    for (page, text) in pages() {
+        for line in lines(&text) {
+            count += 1;
+            assert_eq!(named::missing(root(), line), None, "{page}: {line}");
+        }
+    }
+    assert!(count > 60, "{count}");
+    for wrong in [
+        "cargo run --example second_motion",
+        "cargo bench -p jaka-benches --bench none",
+        "fuzz/campain 60",
+        "jaka-sync",
+    ] {
+        assert!(named::missing(root(), wrong).is_some(), "{wrong}");
+    }
+}
+
+#[test]
+fn what_jaka_says_is_quoted_as_it_is() {
+    let page = fs::read_to_string(root().join("docs/troubleshooting.md")).expect("it is there");
+    let (_, part) = page.split_once("\n# From `jaka` alone\n").expect("the page has the part");
+    let rows: Vec<_> = part.lines().filter_map(|line| line.strip_prefix("| `jaka ")?.strip_suffix(" |")).collect();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        let (typed, rest) = row.split_once("` | ").expect("a row has cells");
+        let quoted = rest.split("``").nth(1).expect("it is quoted").trim();
+        // Without a robot at the address: none of these connects to one.
+        let run = jaka(typed.trim_end_matches(" < /dev/null").split(' '));
+        assert_eq!((run.code, run.err), (Some(2), format!("jaka: {quoted}\n")), "jaka {typed}");
+    }
+}
