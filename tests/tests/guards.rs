@@ -177,6 +177,15 @@ fn an_input_stops_the_motion() {
 }
 
 #[test]
+fn a_guard_is_watched_also_where_no_packet_is_ever_too_old() {
+    let (controller, mut robot) = ready(&patient().stale_after(Duration::MAX));
+    let high = || controller.set_state(|state| state.digital_inputs[4] = true);
+    let end = disturbed(&controller, &mut robot, IO.cabinet(5).rises(), high);
+    assert!(trip(end).is_at_rest);
+    assert_stopped_on_the_way(&controller);
+}
+
+#[test]
 fn a_box_and_a_question_stop_the_motion() {
     let (controller, mut robot) = ready(&patient());
     let pose = controller.state().tcp_pose;

@@ -193,7 +193,7 @@ pub enum ErrorKind {
         /// How long ago.
         late: Duration,
     },
-    /// The system has no thread for a stream, a trajectory or a guard. Nothing was sent.
+    /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early. Nothing was sent.
     Thread {
         /// Why not, in the system's words.
         source: io::Error,

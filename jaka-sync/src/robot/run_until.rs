@@ -78,7 +78,7 @@ impl<S: MotionStatus> Robot<S> {
             let sent = self.send(motion, left(), Some(&sentry.armed));
             let result = sent.map(|()| self.wait_unless(left(), &|| sentry.has_failed()));
             drop(relieved);
-            // A panic there has been reported, and has stopped the arm.
+            // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not accepted, the wait has ended.
             Ok::<_, Error>((result, watching.join().unwrap_or_default()))
         })?;
         match (result, sentry.armed.trip()) {

@@ -47,17 +47,22 @@ impl<S: MotionStatus> Sentry<S> {
             return None;
         }
         let stopped = Stopped::new(&self.stop, Some(why));
-        if stopped.accepted.is_err() {
-            self.has_failed.store(true, Ordering::SeqCst);
-            self.waker.wake();
-        }
+        self.took(&stopped.accepted);
         Some(stopped)
     }
 
-    /// Stops the arm where the thread panics. The panic is what the program learns of, or that the motion was stopped.
+    /// A stop that was not accepted ends the wait.
+    fn took(&self, accepted: &Result<(), Error>) {
+        if accepted.is_err() {
+            self.has_failed.store(true, Ordering::SeqCst);
+            self.waker.wake();
+        }
+    }
+
+    /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or that the motion was stopped.
     fn stop_in_panic(&self) {
-        if thread::panicking() && self.armed.shut(None) {
-            let _ = self.stop.stop();
+        if thread::panicking() && self.armed.abandon() {
+            self.took(&self.stop.stop());
         }
     }
 

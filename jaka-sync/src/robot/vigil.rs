@@ -8,6 +8,9 @@ use super::guard::{Armed, Trip};
 use super::readiness::fresh_status;
 use crate::{Monitor, Snapshot, StatusProblem};
 
+/// How long after the newest packet has become stale that is seen, if no other comes.
+const JUST_AFTER: Duration = Duration::from_millis(1);
+
 /// What a vigil has ended with.
 #[derive(Debug)]
 pub(super) enum Vigil {
@@ -47,8 +50,7 @@ pub(super) fn keep<S: MotionStatus>(
         if left.is_zero() || is_called_off() {
             return Vigil::Over(newest);
         }
-        // Just after the newest packet has become stale, if no other comes.
-        let fresh = monitor.stale_after().min(fresh_for).saturating_sub(age) + Duration::from_millis(1);
+        let fresh = monitor.stale_after().min(fresh_for).saturating_sub(age).saturating_add(JUST_AFTER);
         let is_news =
             || armed.trip().is_some() || armed.broken().is_some() || is_called_off() || fresh_status(monitor).is_err();
         // What it found is seen above.

@@ -1,5 +1,6 @@
 //! A guard that judges packets.
 
+use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -50,6 +51,8 @@ struct Progress {
     has_begun: bool,
     /// True once a packet's own type has panicked: then no packet is judged any more.
     is_broken: bool,
+    /// True once nobody watches the guard any more.
+    is_abandoned: bool,
 }
 
 impl Armed {
@@ -99,6 +102,10 @@ impl Armed {
         if let Some(problem) = progress.blind.clone().or_else(|| progress.broken()) {
             return Err(unknown(problem));
         }
+        if progress.is_abandoned {
+            let source = io::Error::other("the thread that watches the guard has panicked");
+            return Err(ErrorKind::Thread { source }.into());
+        }
         progress.has_begun = true;
         Ok(())
     }
@@ -117,6 +124,13 @@ impl Armed {
     pub(crate) fn shut(&self, blind: Option<StatusProblem>) -> bool {
         let mut progress = lock(&self.0.progress);
         progress.blind = blind;
+        progress.has_begun
+    }
+
+    /// Nobody watches the guard any more: does not let the motion out, and says whether it was.
+    pub(crate) fn abandon(&self) -> bool {
+        let mut progress = lock(&self.0.progress);
+        progress.is_abandoned = true;
         progress.has_begun
     }
 
@@ -195,5 +209,26 @@ impl<S: MotionStatus> Robot<S> {
             }
             Some(trip) => Err(attach(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) })),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn armed() -> Armed {
+        let judging = Mutex::new(Judging { judges: Vec::new(), last: 0 });
+        Armed(Arc::new(Shared { judging, progress: Mutex::default() }))
+    }
+
+    #[test]
+    fn what_nobody_watches_is_not_let_out() {
+        let watched = armed();
+        assert!(watched.let_out().is_ok() && watched.abandon(), "it is out");
+        let abandoned = armed();
+        assert!(!abandoned.abandon());
+        let error = abandoned.let_out().expect_err("nobody watches it");
+        assert!(matches!(error.kind(), ErrorKind::Thread { .. }) && !error.may_have_run(), "{error:?}");
+        assert!(!abandoned.has_begun());
     }
 }
