@@ -271,10 +271,12 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none.
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
-        self.wait_unless(timeout, &|| false)
+        let end = self.wait_unless(timeout, &|| false);
+        self.report(&end);
+        end
     }
 
-    /// The same, and gives up waiting once it is to; then the outcome is [`Outcome::Deadline`].
+    /// The same, and gives up waiting once it is to, with [`Outcome::Deadline`]. Its end is yet to be reported.
     fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> MotionEnd {
         let since = self.clock().stopwatch();
         let Some(batch) = self.batch.take() else {
@@ -293,6 +295,13 @@ impl<S: MotionStatus> Robot<S> {
         }
         let (waited, packets) = (since.passed(), wait.packets.into());
         MotionEnd { outcome, waited, packets, not_answered: wait.failure, stop: None }
+    }
+
+    /// The program is told of the stops that have ended a motion, if they have.
+    fn report(&mut self, end: &MotionEnd) {
+        if matches!(end.outcome, Outcome::Stopped) {
+            self.latch.report_stops();
+        }
     }
 
     /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.

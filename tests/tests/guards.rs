@@ -292,6 +292,72 @@ fn a_stop_that_is_refused_is_told_at_once() {
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
 }
 
+/// Waits until a stop has come.
+fn wait_for_stop(controller: &Controller) {
+    let since = Instant::now();
+    while count(controller, StopProgram::INFO.name) == 0 {
+        assert!(since.elapsed() < LONG, "no stop comes");
+        thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// A stop of the program's own keeps the next motion back, unless the end has reported it.
+fn assert_kept_back(robot: &mut Robot, end: &MotionEnd) {
+    assert!(matches!(robot.unacknowledged(), Some(Outcome::Stopped)), "{end:?}");
+    let error = robot.start(&motion()).expect_err("nobody has looked");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::Stopped }), "{error:?}");
+    robot.acknowledge();
+    assert!(robot.unacknowledged().is_none());
+}
+
+#[test]
+fn a_stop_of_the_program_while_the_guard_stops_the_arm_keeps_the_next_motion_back() {
+    let (controller, mut robot) = ready(&patient());
+    let stop = robot.stop_handle();
+    controller.inject_for(StopProgram::INFO.name, Fault::Delay(Duration::from_millis(300)));
+    let end = disturbed(&controller, &mut robot, IO.cabinet(5).rises(), || {
+        controller.set_state(|state| state.digital_inputs[4] = true);
+        wait_for_stop(&controller);
+        stop.stop().expect("the controller accepts it");
+    });
+    assert!(matches!(end.outcome, Outcome::Guard(_)), "{end:?}");
+    assert_kept_back(&mut robot, &end);
+    drop(robot);
+
+    let (controller, mut robot) = ready(&patient());
+    let stop = robot.stop_handle();
+    controller.inject_for(StopProgram::INFO.name, Fault::Delay(Duration::from_millis(300)));
+    let end = thread::scope(|scope| {
+        scope.spawn(|| {
+            wait_for_stop(&controller);
+            stop.stop().expect("the controller accepts it");
+        });
+        robot.run_until(&motion(), IO.cabinet(5).rises(), Duration::from_secs(2)).expect("it is accepted")
+    });
+    assert!(matches!(end.outcome, Outcome::Deadline) && matches!(end.stop, Some(Ok(()))), "{end:?}");
+    assert_kept_back(&mut robot, &end);
+}
+
+#[test]
+fn a_stop_of_the_program_that_an_end_by_the_guard_does_not_report_keeps_the_next_motion_back() {
+    let (controller, mut robot) = ready(&patient());
+    let stop = robot.stop_handle();
+    controller.inject_for(StopProgram::INFO.name, Fault::Delay(Duration::from_millis(300)));
+    let end = disturbed(&controller, &mut robot, IO.cabinet(5).rises(), || {
+        thread::scope(|scope| {
+            let stopping = scope.spawn(|| stop.stop());
+            wait_for_stop(&controller);
+            controller.set_state(|state| state.digital_inputs[4] = true);
+            stopping.join().expect("no panic").expect("the controller accepts it");
+        });
+    });
+    match &end.outcome {
+        Outcome::Guard(_) => assert_kept_back(&mut robot, &end),
+        // This machine was too busy for the guard to stop the arm, too.
+        outcome => assert!(matches!(outcome, Outcome::Stopped) && robot.unacknowledged().is_none(), "{end:?}"),
+    }
+}
+
 #[test]
 fn a_refused_motion_is_an_error_and_a_protective_stop_goes_first() {
     let (controller, mut robot) = ready(&patient());

@@ -75,6 +75,13 @@ impl Latch {
         self.stops.taken() > self.reported
     }
 
+    /// One stop is reported to the program. One before it that was not, or one after it, keeps motions back as before.
+    pub(super) fn report_stop(&mut self, number: u64) {
+        if number == self.reported + 1 {
+            self.reported = number;
+        }
+    }
+
     /// The stops that the controller has accepted are reported to the program.
     pub(super) fn report_stops(&mut self) {
         self.reported = self.reported.max(self.stops.taken());

@@ -9,6 +9,7 @@ use jaka_proto::CommandInfo;
 use super::guard::{Guard, NotGuarded, Trip, TripReason};
 use super::readiness::unknown;
 use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
+use super::stops::Sent;
 use super::{GuardTrip, Motion, MotionEnd, MotionStatus, Outcome, Path, Robot};
 use crate::{Error, ErrorKind};
 
@@ -134,14 +135,17 @@ impl<S: MotionStatus> Robot<S> {
     fn end_of_guarded(&mut self, sentry: &Sentry<S>, mut end: MotionEnd, stopped: Option<Stopped>) -> MotionEnd {
         let may_move =
             matches!(end.outcome, Outcome::Deadline | Outcome::StatusLost { .. } | Outcome::ControllerError { .. });
-        let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&sentry.stop, None))) else { return end };
-        let is_accepted = self.take(&stopped);
+        let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&sentry.stop, None))) else {
+            self.report(&end);
+            return end;
+        };
+        let is_accepted = self.take(&stopped.stop);
         // What packets show against the arm itself counts before that.
         let is_by_sentry =
             matches!(end.outcome, Outcome::Deadline | Outcome::Stopped | Outcome::Reached | Outcome::AtRest);
         match stopped.why.filter(|_| is_by_sentry) {
             Some(Why::Trip(trip)) => {
-                let reaction = stopped.written.map(|at| at.saturating_duration_since(trip.packet.received));
+                let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));
                 let rest = if is_accepted { self.comes_to_rest(REST) } else { Ok(false) };
                 self.rests = matches!(rest, Ok(true));
                 end.outcome = Outcome::Guard(Arc::new(GuardTrip { reaction, is_at_rest: self.rests, ..trip.report() }));
@@ -153,7 +157,7 @@ impl<S: MotionStatus> Robot<S> {
             }
             None => {}
         }
-        end.stop = Some(stopped.accepted);
+        end.stop = Some(stopped.stop.accepted);
         end
     }
 
@@ -161,20 +165,20 @@ impl<S: MotionStatus> Robot<S> {
     fn error_of_guarded(&mut self, sentry: &Sentry<S>, first: Error, stopped: Option<Stopped>) -> Error {
         let may_run = sentry.armed.has_begun() && first.may_have_run();
         let Some(stopped) = stopped.or_else(|| may_run.then(|| Stopped::new(&sentry.stop, None))) else { return first };
-        self.take(&stopped);
-        match stopped.accepted {
+        self.take(&stopped.stop);
+        match stopped.stop.accepted {
             Err(stopping) if may_run => self.client.link().attach(ErrorKind::NotStopped { first, stopping }.into()),
             _ => first,
         }
     }
 
-    /// Takes note of a stop: true if it was accepted. Its motion is not waited for any more then.
-    fn take(&mut self, stopped: &Stopped) -> bool {
-        if stopped.accepted.is_ok() {
-            self.latch.report_stops();
+    /// Takes note of a stop, which the end or the error reports, and no other: true if it was accepted. Its motion is not waited for any more then.
+    fn take(&mut self, stop: &Sent) -> bool {
+        if stop.accepted.is_ok() {
+            self.latch.report_stop(stop.number);
             self.batch = None;
             self.checks.unsettle();
         }
-        stopped.accepted.is_ok()
+        stop.accepted.is_ok()
     }
 }

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::guard::{Armed, Trip};
+use super::stops::Sent;
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Outcome, Robot, RobotStop};
 use crate::monitor::Waker;
@@ -47,7 +48,7 @@ impl<S: MotionStatus> Sentry<S> {
             return None;
         }
         let stopped = Stopped::new(&self.stop, Some(why));
-        self.took(&stopped.accepted);
+        self.took(&stopped.stop.accepted);
         Some(stopped)
     }
 
@@ -71,13 +72,12 @@ impl<S: MotionStatus> Sentry<S> {
     }
 }
 
-/// A stop that was sent, or was to be.
+/// A stop because of a guard.
 #[derive(Debug)]
 pub(super) struct Stopped {
     /// None where only the end of the wait called for it.
     pub(super) why: Option<Why>,
-    pub(super) written: Option<Instant>,
-    pub(super) accepted: Result<(), Error>,
+    pub(super) stop: Sent,
 }
 
 #[derive(Debug)]
@@ -88,8 +88,7 @@ pub(super) enum Why {
 
 impl Stopped {
     pub(super) fn new(stop: &RobotStop, why: Option<Why>) -> Self {
-        let (written, accepted) = stop.stop_and_tell();
-        Self { why, written, accepted }
+        Self { why, stop: stop.stop_and_tell() }
     }
 }
 

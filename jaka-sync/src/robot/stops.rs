@@ -115,8 +115,16 @@ impl Drop for UnderWay<'_> {
     }
 }
 
+/// A stop that was sent, or was to be.
+#[derive(Debug)]
+pub(super) struct Sent {
+    pub(super) number: u64,
+    pub(super) written: Option<Instant>,
+    pub(super) accepted: Result<(), Error>,
+}
+
 /// Stops the arm of a [`Robot`](super::Robot) from another thread, and ends its wait as soon as the controller has accepted the
-/// stop. Unless a [`MotionEnd`](super::MotionEnd) has reported the stop, the next motion is refused until
+/// stop. Unless a [`MotionEnd`](super::MotionEnd) has reported the stop by [`Outcome::Stopped`], the next motion is refused until
 /// [`Robot::acknowledge`](super::Robot::acknowledge). While a stop is on its way, every motion is refused.
 ///
 /// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` then fails.
@@ -145,11 +153,11 @@ impl RobotStop {
     /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the
     /// next motion is refused.
     pub fn stop(&self) -> Result<(), Error> {
-        self.stop_and_tell().1
+        self.stop_and_tell().accepted
     }
 
-    /// The same, and when the stop had been written, if it was.
-    pub(super) fn stop_and_tell(&self) -> (Option<Instant>, Result<(), Error>) {
+    /// The same, and what is known of the stop.
+    pub(super) fn stop_and_tell(&self) -> Sent {
         // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.stops);
         self.stops.wait_until_braked();
@@ -162,6 +170,6 @@ impl RobotStop {
             // A program that learned of it, or acknowledged it, did not know that it would fail.
             self.stops.begun.fetch_add(1, Ordering::SeqCst);
         }
-        (written, accepted)
+        Sent { number, written, accepted }
     }
 }

@@ -94,12 +94,8 @@ impl<S: MotionStatus> Robot<S> {
         }
     }
 
-    /// The outcome reports a stop to the program.
-    fn told(&mut self, outcome: Outcome) -> Outcome {
-        if matches!(outcome, Outcome::Stopped) {
-            self.latch.report_stops();
-        }
-        // If the target is not known, the arm may be at rest because of a stop whose reply has not come.
+    /// The outcome as the program is told it. If the target is not known, the arm may be at rest because of a stop whose reply has not come.
+    fn told(&self, outcome: Outcome) -> Outcome {
         let is_stopping = self.latch.stops().is_under_way() && matches!(outcome, Outcome::AtRest);
         if is_stopping { Outcome::Stopped } else { outcome }
     }
