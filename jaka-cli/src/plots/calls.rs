@@ -32,7 +32,7 @@ fn draw(area: &Area<'_>, end: f64, requests: &[(f64, Latency)]) -> Drawn {
     let (low, high) = times.fold((0.0_f64, 1.0_f64), |(low, high), power| (low.min(power), high.max(power)));
     let (low, high) = (low.floor(), high.ceil() + 0.5);
     let mut chart = chart(area, end, (low, high), AXIS)?;
-    mesh(&mut chart, end, 9, &powers)?;
+    mesh(&mut chart, end, 9, &|power| powers(*power))?;
     let kinds: [fn(&Latency) -> bool; 3] = [
         |latency| matches!(latency, Latency::Accepted(_)),
         |latency| matches!(latency, Latency::Refused(_)),
@@ -54,11 +54,11 @@ fn power(latency: Latency) -> Option<f64> {
 }
 
 /// The milliseconds of a whole power of ten.
-fn powers(power: &f64) -> String {
+fn powers(power: f64) -> String {
     if (power - power.round()).abs() > 0.01 {
         return String::new();
     }
-    let decimals = if *power < -1.5 { 2 } else { usize::from(*power < -0.5) };
+    let decimals = if power < -1.5 { 2 } else { usize::from(power < -0.5) };
     format!("{:.decimals$}", 10_f64.powf(power.round()))
 }
 
@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn labels_are_milliseconds() {
-        assert_eq!([-2.0, -1.0, 0.0, 2.0, 0.5].map(|power| powers(&power)), ["0.01", "0.1", "1", "100", ""]);
+        assert_eq!([-2.0, -1.0, 0.0, 2.0, 0.5].map(|power| powers(power)), ["0.01", "0.1", "1", "100", ""]);
     }
 
     #[test]

@@ -48,8 +48,8 @@ pub(super) fn font(size: u32) -> TextStyle<'static> {
 }
 
 /// The same, with the side at which a text begins.
-pub(super) fn anchored(size: u32, side: HPos) -> TextStyle<'static> {
-    font(size).pos(Pos::new(side, VPos::Center))
+pub(super) fn anchored(size: u32, anchor: HPos) -> TextStyle<'static> {
+    font(size).pos(Pos::new(anchor, VPos::Center))
 }
 
 /// A number as a label of an axis that is as long as this.

@@ -110,7 +110,7 @@ fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
     text.extend(more(digital.len(), MOST_DIGITAL, "digital one"));
     text.extend(more(analog.len(), MOST_ANALOG, "analog one"));
     if strips.is_empty() {
-        text[0] = "None changes.".to_owned();
+        text[0] = String::from("None changes.");
     }
     (strips, text.join(" "))
 }
@@ -133,12 +133,11 @@ fn path(packets: &Packets) -> Result<Section, Failure> {
     };
     let above = way(View { right: "x (mm)", up: "y (mm)" }, &seen(0, 1))?;
     let side = way(View { right: "x (mm)", up: "z (mm)" }, &seen(0, 2))?;
-    let mut text = "From above (x to the right, y upwards) and from the side (x to the right, z upwards), in the user frame that is selected. \
+    let thinned = if step > 1 { format!(" One of {step} packets is drawn.") } else { String::new() };
+    let text = "From above (x to the right, y upwards) and from the side (x to the right, z upwards), in the user frame that is selected. \
                     A circle is at the beginning, a square at the end."
-        .to_owned();
-    if step > 1 {
-        text += &format!(" One of {step} packets is drawn.");
-    }
+        .to_owned()
+        + &thinned;
     Ok(Section { id, title, text, pictures: vec![above, side] })
 }
 

@@ -131,14 +131,11 @@ fn seconds(time: Duration) -> String {
 fn table(titles: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let is_number = |cell: &str| !titles.is_empty() && (cell.parse::<f64>().is_ok() || cell == "–");
     let class = |cell: &str| if is_number(cell) { " class=\"number\"" } else { "" };
-    let mut html = "<table>\n".to_owned();
-    if !titles.is_empty() {
-        let cells: Vec<_> = titles.iter().map(|title| format!("<th>{}</th>", escaped(title))).collect();
-        html += &format!("<tr>{}</tr>\n", cells.concat());
-    }
-    for row in rows {
+    let cells: Vec<_> = titles.iter().map(|title| format!("<th>{}</th>", escaped(title))).collect();
+    let header = if cells.is_empty() { String::new() } else { format!("<tr>{}</tr>\n", cells.concat()) };
+    let rows = rows.map(|row| {
         let cells: Vec<_> = row.iter().map(|cell| format!("<td{}>{cell}</td>", class(cell))).collect();
-        html += &format!("<tr>{}</tr>\n", cells.concat());
-    }
-    html + "</table>\n"
+        format!("<tr>{}</tr>\n", cells.concat())
+    });
+    format!("<table>\n{header}{}</table>\n", rows.collect::<String>())
 }

@@ -49,23 +49,19 @@ impl Calls {
     fn add(&mut self, Answered { request, sent, answer, .. }: &Answered) -> Option<Happening> {
         let name = name(request);
         let count = self.commands.entry(name.clone()).or_default();
-        let (latency, failed) = match answer {
-            Answer::Reply { reply, after } => {
-                let ms = milliseconds(*after);
-                count.replies.push(ms);
-                match refusal(reply, &name) {
-                    Some(what) => {
-                        count.refused += 1;
-                        let arrived = sent.saturating_add(*after);
-                        (Latency::Refused(ms), Some(Happening::wrong(arrived, Kind::Refused, what)))
-                    }
-                    None => (Latency::Accepted(ms), None),
-                }
+        let (latency, failed) = if let Answer::Reply { reply, after } = answer {
+            let ms = milliseconds(*after);
+            count.replies.push(ms);
+            if let Some(what) = refusal(reply, &name) {
+                count.refused += 1;
+                let arrived = sent.saturating_add(*after);
+                (Latency::Refused(ms), Some(Happening::wrong(arrived, Kind::Refused, what)))
+            } else {
+                (Latency::Accepted(ms), None)
             }
-            _ => {
-                count.unanswered += 1;
-                (Latency::Unanswered, Some(unanswered(*sent, &name, answer)))
-            }
+        } else {
+            count.unanswered += 1;
+            (Latency::Unanswered, Some(unanswered(*sent, &name, answer)))
         };
         self.latencies.push((sent.as_secs_f64(), latency));
         failed

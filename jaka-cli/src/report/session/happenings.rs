@@ -4,8 +4,6 @@ use std::time::Duration;
 
 use jaka_sync::recording::{Ending, Entry, Event};
 
-use crate::number::count;
-
 /// Something that happened.
 #[derive(Debug)]
 pub(in crate::report) struct Happening {
@@ -69,14 +67,10 @@ pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
         }
         Event::Error { text } => Happening::wrong(time, Kind::Error, text.as_str()),
         Event::Dropped { count: dropped } => {
-            let entries = usize::try_from(*dropped).map_or_else(|_| format!("{dropped} entries"), |n| entries(n));
+            let entries = if *dropped == 1 { "1 entry".to_owned() } else { format!("{dropped} entries") };
             let what = format!("{entries} of connection {connection} missing: the file could not be written as fast");
             Happening::wrong(time, Kind::Packets, what)
         }
         _ => return None,
     })
-}
-
-fn entries(number: usize) -> String {
-    if number == 1 { count(1, "entry") } else { format!("{number} entries") }
 }
