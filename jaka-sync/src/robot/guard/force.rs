@@ -75,6 +75,9 @@ pub enum ForceComponent {
     Force,
 }
 
+/// The longest reaction that a limit may state: ours, far beyond any.
+const LONGEST_REACTION: Duration = Duration::from_secs(60);
+
 impl ForceLimit {
     /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm.
     pub fn new(component: ForceComponent, change: f64) -> Self {
@@ -88,7 +91,7 @@ impl ForceLimit {
     }
 
     /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until
-    /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network.
+    /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network. One minute is the most.
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self
@@ -105,9 +108,14 @@ impl ForceLimit {
         let numbers =
             [("change", self.change), ("overtravel", self.overtravel_mm), ("braking", self.braking.unwrap_or(1.0))];
         let odd = numbers.into_iter().find(|(_, value)| !value.is_finite() || *value <= 0.0);
-        odd.map_or(Ok(()), |(name, value)| {
-            Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0", false))
-        })
+        if let Some((name, value)) = odd {
+            return Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0", false));
+        }
+        if self.reaction > LONGEST_REACTION {
+            let value = format!("{:?}", self.reaction);
+            return Err(InvalidArgument::new(call, "reaction", value, "at most one minute", false));
+        }
+        Ok(())
     }
 
     /// Whether the force has changed by the limit since the start.
@@ -134,9 +142,10 @@ impl ForceLimit {
     ) -> Result<(), NotGuarded> {
         let braking_mm_s2 = self.braking.or(acceleration).ok_or(NotGuarded::BrakingUnknown)?;
         let (overtravel_mm, reaction) = (self.overtravel_mm, self.reaction);
-        let time = (period + reaction).as_secs_f64();
-        // The positive root of speed * time + speed² / (2 * braking) = overtravel.
-        let permitted_mm_s = braking_mm_s2 * ((time * time + 2.0 * overtravel_mm / braking_mm_s2).sqrt() - time);
+        let time = period.saturating_add(reaction).as_secs_f64();
+        // The positive root of speed * time + speed² / (2 * braking) = overtravel, in the form in which nothing cancels.
+        let root = (time * time + 2.0 * overtravel_mm / braking_mm_s2).sqrt();
+        let permitted_mm_s = 2.0 * overtravel_mm / (time + root);
         if speed <= permitted_mm_s {
             return Ok(());
         }
@@ -258,6 +267,25 @@ mod tests {
             assert!(limit.check_speed(speed - 1e-6, Some(braking), period).is_ok());
             assert_eq!(limit.check_speed(1.0, None, period), Err(NotGuarded::BrakingUnknown));
             assert!(limit.braking(braking).check_speed(speed - 1e-6, None, period).is_ok());
+        }
+    }
+
+    #[test]
+    fn a_braking_beyond_all_measure_leaves_the_way_of_the_reaction() {
+        for braking in [1e17, 5e18, 1e300] {
+            let speed = permitted(30, braking);
+            assert!((speed - 20.0).abs() < 1e-6, "{braking}: {speed}");
+        }
+    }
+
+    #[test]
+    fn a_reaction_beyond_all_measure_is_refused() {
+        let limit = |reaction| ForceLimit::new(ForceComponent::Fz, 1.0).reaction(reaction);
+        assert!(limit(LONGEST_REACTION).check("run_until").is_ok());
+        for reaction in [LONGEST_REACTION + Duration::from_nanos(1), Duration::MAX] {
+            let error = limit(reaction).check("run_until").expect_err("it is too long");
+            assert!(error.to_string().contains("reaction"), "{error}");
+            assert!(limit(reaction).check_speed(1.0, Some(500.0), Duration::from_millis(8)).is_err());
         }
     }
 
