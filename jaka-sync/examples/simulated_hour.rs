@@ -2,14 +2,21 @@
 //!
 //! `cargo run --release --example simulated_hour --features jaka-sync/simulated-clock`; a number after `--` is the minutes.
 
+mod common;
+
 use std::error::Error;
 use std::f64::consts::TAU;
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, SimulatedClock};
 use jaka_sync::{Config, ServoConfig};
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    common::end(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let minutes: u32 = std::env::args().nth(1).map_or(Ok(60), |minutes| minutes.parse())?;
     let began = Instant::now();
     let clock = SimulatedClock::new();

@@ -396,7 +396,11 @@ impl<S: Send + Sync> Wake for Board<S> {
 /// What a status packet says about the arm; `None` for a choice of fields of the user's own.
 pub(crate) fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
     let status = (&snapshot.status as &dyn Any).downcast_ref::<RobotStatus>()?;
-    let unfit = snapshot.unfit.iter().map(|error| format!("{} cannot be read", error.field()));
+    let named = |error: &DecodeError| match error.field() {
+        "" => "the packet cannot be read".to_owned(),
+        field => format!("{field} cannot be read"),
+    };
+    let unfit = snapshot.unfit.iter().map(named);
     let says = |holds: Option<bool>, yes: &str, no: &str| holds.map(|holds| if holds { yes } else { no }.to_owned());
     let code = status.error_code.as_ref().map(|code| format!("code {code}"));
     let parts = [

@@ -362,6 +362,11 @@ impl<S: MotionStatus> Robot<S> {
         self.latch.unacknowledged()
     }
 
+    /// The same apart from a lost status, at which an arm is still braked and held.
+    pub(crate) fn unacknowledged_stop(&self) -> Option<Outcome> {
+        self.latch.unacknowledged_stop()
+    }
+
     /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is
     /// on its way.
     pub fn acknowledge(&mut self) {

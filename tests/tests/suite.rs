@@ -26,6 +26,7 @@ mod motion;
 mod odd_replies;
 mod odd_status;
 mod old_status;
+mod packet_types;
 mod packs;
 mod pipeline;
 mod preflight;

@@ -27,8 +27,8 @@ fn missing_of_cargo(root: &Path, command: &str, words: &[&str]) -> Option<String
         return Some(format!("cargo {command}"));
     }
     // What follows `--` is not cargo's.
-    let pairs = words.windows(2).take_while(|pair| pair[0] != "--");
-    pairs.filter_map(|pair| missing_of_option(root, pair[0], pair[1])).next()
+    let mut pairs = words.windows(2).take_while(|pair| pair[0] != "--");
+    pairs.find_map(|pair| missing_of_option(root, pair[0], pair[1]))
 }
 
 fn missing_of_option(root: &Path, option: &str, value: &str) -> Option<String> {

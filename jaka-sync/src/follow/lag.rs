@@ -139,10 +139,10 @@ mod tests {
         for cycle in 0..500u32 {
             let ms = f64::from(cycle) * 8.0;
             let now = start + PERIOD * cycle;
+            fit.sent(now, at(wave(ms)));
             if cycle % 4 == 3 {
                 fit.seen(now, at(wave(ms - delay_ms)));
             }
-            fit.sent(now, at(wave(ms)));
         }
         fit.best()
     }

@@ -29,14 +29,12 @@ impl<S> Observers<S> {
         self.own.is_empty() && self.users.is_empty()
     }
 
-    /// Calls all of them, and forgets those that break or panic.
+    /// Calls all of them, and forgets those that break; of the users' those that panic, too.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
-        for calls in [&mut self.own, &mut self.users] {
-            // What a panic leaves half done is the call's own, and goes with it.
-            calls.retain_mut(|call| {
-                catch_unwind(AssertUnwindSafe(|| call(snapshot))).is_ok_and(|flow| flow.is_continue())
-            });
-        }
+        // What a panic leaves half done is the call's own. Those of this crate leave nothing so.
+        let flow = |call: &mut Call<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
+        self.own.retain_mut(|call| flow(call).map_or(true, |flow| flow.is_continue()));
+        self.users.retain_mut(|call| flow(call).is_ok_and(|flow| flow.is_continue()));
     }
 
     /// Takes over the observers of another list.

@@ -7,6 +7,7 @@ use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Severity};
 
+use super::status::told;
 use super::{MotionStatus, Robot};
 use crate::{Error, ErrorKind};
 
@@ -125,7 +126,7 @@ impl<S: MotionStatus> Robot<S> {
             return Some(Explanation::NoRemoteControl);
         }
         let newest = self.monitor.last_known_packet();
-        let mut status = newest.map_or_else(RobotStatus::default, |newest| newest.status.robot_status());
+        let mut status = newest.and_then(|newest| told(&newest.status).ok()).unwrap_or_default();
         let state = self.client.call_within(&GetRobotState::new(), PATIENCE.min(timeout));
         (status.powered_on, status.enabled) = match &state {
             Ok(state) => (Some(state.powered_on), Some(state.enabled)),

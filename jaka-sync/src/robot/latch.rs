@@ -8,8 +8,8 @@ use super::{MotionStatus, Outcome, trouble};
 use crate::clock::Clock;
 use crate::{Error, ErrorKind, Monitor};
 
-/// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, and stops of
-/// handles that no [`MotionEnd`](super::MotionEnd) has reported.
+/// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, a packet that tells
+/// nothing because its own type has panicked, and stops of handles that no [`MotionEnd`](super::MotionEnd) has reported.
 ///
 /// A clone sees all that sets it later, but not what is reported or acknowledged later.
 #[derive(Debug, Clone)]
@@ -31,22 +31,35 @@ impl Latch {
             let Some(outcome) = outcome.upgrade() else {
                 return ControlFlow::Break(());
             };
-            if let Some(stop) = trouble::stop(&S::snapshot(snapshot).status) {
-                lock(&outcome).get_or_insert(stop);
+            let packet = S::snapshot(snapshot);
+            // A packet that tells nothing may have shown a stop.
+            let lost = || {
+                trouble::panicked(&packet)
+                    .cloned()
+                    .map(|source| Outcome::StatusLost { cause: None, unreadable: Some(source) })
+            };
+            if let Some(found) = trouble::stop(&packet.status).or_else(lost) {
+                put(&outcome, found);
             }
             ControlFlow::Continue(())
         });
         latch
     }
 
-    /// Sets it. What has set it first stays.
+    /// Sets it. What has set it first stays, but a stop that a packet shows takes the place of a lost status.
     pub(super) fn set(&self, outcome: &Outcome) {
-        lock(&self.outcome).get_or_insert_with(|| outcome.clone());
+        put(&self.outcome, outcome.clone());
     }
 
     /// What must be acknowledged, if something must.
     pub(super) fn unacknowledged(&self) -> Option<Outcome> {
         lock(&self.outcome).clone().or_else(|| self.stops.pending(self.reported))
+    }
+
+    /// What must be acknowledged apart from a lost status: set-points that brake and hold the arm do not wait for that.
+    pub(super) fn unacknowledged_stop(&self) -> Option<Outcome> {
+        let shown = lock(&self.outcome).clone().filter(|outcome| !is_lost(outcome));
+        shown.or_else(|| self.stops.pending(self.reported))
     }
 
     /// Fails while something must be acknowledged.
@@ -86,6 +99,17 @@ impl Latch {
     pub(super) fn report_stops(&mut self) {
         self.reported = self.reported.max(self.stops.taken());
     }
+}
+
+fn put(latched: &Mutex<Option<Outcome>>, found: Outcome) {
+    let mut latched = lock(latched);
+    if latched.as_ref().is_none_or(|first| is_lost(first) && !is_lost(&found)) {
+        *latched = Some(found);
+    }
+}
+
+fn is_lost(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::StatusLost { .. })
 }
 
 /// Every change is made whole before the lock is left.

@@ -5,6 +5,7 @@ use std::time::Duration;
 use jaka_proto::Command;
 use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
 
+use super::status::told;
 use super::{Explanation, MotionStatus, Robot};
 use crate::clock::Stopwatch;
 use crate::{Error, ErrorKind, monitor};
@@ -49,8 +50,7 @@ impl<S: MotionStatus> Robot<S> {
             self.switch(&EnableRobot::new(), |state| state.enabled, &limit, Self::check_emergency_stop)?;
         }
         let is_up = |status: &S| {
-            let status = status.robot_status();
-            status.powered_on != Some(false) && status.enabled != Some(false)
+            told(status).is_ok_and(|status| status.powered_on != Some(false) && status.enabled != Some(false))
         };
         self.monitor.wait_until(is_up, limit.left()).map(drop)
     }
@@ -73,8 +73,7 @@ impl<S: MotionStatus> Robot<S> {
             self.switch(&PowerOff::new(), |state| !state.powered_on, &limit, Self::pause)?;
         }
         let is_down = |status: &S| {
-            let status = status.robot_status();
-            status.powered_on != Some(true) && status.enabled != Some(true)
+            told(status).is_ok_and(|status| status.powered_on != Some(true) && status.enabled != Some(true))
         };
         self.monitor.wait_until(is_down, limit.left()).map(drop)
     }

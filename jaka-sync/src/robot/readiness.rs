@@ -121,7 +121,7 @@ impl<S: MotionStatus> Robot<S> {
             if let Ok(newest) = readable(monitor.fresh_packet()) {
                 check_stops(&newest)?;
             }
-            match latch.unacknowledged() {
+            match latch.unacknowledged_stop() {
                 None => Ok(()),
                 Some(Outcome::Stopped) if !latch.has_sent_stop() => Ok(()),
                 Some(outcome) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
@@ -132,7 +132,11 @@ impl<S: MotionStatus> Robot<S> {
     /// Lets set-points pass that hold the arm: those that brake it pass, and no stop has begun.
     pub(crate) fn holding_gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {
         let (latch, braking) = (self.latch.clone(), self.braking_gate());
-        move || braking().and_then(|()| latch.check())
+        let no_stop = move || match latch.unacknowledged_stop() {
+            None => Ok(()),
+            Some(outcome) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
+        };
+        move || braking().and_then(|()| no_stop())
     }
 }
 

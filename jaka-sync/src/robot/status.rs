@@ -1,9 +1,10 @@
 //! What a robot reads of status packets, whatever type its monitor keeps.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::wire::Decode;
+use jaka_proto::wire::{Decode, DecodeError};
 
 use crate::Snapshot;
 
@@ -34,16 +35,29 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// The packet in terms of the built-in type.
     ///
     /// What is left out counts as a key that did not come: an arm is not moved if neither of its stops nor its power is shown. What
-    /// does not fit ([`Snapshot::is_unfit`]) is known by the fields' names.
+    /// does not fit ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot be read, and
+    /// motions are kept back until [`Robot::acknowledge`](super::Robot::acknowledge).
     fn robot_status(&self) -> RobotStatus;
 
-    /// The packet in terms of the built-in type, with when it came and what did not fit.
+    /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come, and the packet as a whole
+    /// does not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
         let Snapshot { status, received, number, unfit, clock } = &**snapshot;
-        let (status, unfit, clock) = (status.robot_status(), unfit.clone(), clock.clone());
+        let (mut unfit, clock) = (unfit.clone(), clock.clone());
+        let status = told(status).unwrap_or_else(|error| {
+            unfit.push(error);
+            RobotStatus::default()
+        });
         Arc::new(Snapshot { status, received: *received, number: *number, unfit, clock })
     }
+}
+
+/// What a packet tells, unless its own type panics. Nothing else calls [`MotionStatus::robot_status`].
+pub(super) fn told<S: MotionStatus>(status: &S) -> Result<RobotStatus, DecodeError> {
+    // What a panic leaves half done is the type's own.
+    catch_unwind(AssertUnwindSafe(|| status.robot_status()))
+        .map_err(|_| DecodeError::unfit("a packet that the program's own type accepts", "a panic"))
 }
 
 impl MotionStatus for RobotStatus {

@@ -52,12 +52,17 @@ pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
     }
 }
 
+/// Why a packet tells nothing at all: its own type has panicked.
+pub(super) fn panicked(snapshot: &Snapshot) -> Option<&DecodeError> {
+    snapshot.unfit.iter().find(|error| error.field().is_empty())
+}
+
 /// Why a packet does not show whether the arm is stopped: it cannot be read, or is not there at all.
 pub(super) fn unreadable(snapshot: &Snapshot) -> Option<DecodeError> {
     const NEEDED: [&str; 6] =
         ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
-    let unfit = snapshot.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
-    unfit.cloned().or_else(|| {
+    let unfit = || snapshot.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
+    panicked(snapshot).or_else(unfit).cloned().or_else(|| {
         let status = &snapshot.status;
         let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
         let is_told = told.iter().any(Option::is_some);

@@ -73,7 +73,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let since = self.robot.clock().stopwatch();
         let (mut rest, mut is_held) = (Rest::new(since.began(), self.course.held_joints()), true);
         loop {
-            if is_held && self.robot.unacknowledged().is_some() {
+            if is_held && self.robot.unacknowledged_stop().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
                 (rest, is_held) = (Rest::new(self.robot.clock().now(), None), false);
             }
@@ -97,7 +97,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     fn hold_once(&mut self, refused: u64) -> Result<(), Error> {
-        match (self.robot.unacknowledged(), self.course.hold()) {
+        match (self.robot.unacknowledged_stop(), self.course.hold()) {
             (None, Some(set_point)) => {
                 let gate = self.robot.holding_gate();
                 match self.send_landing(set_point, &gate, refused) {
@@ -144,7 +144,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 /// Whether the arm is braked after this error: where set-points still reach a controller that follows them.
 pub(crate) fn lets_land(error: &Error) -> bool {
     match error.kind() {
-        ErrorKind::NotAcknowledged { outcome } => matches!(outcome, Outcome::Stopped),
+        ErrorKind::NotAcknowledged { outcome } => matches!(outcome, Outcome::Stopped | Outcome::StatusLost { .. }),
         ErrorKind::InvalidArgument(_)
         | ErrorKind::NotInFirmware(_)
         | ErrorKind::Refused { .. }

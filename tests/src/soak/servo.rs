@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use jaka_proto::read_payload;
 use jaka_sync::kinematics::{GetJointPos, GetTcpPos};
+use jaka_sync::power::GetRobotState;
 use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Error, ErrorKind, Explanation, ServoConfig, ServoReport, ServoSession};
@@ -94,10 +95,16 @@ fn asking() -> Sent {
     (text(&GetJointPos::new()), Fate::Perhaps, QUESTIONS)
 }
 
+/// Whether servo mode is on already.
+fn is_on() -> Sent {
+    (text(&IsInServomove::new()), Fate::Perhaps, 1)
+}
+
 /// What a session begins with.
 fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     vec![
         asking(),
+        is_on(),
         (text(&SetServoMode::new(Switch::On)), switched, 1),
         (text(&IsInServomove::new()), entered, usize::MAX),
         (text(&GetJointPos::new()), entered, 1),
@@ -105,18 +112,26 @@ fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     ]
 }
 
-/// What it ends with. That servo mode was left is known by an answer.
-fn leaving(fate: Fate) -> [Sent; 2] {
-    [(text(&LEAVE), fate, 1), (text(&IsInServomove::new()), fate, usize::MAX)]
+/// What it ends with. That servo mode was left is known by an answer. What is behind a refusal may be asked for.
+fn leaving(fate: Fate) -> [Sent; 3] {
+    let state = (text(&GetRobotState::new()), Fate::Perhaps, 1);
+    [(text(&LEAVE), fate, 1), (text(&IsInServomove::new()), fate, usize::MAX), state]
 }
 
 /// What went out of a session that did not begin.
 fn not_entered(error: &Error) -> Vec<Sent> {
-    let is_of_position = |command: &str| command == GetJointPos::INFO.name;
+    // These are asked for before servo mode and in it.
+    let is_asked_before = |command: &str| [GetJointPos::INFO.name, IsInServomove::INFO.name].contains(&command);
+    let command = match error.kind() {
+        ErrorKind::Timeout { command, .. }
+        | ErrorKind::ReplyLost { command }
+        | ErrorKind::UnexpectedReply { command, .. } => Some(&**command),
+        ErrorKind::Refused { refusal, .. } => Some(&*refusal.command),
+        _ => None,
+    };
     let (switched, left) = match error.kind() {
         ErrorKind::ServoModeNotLeft { .. } => (Fate::Sent, Fate::Perhaps),
-        // The position is asked for before and after.
-        ErrorKind::Timeout { command, .. } if is_of_position(command) => (Fate::Perhaps, Fate::Perhaps),
+        _ if command.is_some_and(is_asked_before) => (Fate::Perhaps, Fate::Perhaps),
         // Of the first command there is nothing to leave, of the others there is.
         ErrorKind::Refused { .. } => (Fate::Seen, Fate::Perhaps),
         ErrorKind::Timeout { .. }
@@ -124,7 +139,7 @@ fn not_entered(error: &Error) -> Vec<Sent> {
         | ErrorKind::UnexpectedReply { .. }
         | ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
         // Servo mode was not asked for: the arm moves, the status is not known, somebody must look first, or the connection is broken.
-        _ => return vec![asking()],
+        _ => return vec![asking(), is_on()],
     };
     entering(switched, Fate::Perhaps).into_iter().chain(leaving(left)).collect()
 }

@@ -75,6 +75,10 @@ fn next(cell: &Cell<'_>, robot: &mut Robot) -> Outcome {
         Next::Other => cell.ends(timeout, cell.then, || cell.payload(robot.client(), timeout)),
         Next::Same => {
             robot.acknowledge();
+            if matches!(cell.trouble, Trouble::Refusal) {
+                // What a controller refuses it has not done, but the simulated one, whose reply alone is another.
+                cell.controller.set_state(|state| state.servo_mode = false);
+            }
             recover(cell, robot);
             cell.ends(timeout, cell.then, || {
                 while_time_goes_on(cell, cell.then, || session(cell, robot, cell.then, || {}))

@@ -4,7 +4,6 @@ use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread;
 use std::time::Duration;
 
 #[cfg(feature = "stream")]
@@ -15,8 +14,8 @@ use super::condition::Judge;
 use super::{Guard, Trip};
 #[cfg(feature = "stream")]
 use super::{NotGuarded, TripReason};
-use crate::robot::MotionStatus;
 use crate::robot::readiness::unknown;
+use crate::robot::{MotionStatus, trouble};
 use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never
@@ -49,8 +48,8 @@ struct Progress {
     blind: Option<StatusProblem>,
     /// True once the motion was let out.
     has_begun: bool,
-    /// True once a packet's own type has panicked: then no packet is judged any more.
-    is_broken: bool,
+    /// Why a packet could not be judged, if one could not: as a rule, its own type has panicked.
+    broken: Option<DecodeError>,
     /// True once nobody watches the guard any more.
     is_abandoned: bool,
 }
@@ -69,8 +68,7 @@ impl Armed {
         let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());
         monitor.observe_first(move |snapshot| {
             let Some(shared) = weak.upgrade() else { return ControlFlow::Break(()) };
-            let result = catch_unwind(AssertUnwindSafe(|| lock(&shared.judging).judge(&S::snapshot(snapshot))));
-            if shared.take(result) {
+            if shared.take(shared.judge(&S::snapshot(snapshot))) {
                 // At once: the user's observers, which may take their time, come before the monitor itself wakes anybody.
                 waker.wake();
             }
@@ -82,7 +80,7 @@ impl Armed {
         Ok(Self(shared))
     }
 
-    /// Why packets are not judged any more, if they are not.
+    /// Why a packet could not be judged, if one could not.
     pub(crate) fn broken(&self) -> Option<StatusProblem> {
         lock(&self.0.progress).broken()
     }
@@ -141,14 +139,23 @@ impl Armed {
 }
 
 impl Shared {
-    /// Takes a judgement, none where a packet's own type has panicked: true if it is news.
-    fn take(&self, result: thread::Result<Option<Trip>>) -> bool {
+    /// Judges a packet, unless that cannot be done.
+    fn judge(&self, packet: &Arc<Snapshot>) -> Result<Option<Trip>, DecodeError> {
+        match trouble::panicked(packet) {
+            Some(source) => Err(source.clone()),
+            None => catch_unwind(AssertUnwindSafe(|| lock(&self.judging).judge(packet)))
+                .map_err(|_| DecodeError::unfit("a packet that can be judged", "a panic")),
+        }
+    }
+
+    /// Takes a judgement: true if it is news.
+    fn take(&self, result: Result<Option<Trip>, DecodeError>) -> bool {
         let mut progress = lock(&self.progress);
         match result {
             Ok(None) => return false,
             Ok(Some(_)) if progress.trip.is_some() => return false,
             Ok(trip) => progress.trip = trip,
-            Err(_) => progress.is_broken = true,
+            Err(source) => progress.broken = Some(source),
         }
         true
     }
@@ -156,8 +163,7 @@ impl Shared {
 
 impl Progress {
     fn broken(&self) -> Option<StatusProblem> {
-        let source = || DecodeError::unfit("a packet that the program's own type accepts", "a panic");
-        self.is_broken.then(|| StatusProblem::Unreadable { source: source() })
+        self.broken.clone().map(|source| StatusProblem::Unreadable { source })
     }
 }
 
