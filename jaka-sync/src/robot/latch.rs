@@ -33,12 +33,9 @@ impl Latch {
             };
             let packet = S::snapshot(snapshot);
             // A packet that tells nothing may have shown a stop.
-            let lost = || {
-                trouble::panicked(&packet)
-                    .cloned()
-                    .map(|source| Outcome::StatusLost { cause: None, unreadable: Some(source) })
-            };
-            if let Some(found) = trouble::stop(&packet.status).or_else(lost) {
+            let panicked = trouble::panicked(&packet).cloned();
+            let lost = panicked.map(|source| Outcome::StatusLost { cause: None, unreadable: Some(source) });
+            if let Some(found) = trouble::stop(&packet.status).or(lost) {
                 put(&outcome, found);
             }
             ControlFlow::Continue(())

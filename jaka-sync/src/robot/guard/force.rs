@@ -13,10 +13,11 @@ use crate::robot::not_shown::{Field, NotShown};
 /// A change of the contact force since shortly before the start of a motion, in either direction, by which the motion is stopped.
 ///
 /// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared with the newest
-/// packet when the guard is armed; the motion goes out a moment later, after packets that may have come meanwhile. The sensor must report that it works and no error, before the motion and in each packet. Of the six values the
-/// document states neither units nor order nor axes: taken are fx, fy, fz, tx, ty, tz, N and Nm, as of `set_compliance_condition` (4.71,
-/// vendor's texts). The vendor's English page has them hold once the sensor is initialised; packets do not tell whether it is. Push against
-/// the tool by hand and look at packets before anything relies on it.
+/// packet when the guard is armed; the motion goes out a moment later, after packets that may have come meanwhile. The sensor must report
+/// that it works and no error, before the motion and in each packet. Of the six values the document states neither units nor order nor
+/// axes: taken are fx, fy, fz, tx, ty, tz, N and Nm, as of `set_compliance_condition` (4.71, vendor's texts). The vendor's English page has
+/// them hold once the sensor is initialised; packets do not tell whether it is. Push against the tool by hand and look at packets before
+/// anything relies on it.
 ///
 /// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests, it goes on for a
 /// period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² / (2 * braking)`. That must not be
