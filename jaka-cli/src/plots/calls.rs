@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn labels_are_milliseconds() {
-        assert_eq!([-2.0, -1.0, 0.0, 2.0, 0.5].map(|power| powers(power)), ["0.01", "0.1", "1", "100", ""]);
+        assert_eq!([-2.0, -1.0, 0.0, 2.0, 0.5].map(powers), ["0.01", "0.1", "1", "100", ""]);
     }
 
     #[test]
