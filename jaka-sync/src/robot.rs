@@ -346,6 +346,13 @@ impl<S: MotionStatus> Robot<S> {
         self.latch.stops().expect_set_point(within);
     }
 
+    /// Tells how long a stop of the program's own waits yet for a servo session to brake; none where none waits.
+    #[cfg(feature = "stream")]
+    pub(crate) fn time_to_brake(&self) -> impl Fn() -> Option<Duration> + use<S> {
+        let stops = Arc::clone(self.latch.stops());
+        move || stops.time_to_brake()
+    }
+
     /// True if the program has allowed motion without status.
     pub(crate) fn moves_without_status(&self) -> bool {
         self.moves_without_status

@@ -25,8 +25,6 @@ use jaka_proto::messages::servo::SetServoMoveFilter;
 
 #[cfg(feature = "stream")]
 pub(crate) use self::generated::{Seen, SetPoints, Supervision};
-#[cfg(feature = "stream")]
-pub(crate) use self::land::lets_land;
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;

@@ -16,7 +16,7 @@ use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
-use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision, lets_land};
+use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision};
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoSession};
 
 /// Takes what the caller waits for, and hands over the time.
@@ -112,20 +112,11 @@ impl<'o> Way<'o> {
 
     /// Brings the arm to rest after the last set-point, and tells how the run has ended.
     fn ended<S: MotionStatus>(mut self, mut session: ServoSession<'_, S>, ended: Result<(), Error>) -> FollowEnd {
-        let mut has_left_curve = false;
-        let error = match ended.and_then(|()| self.check_approach()) {
-            Ok(()) => session.land_by(&mut |_| None).err(),
-            Err(error) if !lets_land(&error) || self.can_brake(session.periods_to_brake()) => {
-                let ended = session.end_by(error, &mut |_| self.brake());
-                if self.approach.is_none() && session.last_joints() != Some(self.follower.joints()) {
-                    // The last one of the landing was not sent.
-                    self.follower.take_back();
-                }
-                Some(ended)
-            }
+        let (error, has_left_curve) = match ended.and_then(|()| self.check_approach()) {
+            Ok(()) => (session.land_by(&mut |_| None).err(), false),
             Err(error) => {
-                has_left_curve = true;
-                Some(session.end(error))
+                let (error, has_left_curve) = self.braked(&mut session, error);
+                (Some(error), has_left_curve)
             }
         };
         let outcome = match &error {
@@ -146,6 +137,26 @@ impl<'o> Way<'o> {
         }
     }
 
+    /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long, also because a stop of the program's own
+    /// goes out before. Says whether it has left the curve.
+    fn braked<S: MotionStatus>(&mut self, session: &mut ServoSession<'_, S>, error: Error) -> (Error, bool) {
+        let (mut straight_on, time_to_brake) = (session.straight_on(), session.time_to_brake());
+        let (mut is_straight_on, mut is_stopping) = (false, None);
+        let error = session.end_by(error, &mut |course| {
+            let left = time_to_brake();
+            if !is_straight_on && is_stopping.replace(left.is_some()) != Some(left.is_some()) {
+                is_straight_on = !self.can_brake(straight_on.periods(course), left);
+            }
+            if is_straight_on { straight_on.next(course) } else { self.brake() }
+        });
+        let is_off = self.approach.is_none() && session.last_joints() != Some(self.follower.joints());
+        if is_off && !is_straight_on {
+            // The last one of the landing was not sent.
+            self.follower.take_back();
+        }
+        (error, is_off && is_straight_on)
+    }
+
     /// Fails where something is in the way to the start.
     fn check_approach(&self) -> Result<(), Error> {
         let blocked = self.approach.as_ref().and_then(Approach::blocked).cloned();
@@ -153,11 +164,21 @@ impl<'o> Way<'o> {
         blocked.map_or(Ok(()), |beyond| Err(ErrorKind::BeyondLimit { command: command(), beyond }.into()))
     }
 
-    /// Whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done.
-    fn can_brake(&self, straight_on: u32) -> bool {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a period is 8 ms to 96 ms")]
-        let more = (MORE_S / self.follower.period_s()).ceil() as u32;
-        self.approach.is_some() || self.follower.periods_to_rest(straight_on.saturating_mul(2) + more).is_some()
+    /// Whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop waits, if one does.
+    fn can_brake(&self, straight_on: u32, left: Option<Duration>) -> bool {
+        let most = straight_on.saturating_mul(2).saturating_add(self.periods_in(MORE_S));
+        let most = left.map_or(most, |left| most.min(self.periods_in(left.saturating_sub(SPARE).as_secs_f64())));
+        self.approach.is_some() || self.follower.periods_to_rest(most).is_some()
+    }
+
+    fn periods_in(&self, time_s: f64) -> u32 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "some seconds, of periods of 8 ms to 96 ms"
+        )]
+        let periods = (time_s / self.follower.period_s()).floor() as u32;
+        periods
     }
 
     /// The next set-point by which the arm is braked, where it is not at rest.
@@ -183,6 +204,8 @@ impl<'o> Way<'o> {
 
 /// How much longer braking along the curve may take than twice braking straight on, in seconds.
 const MORE_S: f64 = 0.5;
+/// How much sooner than a stop goes out the arm is to be braked: set-points may be late.
+const SPARE: Duration = Duration::from_millis(300);
 
 impl SetPoints for Way<'_> {
     fn is_done(&mut self) -> bool {

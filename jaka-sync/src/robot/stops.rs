@@ -20,11 +20,20 @@ pub(super) struct Stops {
     sent: AtomicU64,
     /// How many are on their way to the controller.
     under_way: AtomicU64,
-    /// Until when a servo session that moves the arm sends its next set-point; none where none moves it. Locked alone.
-    next_set_point: Mutex<Option<Instant>>,
+    /// What stops wait for. Locked alone.
+    next_set_point: Mutex<Expected>,
     /// Signalled when no session moves the arm any more.
     stands: Signal,
     clock: Clock,
+}
+
+/// What stops wait for before they go out.
+#[derive(Debug, Default)]
+struct Expected {
+    /// Until when a servo session that moves the arm sends its next set-point; none where none moves it.
+    set_point: Option<Instant>,
+    /// When the first stop that waits for a session to brake goes out at the latest; none where none waits.
+    stop: Option<Instant>,
 }
 
 /// How long a stop waits at most for a servo session to brake.
@@ -37,7 +46,7 @@ impl Stops {
             taken: AtomicU64::new(0),
             sent: AtomicU64::new(0),
             under_way: AtomicU64::new(0),
-            next_set_point: Mutex::new(None),
+            next_set_point: Mutex::default(),
             stands: Signal::new(clock),
             clock: clock.clone(),
         }
@@ -66,26 +75,32 @@ impl Stops {
     /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
     pub(super) fn expect_set_point(&self, within: Option<Duration>) {
         let mut next = lock(&self.next_set_point);
-        if within.is_none() && next.is_none() {
+        if within.is_none() && next.set_point.is_none() {
             return;
         }
-        *next = within.map(|within| self.clock.now() + within);
-        if next.is_none() {
+        next.set_point = within.map(|within| self.clock.now() + within);
+        if next.set_point.is_none() {
             self.stands.notify_all();
         }
     }
 
     /// Waits while a servo session brakes. One whose next set-point is overdue does not: the arm has none to follow.
     fn wait_until_braked(&self) {
-        let since = self.clock.stopwatch();
         let mut next = lock(&self.next_set_point);
-        while let Some(due) = *next {
-            let left = self.clock.left(due).min(since.left_of(LONGEST_BRAKING));
+        while let (Some(due), Some(latest)) = (next.set_point, next.stop) {
+            let left = self.clock.left(due.min(latest));
             if left.is_zero() {
-                return;
+                break;
             }
             next = self.stands.wait(&self.next_set_point, next, left);
         }
+        next.stop = None;
+    }
+
+    /// How long a stop waits yet for a servo session to brake; none where none waits.
+    #[cfg(feature = "stream")]
+    pub(super) fn time_to_brake(&self) -> Option<Duration> {
+        lock(&self.next_set_point).stop.map(|latest| self.clock.left(latest))
     }
 
     /// True while the controller has not answered a stop.
@@ -95,7 +110,7 @@ impl Stops {
 }
 
 /// Every change is made whole before the lock is left.
-fn lock(next_set_point: &Mutex<Option<Instant>>) -> MutexGuard<'_, Option<Instant>> {
+fn lock(next_set_point: &Mutex<Expected>) -> MutexGuard<'_, Expected> {
     next_set_point.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -104,6 +119,8 @@ struct UnderWay<'s>(&'s Stops);
 
 impl<'s> UnderWay<'s> {
     fn begin(stops: &'s Stops) -> (Self, u64) {
+        // Who sees the stop knows when it goes out.
+        lock(&stops.next_set_point).stop.get_or_insert(stops.clock.now() + LONGEST_BRAKING);
         stops.under_way.fetch_add(1, Ordering::SeqCst);
         (Self(stops), stops.begun.fetch_add(1, Ordering::SeqCst) + 1)
     }

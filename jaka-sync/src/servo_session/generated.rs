@@ -122,10 +122,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.robot.unacknowledged()
     }
 
-    /// In how many periods the arm is braked straight on from the last set-point.
-    pub(crate) fn periods_to_brake(&self) -> u32 {
-        let step = self.course.step();
-        step.map_or(0, |step| self.config.rates.periods_to_brake(&step, self.config.period()))
+    /// Tells how long a stop of the program's own waits yet for the arm to be braked; none where none waits.
+    pub(crate) fn time_to_brake(&self) -> impl Fn() -> Option<Duration> + use<S> {
+        self.robot.time_to_brake()
     }
 
     /// The joints of the newest packet, unless it has this number.

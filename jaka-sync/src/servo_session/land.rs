@@ -7,7 +7,8 @@ use jaka_proto::messages::servo::ServoJ;
 
 use super::ServoSession;
 use super::course::Course;
-use super::set_point::SetPoint;
+use super::rates::Rates;
+use super::set_point::{SetPoint, Step};
 use crate::robot::Rest;
 use crate::{Error, ErrorKind, MotionStatus, Outcome};
 
@@ -18,6 +19,38 @@ const BLIND: Duration = Duration::from_millis(200);
 /// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
 pub(crate) type Braking<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
 
+/// Brakes an arm straight on, by a step that becomes smaller evenly.
+#[derive(Debug)]
+pub(crate) struct StraightOn {
+    rates: Rates,
+    period: Duration,
+    /// The step before it was braked, in how many periods it is, and how many of them are left; none before the first one.
+    begun: Option<(Option<Step>, u32, u32)>,
+}
+
+impl StraightOn {
+    /// In how many periods the arm is braked from the last set-point.
+    pub(crate) fn periods(&self, course: &Course) -> u32 {
+        self.step(course).map_or(0, |step| self.rates.periods_to_brake(&step, self.period))
+    }
+
+    /// The next set-point, unless the arm is to be held at the last one.
+    pub(crate) fn next(&mut self, course: &Course) -> Option<SetPoint> {
+        let (step, count, left) = self.begun.unwrap_or_else(|| {
+            let count = self.periods(course);
+            (self.step(course), count, count)
+        });
+        let left = left.saturating_sub(1);
+        self.begun = Some((step, count, left));
+        if left == 0 { None } else { course.after(&step?.scaled(f64::from(left) / f64::from(count))) }
+    }
+
+    /// A set-point that no arm reaches in a period is not a speed.
+    fn step(&self, course: &Course) -> Option<Step> {
+        course.step().filter(|step| self.rates.is_reachable(step, self.period))
+    }
+}
+
 impl<S: MotionStatus> ServoSession<'_, S> {
     /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at rest.
     ///
@@ -27,11 +60,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             // The way on in joints was checked, not that along the line of the poses.
             self.course.go_on_in_joints();
         }
-        // A set-point that no arm reaches in a period is not a speed.
-        let step = self.course.step().filter(|step| self.config.rates.is_reachable(step, self.config.period()));
-        let count = step.map_or(0, |step| self.config.rates.periods_to_brake(&step, self.config.period()));
-        let mut factors = (1..count).rev().map(|left| f64::from(left) / f64::from(count));
-        self.come_to_rest_by(&mut |course| course.after(&step?.scaled(factors.next()?)))
+        let mut straight_on = self.straight_on();
+        self.come_to_rest_by(&mut |course| straight_on.next(course))
+    }
+
+    pub(crate) fn straight_on(&self) -> StraightOn {
+        StraightOn { rates: self.config.rates, period: self.config.period(), begun: None }
     }
 
     /// Brakes the arm, and holds it until the status shows it at rest.
@@ -142,7 +176,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 }
 
 /// Whether the arm is braked after this error: where set-points still reach a controller that follows them.
-pub(crate) fn lets_land(error: &Error) -> bool {
+pub(super) fn lets_land(error: &Error) -> bool {
     match error.kind() {
         ErrorKind::NotAcknowledged { outcome } => matches!(outcome, Outcome::Stopped | Outcome::StatusLost { .. }),
         ErrorKind::InvalidArgument(_)

@@ -250,6 +250,37 @@ fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_go
     assert!(!end.has_left_curve && end.reached > Duration::from_secs(3) && last > -1.0, "{end:?} {last}");
 }
 
+/// How a run ends that a stop of the robot finds on the way to its greatest speed: braking along the trajectory would take longer than the stop waits, and not much
+/// longer than braking straight on. None where the machine was so busy that the arm has stood meanwhile.
+fn stopped_at_speed() -> Option<(FollowEnd, Vec<[f64; 6]>)> {
+    let limits = limits().with_joint_accelerations([70.0; 6]).expect("above 0");
+    let at = |time_s: f64, joint_6: f64, speed: f64| {
+        let [mut joints, mut speeds] = [START, [0.0; 6]];
+        (joints[5], speeds[5]) = (joint_6, speed);
+        TimedPoint::new(time_s, joints).with_velocity(speeds)
+    };
+    let points = [at(0.0, -220.0, 0.0), at(2.5, -1.25, 175.0), at(5.0, 217.5, 0.0)];
+    let (controller, robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    controller.set_state(|state| state.joint_position = points[0].joints);
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
+    let stop = robot.stop_handle();
+    let run = robot.start_follow(&trajectory, &patient()).expect("the arm is at its start");
+    wait_for(&run, 1.6);
+    stop.stop().expect("the controller takes it");
+    let end = run.wait();
+    (end.report.gaps == 0).then(|| (end, set_points(&controller).0))
+}
+
+#[test]
+fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_trajectory_brakes_it_straight_on() {
+    let (end, set_points) = (0..20).find_map(|_| stopped_at_speed()).expect("one is not disturbed");
+    assert_eq!((end.outcome, end.has_left_curve), (FollowOutcome::Stopped, true), "{end:?}");
+    let speeds: Vec<f64> = set_points.windows(2).map(|two| (two[1][5] - two[0][5]) / PERIOD).collect();
+    let (fastest, last) = (speeds.iter().copied().fold(0.0, f64::max), speeds[speeds.len() - 1]);
+    assert!(end.is_at_rest() && fastest > 100.0 && last < 70.0 * PERIOD * 1.01, "from {fastest} to {last}: {end:?}");
+}
+
 #[test]
 fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing() {
     let (controller, mut robot) = ready();
