@@ -61,6 +61,7 @@ pub(super) fn run<S: MotionStatus>(
         orders.stop();
     }
     let mut supervision = way.supervision(config).guarded(guard);
+    session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended);
     orders.end(end.to_string());

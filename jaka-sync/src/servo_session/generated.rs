@@ -7,6 +7,7 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::ServoSession;
 use super::departure::Departure;
+use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::clock::Clock;
 use crate::robot::Armed;
@@ -68,6 +69,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
         Some((self.robot.limits()?, self.last_joints()?))
+    }
+
+    /// The first cycle is due now: what was computed after servo mode was entered is not late.
+    pub(crate) fn begin_pace(&mut self) {
+        self.pace = Pace::new(self.robot.clock(), self.config.period(), self.config.busy_wait);
     }
 
     pub(crate) fn clock(&self) -> &Clock {
