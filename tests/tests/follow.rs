@@ -236,6 +236,25 @@ fn a_start_elsewhere_is_refused_unless_an_approach_is_asked_for() {
 }
 
 #[test]
+fn an_approach_that_does_not_get_to_the_start_ends() {
+    let (controller, robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    controller.set_state(|state| state.joint_position.0[5] = 14.0);
+    let narrow = limits().with_joint_range(6, -15.0, 15.0).expect("a range");
+    let mut robot = robot.with_limits(narrow).expect("it is this arm");
+    // Within what the check takes for rounding.
+    let [start, end] = [15.000_005, 5.0].map(|joint_6| turned([0.0, 0.0, 0.0, 0.0, 0.0, joint_6]));
+    let curve = Curve::through(&[(0.0, start), (2.0, end)]);
+    let trajectory = curve.trajectory(robot.limits().expect("it has some")).expect("within the limits");
+    let config = patient().approach(10.0).deadline(Duration::from_secs(20));
+    let end = robot.start_follow(&trajectory, &config).expect("the way is free").wait();
+    assert_eq!((end.outcome, end.reached), (FollowOutcome::Failed, Duration::ZERO), "{end:?}");
+    assert!(end.is_at_rest(), "{end:?}");
+    let error = end.error.as_ref().expect("it says why");
+    assert!(matches!(error.kind(), ErrorKind::NotAtStart { joint: 6, .. }), "{error:?}");
+    assert!(error.to_string().contains("at 15.000005 deg, and the arm has it at 15.000000 deg"), "{error}");
+}
+
+#[test]
 fn a_hundredth_of_a_degree_is_what_controllers_round_off() {
     let (controller, mut robot) = ready();
     controller.set_state(|state| state.joint_position = JointPosition(turned([0.0, 0.004, 0.0, 0.0, -0.009, 0.0])));

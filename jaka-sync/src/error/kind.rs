@@ -483,12 +483,15 @@ impl fmt::Display for ErrorKind {
             #[cfg(feature = "stream")]
             Self::Trajectory { source } => write!(f, "the trajectory was not started: {source}"),
             #[cfg(feature = "stream")]
-            Self::NotAtStart { joint, at_deg, start_deg } => write!(
-                f,
-                "the trajectory was not started: it starts with joint {joint} at {start_deg:.3} deg, and the arm has it at {at_deg:.3} deg, {:.3} deg \
-                 away; move the arm there first, or ask for an approach",
-                (start_deg - at_deg).abs()
-            ),
+            Self::NotAtStart { joint, at_deg, start_deg } => {
+                let off_deg = (start_deg - at_deg).abs();
+                let digits = if off_deg < 1e-3 { 6 } else { 3 };
+                write!(
+                    f,
+                    "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, and the arm has it at {at_deg:.digits$} deg, \
+                     {off_deg:.digits$} deg away; move the arm there first, or ask for an approach"
+                )
+            }
             #[cfg(feature = "stream")]
             Self::Departed { joint, at_deg, off_deg } => write!(
                 f,

@@ -1,11 +1,12 @@
 //! The way to where a trajectory starts.
 
-use jaka_motion::{Beyond, Bound, Checker, Dynamics, Generator, GeneratorError, Goal};
+use jaka_motion::{Bound, Checker, Dynamics, Generator, GeneratorError, Goal};
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
+use super::start;
 use crate::{Error, ErrorKind};
 
 /// The way to where a trajectory starts, which is held for two periods there, so that the trajectory begins from a standstill at its start exactly.
@@ -14,7 +15,9 @@ pub(super) struct Approach {
     generator: Generator,
     start: JointPosition,
     held: u32,
-    blocked: Option<Beyond>,
+    is_blocked: bool,
+    /// What slowed the last set-point.
+    bound: Option<Bound>,
 }
 
 /// How fast the last hundredth of a degree is gone that counts as being there, in deg/s.
@@ -35,7 +38,7 @@ impl Approach {
         let speeds = checker.limits().joint_speeds().map(|most| most.min(speed));
         let dynamics = Dynamics::of(checker.limits()).with_speeds(speeds).map_err(invalid)?;
         let generator = Generator::new(checker, dynamics, from, period_s).map_err(invalid)?;
-        Ok(Self { generator, start, held: 0, blocked: None })
+        Ok(Self { generator, start, held: 0, is_blocked: false, bound: None })
     }
 
     /// True once the start was held for so long that the trajectory can begin.
@@ -43,9 +46,21 @@ impl Approach {
         self.held >= PERIODS_HELD
     }
 
-    /// What is in the way, if something is.
-    pub(super) fn blocked(&self) -> Option<&Beyond> {
-        self.blocked.as_ref()
+    /// True if the arm stands and does not get to the start.
+    pub(super) fn is_blocked(&self) -> bool {
+        self.is_blocked
+    }
+
+    /// Fails where it is blocked, with what is in the way, as far as that is known.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let command = || ServoJ::INFO.name.to_owned();
+        match &self.bound {
+            _ if !self.is_blocked => Ok(()),
+            Some(Bound::Limit(beyond)) => {
+                Err(ErrorKind::BeyondLimit { command: command(), beyond: beyond.clone() }.into())
+            }
+            _ => Err(start::not_at_start(self.generator.joints(), self.start)),
+        }
     }
 
     pub(super) fn is_at_rest(&self) -> bool {
@@ -58,10 +73,11 @@ impl Approach {
             self.held += 1;
             return self.start;
         }
+        let stood = self.generator.is_at_rest();
         let step = self.generator.next(&Goal::Joints(self.start));
-        if let (Some(Bound::Limit(beyond)), true) = (step.bound, self.generator.is_at_rest() && !self.is_there()) {
-            self.blocked = Some(beyond);
-        }
+        // Whatever keeps it there: it would stand for ever.
+        self.is_blocked = stood && self.is_at_rest() && !self.is_there();
+        self.bound = step.bound;
         step.joints
     }
 

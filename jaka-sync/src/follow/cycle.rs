@@ -5,8 +5,6 @@ use std::sync::mpsc::SyncSender;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Trajectory};
-use jaka_proto::Command;
-use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
 use super::approach::Approach;
@@ -17,7 +15,7 @@ use super::{FollowConfig, start};
 use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
 use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision};
-use crate::{Error, ErrorKind, MotionStatus, Robot, ServoSession};
+use crate::{Error, MotionStatus, Robot, ServoSession};
 
 /// Takes what the caller waits for, and hands over the time.
 type Ready = SyncSender<(Result<(), Error>, HandOver)>;
@@ -160,9 +158,7 @@ impl<'o> Way<'o> {
 
     /// Fails where something is in the way to the start.
     fn check_approach(&self) -> Result<(), Error> {
-        let blocked = self.approach.as_ref().and_then(Approach::blocked).cloned();
-        let command = || ServoJ::INFO.name.to_owned();
-        blocked.map_or(Ok(()), |beyond| Err(ErrorKind::BeyondLimit { command: command(), beyond }.into()))
+        self.approach.as_ref().map_or(Ok(()), Approach::check)
     }
 
     /// Whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop waits, if one does.
@@ -218,7 +214,7 @@ impl SetPoints for Way<'_> {
             self.approach = None;
         }
         match &self.approach {
-            Some(approach) => approach.blocked().is_some() || self.orders.is_stopped() && approach.is_at_rest(),
+            Some(approach) => approach.is_blocked() || self.orders.is_stopped() && approach.is_at_rest(),
             None => self.follower.is_at_end() || self.orders.is_stopped() && self.follower.is_at_rest(),
         }
     }

@@ -43,14 +43,9 @@ pub(super) fn check_start(
     config: &FollowConfig,
 ) -> Result<(), Error> {
     let start = trajectory.start();
-    let off = |joint: usize| (start.0[joint] - at.0[joint]).abs();
-    let worst = (0..6).fold(0, |worst, joint| if off(joint) > off(worst) { joint } else { worst });
     match config.approach_deg_s {
-        _ if off(worst) <= AT_START_DEG => Ok(()),
-        None => {
-            let (at_deg, start_deg) = (at.0[worst], start.0[worst]);
-            Err(ErrorKind::NotAtStart { joint: worst + 1, at_deg, start_deg }.into())
-        }
+        _ if at.max_distance(&start) <= AT_START_DEG => Ok(()),
+        None => Err(not_at_start(at, start)),
         Some(speed_deg_s) => {
             let accelerations = checker.limits().joint_accelerations();
             let least = accelerations.iter().copied().fold(f64::INFINITY, f64::min);
@@ -60,6 +55,14 @@ pub(super) fn check_start(
                 .map_err(|beyond| ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into())
         }
     }
+}
+
+/// Names the joint that is the furthest from where it is to be.
+pub(super) fn not_at_start(at: JointPosition, start: JointPosition) -> Error {
+    let off = |joint: usize| (start.0[joint] - at.0[joint]).abs();
+    let worst = (0..6).fold(0, |worst, joint| if off(joint) > off(worst) { joint } else { worst });
+    let (at_deg, start_deg) = (at.0[worst], start.0[worst]);
+    ErrorKind::NotAtStart { joint: worst + 1, at_deg, start_deg }.into()
 }
 
 /// The speed that each joint may have, in deg/s.

@@ -188,7 +188,7 @@ pub(super) fn lets_land(error: &Error) -> bool {
         #[cfg(feature = "motion")]
         ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
         #[cfg(feature = "stream")]
-        ErrorKind::Departed { .. } | ErrorKind::SetPointLate { .. } => true,
+        ErrorKind::Departed { .. } | ErrorKind::SetPointLate { .. } | ErrorKind::NotAtStart { .. } => true,
         _ => false,
     }
 }
