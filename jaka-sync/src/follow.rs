@@ -36,7 +36,7 @@ use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
 ///
 /// # How it ends
 /// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
-/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known, a set-point that the controller refuses or that is too late, or joints that do not follow,
+/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses or that is too late, or joints that do not follow,
 ///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
 ///   the trajectory leaves no acceleration for it, it is braked straight on: [`FollowEnd::has_left_curve`].
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
@@ -92,7 +92,7 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits,
-    /// [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than where the controller's own answer says that the
+    /// [`ErrorKind::NotShown`] if packets do not show the joints, [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than where the controller's own answer says that the
     /// joints are to be, [`ErrorKind::BeyondLimit`] if the straight way in joint space to its start is beyond a limit.
     pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_, S>, Error> {
         self.begin_follow(trajectory, config, None)

@@ -44,6 +44,8 @@ use self::limits::Checks;
 pub use self::limits::{LimitPolicy, Unchecked};
 pub use self::motion::{Motion, Path};
 pub use self::not_shown::NotShown;
+#[cfg(feature = "stream")]
+pub(crate) use self::not_shown::shown_joints;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 #[cfg(feature = "preflight")]

@@ -93,7 +93,8 @@ pub enum ErrorKind {
         /// What the last one says about the arm; none for a type of the user's own.
         says: Option<String>,
     },
-    /// Status packets do not show what was asked of them: an input, a force. Nothing was sent.
+    /// Status packets do not show what was asked of them: an input, a force, the joints. Nothing was sent; a stream or a trajectory of which packets do not show the joints any
+    /// more has landed.
     NotShown {
         /// What was asked, in words.
         what: String,

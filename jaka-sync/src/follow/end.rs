@@ -29,7 +29,7 @@ pub enum FollowOutcome {
     Underrun,
     /// A joint does not follow its set-points ([`FollowConfig::max_departure`](crate::FollowConfig::max_departure)).
     Departed,
-    /// The status is stale or cannot be read: it is not known whether the robot is stopped.
+    /// The status is stale or cannot be read, or does not show the joints: it is not known whether the robot is stopped, or whether the joints follow.
     StatusLost,
     /// The connection for commands is lost, or it stalls.
     LinkLost,
@@ -62,9 +62,9 @@ impl FollowOutcome {
             ErrorKind::Refused { .. } => Self::Refused,
             ErrorKind::SetPointLate { .. } => Self::Underrun,
             ErrorKind::Departed { .. } => Self::Departed,
-            ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } } | ErrorKind::StatusUnknown { .. } => {
-                Self::StatusLost
-            }
+            ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } }
+            | ErrorKind::StatusUnknown { .. }
+            | ErrorKind::NotShown { .. } => Self::StatusLost,
             ErrorKind::SetPointsUnanswered { .. } => Self::LinkLost,
             _ => Self::Failed,
         }

@@ -6,6 +6,7 @@ use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
+use crate::servo_session::check_shows_joints;
 use crate::{Error, ErrorKind, MotionStatus, Robot, Unchecked};
 
 /// How far, in degrees, the joints may be from where the trajectory starts: what controllers round off. Ours.
@@ -20,8 +21,9 @@ pub(super) fn check<S: MotionStatus>(
     if robot.limits().is_none() {
         return Err(no_limits());
     }
-    let at = robot.client().get_joint_pos()?.joint_position;
     let timeout = config.servo.enter_timeout;
+    check_shows_joints(robot, timeout)?;
+    let at = robot.client().get_joint_pos()?.joint_position;
     let pose = robot.tcp_pose(timeout)?;
     robot.prepare_set_points(at, pose, timeout)?;
     let checker = robot.limits().ok_or_else(no_limits)?;

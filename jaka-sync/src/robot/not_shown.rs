@@ -3,6 +3,8 @@
 use std::error::Error as StdError;
 use std::fmt;
 
+#[cfg(feature = "stream")]
+use jaka_proto::messages::types::JointPosition;
 use jaka_proto::wire::DecodeError;
 
 use crate::Snapshot;
@@ -50,6 +52,12 @@ impl fmt::Display for NotShown {
 }
 
 impl StdError for NotShown {}
+
+/// The joints of a packet.
+#[cfg(feature = "stream")]
+pub(crate) fn shown_joints(packet: &Snapshot) -> Result<JointPosition, NotShown> {
+    Field { packet, name: "joint_actual_position" }.shown(packet.status.joint_actual_position)
+}
 
 /// A field of a packet.
 #[derive(Debug, Clone, Copy)]

@@ -10,7 +10,6 @@ pub(super) struct Departure {
     recent: Vec<JointPosition>,
     next: usize,
     most_deg: f64,
-    packet: u64,
 }
 
 /// How long set-points count, in seconds.
@@ -21,7 +20,7 @@ impl Departure {
     pub(super) fn new(start: JointPosition, period_s: f64, most_deg: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a period is 8 ms to 96 ms")]
         let count = (COUNTS_S / period_s).ceil() as usize;
-        Self { recent: vec![start; count.max(1)], next: 0, most_deg, packet: 0 }
+        Self { recent: vec![start; count.max(1)], next: 0, most_deg }
     }
 
     pub(super) fn sent(&mut self, joints: JointPosition) {
@@ -29,14 +28,8 @@ impl Departure {
         self.next = (self.next + 1) % self.recent.len();
     }
 
-    /// The number of the last packet that was compared.
-    pub(super) fn packet(&self) -> u64 {
-        self.packet
-    }
-
     /// Compares the joints of a packet.
-    pub(super) fn check(&mut self, number: u64, joints: JointPosition) -> Result<(), Error> {
-        self.packet = number;
+    pub(super) fn check(&self, joints: JointPosition) -> Result<(), Error> {
         for joint in 0..6 {
             let at = joints.0[joint];
             let (least, most) = self.recent.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), recent| {
@@ -61,10 +54,10 @@ mod tests {
         let mut departure = Departure::new(at(0.0), 0.008, 2.0);
         (1..=62).for_each(|n| departure.sent(at(f64::from(n))));
         // 0 and 1 to 62 in half a second of 63 set-points.
-        assert!(departure.check(1, at(-2.0)).is_ok() && departure.check(2, at(64.0)).is_ok());
-        let error = departure.check(3, at(-2.5)).expect_err("it is off");
+        assert!(departure.check(at(-2.0)).is_ok() && departure.check(at(64.0)).is_ok());
+        let error = departure.check(at(-2.5)).expect_err("it is off");
         assert!(matches!(error.kind(), ErrorKind::Departed { joint: 2, off_deg: 2.5, .. }), "{error:?}");
         departure.sent(at(63.0));
-        assert!(departure.check(4, at(-2.0)).is_err(), "the start is older than half a second");
+        assert!(departure.check(at(-2.0)).is_err(), "the start is older than half a second");
     }
 }

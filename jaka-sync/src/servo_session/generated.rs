@@ -1,5 +1,6 @@
 //! Set-points that are generated within limits, for streams and for the following of trajectories.
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use jaka_motion::Checker;
@@ -10,8 +11,8 @@ use super::departure::Departure;
 use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::clock::Clock;
-use crate::robot::Armed;
-use crate::{Error, ErrorKind, MotionStatus, Outcome};
+use crate::robot::{Armed, shown_joints};
+use crate::{Error, ErrorKind, MotionStatus, NotShown, Outcome, Robot, Snapshot};
 
 /// What makes set-points, one a cycle.
 pub(crate) trait SetPoints {
@@ -37,7 +38,6 @@ pub(crate) trait SetPoints {
 /// The joints of a packet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Seen {
-    number: u64,
     pub(crate) joints: JointPosition,
     pub(crate) received: Instant,
 }
@@ -46,6 +46,10 @@ pub(crate) struct Seen {
 #[derive(Debug)]
 pub(crate) struct Supervision<'g> {
     departure: Departure,
+    /// The number of the last packet.
+    packet: u64,
+    /// When the first packet came after which none has shown the joints.
+    unseen: Option<Instant>,
     max_gap: Duration,
     guard: Option<&'g Armed>,
 }
@@ -53,13 +57,44 @@ pub(crate) struct Supervision<'g> {
 impl<'g> Supervision<'g> {
     /// For an arm at rest.
     pub(crate) fn new(start: JointPosition, period: Duration, max_departure_deg: f64, max_gap: Duration) -> Self {
-        Self { departure: Departure::new(start, period.as_secs_f64(), max_departure_deg), max_gap, guard: None }
+        let departure = Departure::new(start, period.as_secs_f64(), max_departure_deg);
+        Self { departure, packet: 0, unseen: None, max_gap, guard: None }
     }
 
     /// Under a guard.
     pub(crate) fn guarded(self, guard: Option<&'g Armed>) -> Self {
         Self { guard, ..self }
     }
+
+    /// Compares the joints of a packet, if it shows them. Fails where none has for half a second.
+    fn take(&mut self, packet: &Snapshot) -> Result<Option<Seen>, Error> {
+        self.packet = packet.number;
+        match shown_joints(packet) {
+            Ok(joints) => {
+                self.unseen = None;
+                self.departure.check(joints)?;
+                Ok(Some(Seen { joints, received: packet.received }))
+            }
+            Err(reason) => {
+                let since = *self.unseen.get_or_insert(packet.received);
+                let is_long = packet.received.saturating_duration_since(since) >= UNSEEN;
+                if is_long { Err(not_shown(reason)) } else { Ok(None) }
+            }
+        }
+    }
+}
+
+/// For how long packets may come that do not show the joints.
+const UNSEEN: Duration = Duration::from_millis(500);
+
+fn not_shown(reason: NotShown) -> Error {
+    ErrorKind::NotShown { what: "the joints follow their set-points".to_owned(), reason }.into()
+}
+
+/// Fails where packets do not show the joints, so that it would not be known whether these follow. Where no packets come, something else decides.
+pub(crate) fn check_shows_joints<S: MotionStatus>(robot: &Robot<S>, timeout: Duration) -> Result<(), Error> {
+    let packet = robot.known_status(timeout)?;
+    packet.map_or(Ok(()), |packet| shown_joints(&packet).map(drop).map_err(not_shown))
 }
 
 /// How long the next packet may take: they come each 100 ms or sooner.
@@ -104,8 +139,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             if late > supervision.max_gap {
                 return Err(ErrorKind::SetPointLate { late }.into());
             }
-            if let Some(seen) = self.seen_after(supervision.departure.packet()) {
-                supervision.departure.check(seen.number, seen.joints)?;
+            if let Some(packet) = self.packet_after(supervision.packet)
+                && let Some(seen) = supervision.take(&packet)?
+            {
                 set_points.seen(&seen);
             }
             let joints = set_points.next();
@@ -133,10 +169,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.robot.time_to_brake()
     }
 
-    /// The joints of the newest packet, unless it has this number.
-    fn seen_after(&self, number: u64) -> Option<Seen> {
+    /// The newest packet, unless it has this number.
+    fn packet_after(&self, number: u64) -> Option<Arc<Snapshot>> {
         let packet = self.robot.monitor().last_known_packet().filter(|packet| packet.number != number)?;
-        let (number, received) = (packet.number, packet.received);
-        S::snapshot(&packet).status.joint_actual_position.map(|joints| Seen { number, joints, received })
+        Some(S::snapshot(&packet))
     }
 }

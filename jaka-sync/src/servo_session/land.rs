@@ -189,6 +189,9 @@ pub(super) fn lets_land(error: &Error) -> bool {
         ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
         #[cfg(feature = "stream")]
         ErrorKind::Departed { .. } | ErrorKind::SetPointLate { .. } | ErrorKind::NotAtStart { .. } => true,
+        // That packets do not show the joints any more.
+        #[cfg(feature = "stream")]
+        ErrorKind::NotShown { .. } => true,
         _ => false,
     }
 }

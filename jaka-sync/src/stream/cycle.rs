@@ -13,7 +13,7 @@ use super::StreamConfig;
 use super::target::{Order, Targets};
 use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
-use crate::servo_session::{SetPoint, SetPoints, Supervision};
+use crate::servo_session::{SetPoint, SetPoints, Supervision, check_shows_joints};
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
 
 /// Takes what the caller waits for, and hands over the time.
@@ -36,7 +36,9 @@ pub(super) fn run<S: MotionStatus>(
     ready: &Ready,
 ) -> Result<ServoReport, Error> {
     let clock = &robot.clock().clone();
-    let mut session = match robot.enter_servo_mode(&config.servo) {
+    let timeout = config.servo.enter_timeout;
+    let check = |robot: &mut Robot<S>| check_shows_joints(robot, timeout);
+    let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
         Ok(session) => session,
         Err(error) => return Ok(refuse(ready, error, clock)),
     };

@@ -4,10 +4,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
 
 use jaka_sim::{Fault, Port};
-use jaka_sync::Guard;
 use jaka_sync::jaka_motion::TimedPoint;
 use jaka_sync::status::RobotStatus;
 use jaka_sync::types::JointPosition;
+use jaka_sync::{Guard, StreamConfig};
 
 use super::*;
 
@@ -299,4 +299,26 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
     let error = robot.start_follow_until(&made(&to_and_fro()), &config, guard).expect_err("it is low already");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }) && !error.may_have_run(), "{error:?}");
     assert_eq!(names(&controller).len(), before, "not even a query");
+}
+
+#[test]
+fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_braked() {
+    let (controller, mut robot) = ready();
+    let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(Duration::from_millis(500));
+    let curve = to_and_fro().slower(2.0);
+    let run = robot.start_follow(&made(&curve), &patient().servo(servo)).expect("the arm is at its start");
+    wait_for(&run, 0.2);
+    controller.set_status([("joint_actual_position".to_owned(), Value::from("x"))]);
+    let end = run.wait();
+    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    judge(&controller, &curve, &end);
+    let text = end.error.as_ref().expect("it says so").to_string();
+    assert!(text.contains("it is not known whether the joints follow their set-points"), "{text}");
+    let before = names(&controller).len();
+    let error = robot.start_follow(&made(&curve), &patient()).expect_err("they are not shown");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { .. }) && !error.may_have_run(), "{error:?}");
+    let error = robot.stream(&StreamConfig::new()).expect_err("they are not shown");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { .. }), "{error:?}");
+    assert!(!names(&controller)[before..].contains(&"servo_move".to_owned()));
 }
