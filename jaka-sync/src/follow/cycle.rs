@@ -61,7 +61,7 @@ pub(super) fn run<S: MotionStatus>(
     let mut supervision = way.supervision(config).guarded(guard);
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
-    let end = way.ended(session, ended);
+    let end = way.ended(session, ended, &supervision);
     orders.end(end.to_string());
     Some(end)
 }
@@ -110,9 +110,14 @@ impl<'o> Way<'o> {
     }
 
     /// Brings the arm to rest after the last set-point, and tells how the run has ended.
-    fn ended<S: MotionStatus>(mut self, mut session: ServoSession<'_, S>, ended: Result<(), Error>) -> FollowEnd {
+    fn ended<S: MotionStatus>(
+        mut self,
+        mut session: ServoSession<'_, S>,
+        ended: Result<(), Error>,
+        supervision: &Supervision<'_>,
+    ) -> FollowEnd {
         let (error, has_left_curve) = match ended.and_then(|()| self.check_approach()) {
-            Ok(()) => (session.land_by(&mut |_| None).err(), false),
+            Ok(()) => (session.land_by(&mut |_| None, supervision).err(), false),
             Err(error) => {
                 let (error, has_left_curve) = self.braked(&mut session, error);
                 (Some(error), has_left_curve)

@@ -17,7 +17,7 @@ pub enum FollowOutcome {
     Stopped,
     /// It was not done by its deadline, and stopped along the trajectory.
     Deadline,
-    /// A guard has tripped: [`FollowEnd::error`] has which, and the packet.
+    /// A guard has tripped, before the arm was at rest: [`FollowEnd::error`] has which, and the packet.
     Guard,
     /// The controller refused a set-point.
     Refused,

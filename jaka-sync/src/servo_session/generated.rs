@@ -66,6 +66,11 @@ impl<'g> Supervision<'g> {
         Self { guard, ..self }
     }
 
+    /// Fails once the guard has tripped.
+    pub(super) fn check_guard(&self) -> Result<(), Error> {
+        self.guard.map_or(Ok(()), Armed::check)
+    }
+
     /// Compares the joints of a packet, if it shows them. Fails where none has for half a second.
     fn take(&mut self, packet: &Snapshot) -> Result<Option<Seen>, Error> {
         self.packet = packet.number;
@@ -132,7 +137,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             if late >= self.config.gap() {
                 set_points.paused();
             }
-            supervision.guard.map_or(Ok(()), Armed::check)?;
+            supervision.check_guard()?;
             if set_points.is_done() {
                 return Ok(());
             }

@@ -8,6 +8,8 @@ use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 
 #[cfg(feature = "stream")]
+use super::Supervision;
+#[cfg(feature = "stream")]
 use super::land::Braking;
 use super::land::{lets_land, not_seen};
 use super::pace::{CYCLE, Pace};
@@ -31,15 +33,15 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
         let landed = self.come_to_rest();
-        self.leave_landed(landed)?;
+        self.leave_landed(landed, None)?;
         Ok(std::mem::take(&mut self.report))
     }
 
-    /// The same, braked in another way.
+    /// The same, braked in another way. A guard that trips before the arm is at rest is an error, too.
     #[cfg(feature = "stream")]
-    pub(crate) fn land_by(&mut self, braking: Braking<'_>) -> Result<(), Error> {
+    pub(crate) fn land_by(&mut self, braking: Braking<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
-        self.leave_landed(landed)
+        self.leave_landed(landed, supervision.check_guard().err())
     }
 
     /// Whether packets showed the arm at rest before servo mode was left.
@@ -54,10 +56,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         std::mem::take(&mut self.report)
     }
 
-    fn leave_landed(&mut self, landed: Result<(), Error>) -> Result<(), Error> {
+    /// After a landing, during which a guard may have tripped.
+    fn leave_landed(&mut self, landed: Result<(), Error>, tripped: Option<Error>) -> Result<(), Error> {
         let answers = self.last_answers();
         let left = self.leave();
-        let first = answers.err().or(self.refusal.take()).map(|error| self.explained(error));
+        let first = answers.err().or(self.refusal.take()).or(tripped).map(|error| self.explained(error));
         let first = match (first, landed) {
             // That of a connection that is lost says so.
             (Some(first), Err(landing)) if !first.is_disconnected() => Some(not_seen(first, landing)),

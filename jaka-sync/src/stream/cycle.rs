@@ -59,7 +59,7 @@ pub(super) fn run<S: MotionStatus>(
     let ended = session.send_all(&mut led, &mut supervision);
     let rest = &mut |_: &_| (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints));
     let result = match ended {
-        Ok(()) => session.land_by(rest).map(|()| session.into_report()),
+        Ok(()) => session.land_by(rest, &supervision).map(|()| session.into_report()),
         Err(error) => Err(session.end_by(error, rest)),
     };
     targets.end(result.as_ref().err().map_or_else(|| "it has landed".to_owned(), ToString::to_string));

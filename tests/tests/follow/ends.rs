@@ -302,6 +302,31 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
 }
 
 #[test]
+fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
+    let far = |packet: &RobotStatus| packet.joint_actual_position.is_some_and(|joints| joints.0[0] > START[0] + 14.5);
+    let lags = || ready_of(Controller::builder().lag(Duration::from_millis(800)), &Config::new().stale_after(LONG));
+    let (_controller, mut robot) = lags();
+    let there = turned([15.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let curve = Curve::through(&[(0.0, START), (1.0, there)]);
+    let end = robot.start_follow_until(&made(&curve), &patient(), Guard::when("joint 1 is far", far));
+    let end = end.expect("it is not far yet").wait();
+    assert_eq!((end.outcome, end.reached), (FollowOutcome::Guard, end.duration), "{end:?}");
+    assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
+    // A stream likewise.
+    let (_controller, mut robot) = lags();
+    let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(LONG);
+    let config = StreamConfig::new().servo(servo).max_gap(LONG).max_departure(1000.0);
+    let stream = robot.stream_until(&config, Guard::when("joint 1 is far", far)).expect("it is not far yet");
+    stream.set_joints(there).expect("within the limits");
+    while stream.joints().max_distance(&JointPosition(there)) > 0.2 {
+        thread::sleep(Duration::from_millis(5));
+    }
+    let error = stream.land().expect_err("the guard has tripped");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{error:?}");
+}
+
+#[test]
 fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_braked() {
     let (controller, mut robot) = ready();
     let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(Duration::from_millis(500));
