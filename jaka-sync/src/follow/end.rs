@@ -103,7 +103,7 @@ pub struct FollowEnd {
     /// How long the trajectory takes at its own speed.
     pub duration: Duration,
     /// True if the arm was braked straight on in joint space, and so off the trajectory, because braking along it would have taken too long: see
-    /// [`FollowRun`](crate::FollowRun).
+    /// [`FollowRun`](crate::FollowRun). So it is, at speed, also where the run's own thread has panicked.
     pub has_left_curve: bool,
     /// How the arm followed, by status packets; none if these do not tell.
     pub lag: Option<FollowLag>,
@@ -120,7 +120,8 @@ impl FollowEnd {
             outcome: FollowOutcome::Failed,
             reached: progress.time,
             duration: progress.duration,
-            has_left_curve: false,
+            // What ends the thread ends the session, straight on.
+            has_left_curve: progress.rate > 0.0,
             lag: None,
             report: ServoReport::default(),
             error: Some(error),
