@@ -86,7 +86,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Where the last set-point is so long ago that the arm has none, it stands.
     fn brake(&mut self, braking: Braking<'_>, refused: u64) -> Result<(), Error> {
-        if self.begun.unwrap_or_else(|| self.pace.late()) >= self.config.gap() {
+        if self.begun.map_or_else(|| self.pace.late(), |due| self.robot.clock().elapsed(due)) >= self.config.gap() {
             self.course.paused();
             return Ok(());
         }
@@ -157,7 +157,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         gate: &dyn Fn() -> Result<(), Error>,
         refused: u64,
     ) -> Result<bool, Error> {
-        let late = self.begun.take().unwrap_or_else(|| self.pace.wait());
+        // What was computed since takes its time, too.
+        let late = match self.begun.take() {
+            Some(due) => self.robot.clock().elapsed(due),
+            None => self.pace.wait(),
+        };
         if late >= self.config.gap() {
             self.course.paused();
             return Ok(false);

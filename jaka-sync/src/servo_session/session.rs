@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
@@ -75,8 +75,8 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) course: Course,
     pub(super) report: ServoReport,
     pub(super) refusal: Option<Error>,
-    /// How late the cycle is that has begun, if its set-point has not gone out.
-    pub(super) begun: Option<Duration>,
+    /// When the cycle was due that has begun, if its set-point has not gone out.
+    pub(super) begun: Option<Instant>,
     /// True while servo mode is to be left.
     pub(super) is_open: bool,
     /// Why no more set-points go out, if so.
@@ -176,7 +176,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             self.course.paused();
             self.report.gaps += 1;
         }
-        self.begun = Some(late);
+        self.begun = self.robot.clock().now().checked_sub(late);
         late
     }
 
