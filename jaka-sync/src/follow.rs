@@ -38,7 +38,7 @@ use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
 /// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
 /// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses or that is too late, or joints that do not follow,
 ///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
-///   the trajectory leaves no acceleration for it, it is braked straight on: [`FollowEnd::has_left_curve`].
+///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`FollowEnd::has_left_curve`].
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
 ///
 /// After a late set-point nothing is skipped; after one that is late by three periods or more the arm is taken to stand, and goes on from standstill.
