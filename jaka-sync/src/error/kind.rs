@@ -484,15 +484,7 @@ impl fmt::Display for ErrorKind {
             #[cfg(feature = "stream")]
             Self::Trajectory { source } => write!(f, "the trajectory was not started: {source}"),
             #[cfg(feature = "stream")]
-            Self::NotAtStart { joint, at_deg, start_deg } => {
-                let off_deg = (start_deg - at_deg).abs();
-                let digits = if off_deg < 1e-3 { 6 } else { 3 };
-                write!(
-                    f,
-                    "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, and the arm has it at {at_deg:.digits$} deg, \
-                     {off_deg:.digits$} deg away; move the arm there first, or ask for an approach"
-                )
-            }
+            Self::NotAtStart { joint, at_deg, start_deg } => fmt_not_at_start(&mut f, *joint, *at_deg, *start_deg),
             #[cfg(feature = "stream")]
             Self::Departed { joint, at_deg, off_deg } => write!(
                 f,
@@ -526,4 +518,15 @@ impl fmt::Display for ErrorKind {
             ),
         }
     }
+}
+
+#[cfg(feature = "stream")]
+fn fmt_not_at_start(f: &mut impl Write, joint: usize, at_deg: f64, start_deg: f64) -> fmt::Result {
+    let off_deg = (start_deg - at_deg).abs();
+    let digits = if off_deg < 1e-3 { 6 } else { 3 };
+    write!(
+        f,
+        "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, and the arm has it at {at_deg:.digits$} deg, \
+         {off_deg:.digits$} deg away; move the arm there first, or ask for an approach"
+    )
 }
