@@ -10,8 +10,7 @@ mod orders;
 mod start;
 
 use std::marker::PhantomData;
-use std::sync::{Arc, mpsc};
-use std::thread::{self, JoinHandle};
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::Trajectory;
@@ -24,9 +23,9 @@ pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
 pub use self::lag::FollowLag;
 use self::orders::Orders;
-use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
-use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
+use crate::servo_thread::ServoThread;
+use crate::{Error, Guard, MotionStatus, Robot};
 
 /// A robot that follows a [`Trajectory`], from [`Robot::start_follow`].
 ///
@@ -66,9 +65,7 @@ use crate::{Error, ErrorKind, Guard, MotionStatus, Robot};
 #[derive(Debug)]
 pub struct FollowRun<'r, S: MotionStatus = RobotStatus> {
     handle: FollowHandle,
-    /// None once it has been waited for.
-    thread: Option<JoinHandle<Ended>>,
-    clock: Clock,
+    thread: ServoThread<FollowEnd>,
     robot: PhantomData<&'r mut Robot<S>>,
 }
 
@@ -126,29 +123,15 @@ impl<S: MotionStatus> Robot<S> {
         config.check()?;
         let deadline = config.deadline.and_then(|time| self.clock().now().checked_add(time));
         let orders = Arc::new(Orders::new(config.scale, deadline));
-        let (robot, clock, trajectory, config) =
-            (self.lent(), self.clock().clone(), trajectory.clone(), config.clone());
         let handle = FollowHandle::new(Arc::clone(&orders), trajectory.duration());
-        let (ready, begun) = mpsc::sync_channel(1);
-        let place = clock.participant();
-        let spawned = thread::Builder::new().name("jaka follow".to_owned()).spawn(move || {
-            let mut robot = robot;
-            place.run(|| {
-                let end = cycle::run(&mut robot, (&trajectory, &config), guard.as_ref(), &orders, &ready);
-                (end, robot.clock().hand_over())
-            })
-        });
-        let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
-        match clock.outside(|| begun.recv()) {
-            Ok((Ok(()), _now)) => Ok(FollowRun { handle, thread: Some(thread), clock, robot: PhantomData }),
-            Ok((Err(error), _now)) => Err(error),
-            Err(mpsc::RecvError) => Err(panicked()),
-        }
+        let (trajectory, config) = (trajectory.clone(), config.clone());
+        let work = move |robot: &mut Robot<S>, begun: &_| {
+            cycle::run(robot, (&trajectory, &config), guard.as_ref(), &orders, begun)
+        };
+        let (thread, ()) = ServoThread::start("jaka follow", self.lent(), work)?;
+        Ok(FollowRun { handle, thread, robot: PhantomData })
     }
 }
-
-/// How the thread has ended; the time at which it has is handed over.
-type Ended = (Option<FollowEnd>, HandOver);
 
 impl<S: MotionStatus> FollowRun<'_, S> {
     /// A handle for another thread.
@@ -158,13 +141,7 @@ impl<S: MotionStatus> FollowRun<'_, S> {
 
     /// Waits until the arm is at rest, or it is known that it cannot be brought to rest.
     pub fn wait(mut self) -> FollowEnd {
-        self.end().unwrap_or_else(|| FollowEnd::lost(panicked(), &self.handle.progress()))
-    }
-
-    fn end(&mut self) -> Option<FollowEnd> {
-        let thread = self.thread.take()?;
-        let (end, _now) = self.clock.outside(|| thread.join()).ok()?;
-        end
+        self.thread.join().unwrap_or_else(|error| FollowEnd::lost(error, &self.handle.progress()))
     }
 }
 
@@ -179,18 +156,13 @@ impl<S: MotionStatus> std::ops::Deref for FollowRun<'_, S> {
 
 impl<S: MotionStatus> Drop for FollowRun<'_, S> {
     fn drop(&mut self) {
-        if self.thread.is_none() {
+        if !self.thread.runs() {
             return;
         }
         // It may have ended.
         let _ = self.handle.stop();
-        let error = self.end().map_or_else(|| Some(panicked()), |end| end.error);
-        if let Some(error) = error {
+        if let Some(error) = self.thread.join().map_or_else(Some, |end| end.error) {
             log::warn!(target: "jaka_sync", "the trajectory of a run that was dropped did not end at rest: {error}");
         }
     }
-}
-
-fn panicked() -> Error {
-    ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into()
 }

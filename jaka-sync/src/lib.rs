@@ -20,6 +20,8 @@ mod recorder;
 mod resync;
 mod robot;
 mod servo_session;
+#[cfg(feature = "stream")]
+mod servo_thread;
 mod socket;
 mod status_stream;
 mod status_subset;

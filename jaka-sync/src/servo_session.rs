@@ -24,7 +24,7 @@ use std::time::Duration;
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
 #[cfg(feature = "stream")]
-pub(crate) use self::generated::{Seen, SetPoints, Supervision, check_shows_joints};
+pub(crate) use self::generated::{Seen, SetPoints, Supervision, check_at_least, check_shows_joints};
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;

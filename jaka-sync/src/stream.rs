@@ -5,8 +5,6 @@ mod handle;
 mod target;
 
 use std::marker::PhantomData;
-use std::sync::mpsc;
-use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use jaka_motion::Dynamics;
@@ -16,9 +14,10 @@ use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
-use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
-use crate::{Error, ErrorKind, Guard, MotionStatus, Robot, ServoConfig, ServoReport};
+use crate::servo_session::check_at_least;
+use crate::servo_thread::ServoThread;
+use crate::{Error, Guard, MotionStatus, Robot, ServoConfig, ServoReport};
 
 /// How a [`Stream`] runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,12 +70,7 @@ impl StreamConfig {
     }
 
     fn check(&self) -> Result<(), InvalidArgument> {
-        let degrees = self.max_departure_deg;
-        if degrees.is_finite() && degrees > 0.0 {
-            return Ok(());
-        }
-        let (name, allowed) = (ServoJ::INFO.name, "a number above 0 deg".to_owned());
-        Err(InvalidArgument::new(name, "max_departure", degrees.to_string(), allowed, false))
+        check_at_least("max_departure", self.max_departure_deg, "deg")
     }
 }
 
@@ -109,14 +103,9 @@ impl StreamConfig {
 #[derive(Debug)]
 pub struct Stream<'r, S: MotionStatus = RobotStatus> {
     handle: StreamHandle,
-    /// None once it has been waited for.
-    thread: Option<JoinHandle<Ended>>,
-    clock: Clock,
+    thread: ServoThread<Result<ServoReport, Error>>,
     robot: PhantomData<&'r mut Robot<S>>,
 }
-
-/// How the thread has ended; the time at which it has is handed over.
-type Ended = (Result<ServoReport, Error>, HandOver);
 
 /// Streams need the feature `stream`.
 impl<S: MotionStatus> Robot<S> {
@@ -148,25 +137,10 @@ impl<S: MotionStatus> Robot<S> {
 
     fn begin_stream(&mut self, config: &StreamConfig, guard: Option<Armed>) -> Result<Stream<'_, S>, Error> {
         config.check()?;
-        let (robot, config, clock) = (self.lent(), config.clone(), self.clock().clone());
-        let place = clock.participant();
-        let (ready, begun) = mpsc::sync_channel(1);
-        let spawned = thread::Builder::new().name("jaka stream".to_owned()).spawn(move || {
-            let mut robot = robot;
-            place.run(|| (cycle::run(&mut robot, &config, guard.as_ref(), &ready), robot.clock().hand_over()))
-        });
-        let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
-        match clock.outside(|| begun.recv()) {
-            Ok((Ok((targets, generator)), _now)) => {
-                let handle = StreamHandle::new(targets, generator);
-                Ok(Stream { handle, thread: Some(thread), clock, robot: PhantomData })
-            }
-            Ok((Err(error), _now)) => Err(error),
-            Err(mpsc::RecvError) => match joined(thread, &clock) {
-                Err(error) => Err(error),
-                Ok(_) => Err(ErrorKind::SessionEnded { because: "it did not begin".to_owned() }.into()),
-            },
-        }
+        let config = config.clone();
+        let work = move |robot: &mut Robot<S>, begun: &_| cycle::run(robot, &config, guard.as_ref(), begun);
+        let (thread, (targets, generator)) = ServoThread::start("jaka stream", self.lent(), work)?;
+        Ok(Stream { handle: StreamHandle::new(targets, generator), thread, robot: PhantomData })
     }
 }
 
@@ -182,7 +156,7 @@ impl<S: MotionStatus> Stream<'_, S> {
     /// As [`ServoSession::land`](crate::ServoSession::land); or the error with which the stream has ended before.
     pub fn land(mut self) -> Result<ServoReport, Error> {
         self.handle.targets().land();
-        self.thread.take().map_or_else(|| Ok(ServoReport::default()), |thread| joined(thread, &self.clock))
+        self.thread.join()?
     }
 }
 
@@ -197,17 +171,12 @@ impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
 
 impl<S: MotionStatus> Drop for Stream<'_, S> {
     fn drop(&mut self) {
-        let Some(thread) = self.thread.take() else { return };
+        if !self.thread.runs() {
+            return;
+        }
         self.handle.targets().land();
-        if let Err(error) = joined(thread, &self.clock) {
+        if let Err(error) = self.thread.join().and_then(|ended| ended) {
             log::warn!(target: "jaka_sync", "the stream that was dropped did not end at rest: {error}");
         }
-    }
-}
-
-fn joined(thread: JoinHandle<Ended>, clock: &Clock) -> Result<ServoReport, Error> {
-    match clock.outside(|| thread.join()) {
-        Ok((ended, _now)) => ended,
-        Err(_) => Err(ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into()),
     }
 }

@@ -7,6 +7,7 @@ use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 
 use crate::ServoConfig;
+use crate::servo_session::check_at_least;
 
 /// How a trajectory is followed: see [`Robot::start_follow`](crate::Robot::start_follow).
 #[derive(Debug, Clone, PartialEq)]
@@ -83,8 +84,8 @@ impl FollowConfig {
 
     pub(super) fn check(&self) -> Result<(), InvalidArgument> {
         check_scale(self.scale)?;
-        above_zero("max_departure", self.max_departure_deg, "deg")?;
-        self.approach_deg_s.map_or(Ok(()), |speed| above_zero("approach", speed, "deg/s"))
+        check_at_least("max_departure", self.max_departure_deg, "deg")?;
+        self.approach_deg_s.map_or(Ok(()), |speed| check_at_least("approach", speed, "deg/s"))
     }
 }
 
@@ -93,15 +94,4 @@ pub(super) fn check_scale(scale: f64) -> Result<(), InvalidArgument> {
         return Ok(());
     }
     Err(InvalidArgument::new(ServoJ::INFO.name, "speed_scale", scale.to_string(), "from 0 to 1".to_owned(), false))
-}
-
-/// The least speed of an approach: at a slower one a turn takes hours.
-const LEAST: f64 = 1e-3;
-
-fn above_zero(name: &str, given: f64, unit: &str) -> Result<(), InvalidArgument> {
-    if given.is_finite() && given >= LEAST {
-        return Ok(());
-    }
-    let allowed = format!("a number of at least {LEAST} {unit}");
-    Err(InvalidArgument::new(ServoJ::INFO.name, name, given.to_string(), allowed, false))
 }

@@ -1,7 +1,6 @@
 //! The run's own thread.
 
 use std::sync::Arc;
-use std::sync::mpsc::SyncSender;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Trajectory};
@@ -12,13 +11,11 @@ use super::end::{FollowEnd, FollowOutcome};
 use super::lag::LagFit;
 use super::orders::Orders;
 use super::{FollowConfig, start};
-use crate::clock::{Clock, HandOver};
+use crate::clock::Clock;
 use crate::robot::Armed;
 use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision};
+use crate::servo_thread::Begun;
 use crate::{Error, MotionStatus, Robot, ServoSession};
-
-/// Takes what the caller waits for, and hands over the time.
-type Ready = SyncSender<(Result<(), Error>, HandOver)>;
 
 /// Ends the run for its handles, also where this thread panics.
 struct Ends<'o>(&'o Orders);
@@ -35,13 +32,12 @@ pub(super) fn run<S: MotionStatus>(
     (trajectory, config): (&Trajectory, &FollowConfig),
     guard: Option<&Armed>,
     orders: &Arc<Orders>,
-    ready: &Ready,
+    begun: &Begun<()>,
 ) -> Option<FollowEnd> {
     let _ends = Ends(orders);
-    let clock = robot.clock().clone();
     let refused = |error: Error| {
         // The caller has the error from here.
-        let _ = ready.send((Err(error), clock.hand_over()));
+        begun.tell(Err(error));
         None
     };
     let mut checked = None;
@@ -54,7 +50,7 @@ pub(super) fn run<S: MotionStatus>(
         Ok(way) => way,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
-    if ready.send((Ok(()), clock.hand_over())).is_err() {
+    if !begun.tell(Ok(())) {
         // Nobody waits where the caller's thread has ended.
         orders.stop();
     }

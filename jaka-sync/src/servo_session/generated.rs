@@ -4,6 +4,9 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use jaka_motion::Checker;
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
 use super::ServoSession;
@@ -179,4 +182,16 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let packet = self.robot.monitor().last_known_packet().filter(|packet| packet.number != number)?;
         Some(S::snapshot(&packet))
     }
+}
+
+/// The least angle or speed that is asked for: at a slower one a turn takes hours.
+const LEAST: f64 = 1e-3;
+
+/// Checks what a configuration says of an angle or a speed.
+pub(crate) fn check_at_least(name: &str, given: f64, unit: &str) -> Result<(), InvalidArgument> {
+    if given.is_finite() && given >= LEAST {
+        return Ok(());
+    }
+    let allowed = format!("a number of at least {LEAST} {unit}");
+    Err(InvalidArgument::new(ServoJ::INFO.name, name, given.to_string(), allowed, false))
 }

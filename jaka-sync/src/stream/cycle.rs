@@ -1,7 +1,6 @@
 //! The cycle's own thread.
 
 use std::sync::Arc;
-use std::sync::mpsc::SyncSender;
 
 use jaka_motion::{Generator, GeneratorError, Goal, Step};
 use jaka_proto::Command;
@@ -11,13 +10,10 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
-use crate::clock::{Clock, HandOver};
 use crate::robot::Armed;
 use crate::servo_session::{SetPoint, SetPoints, Supervision, check_shows_joints};
+use crate::servo_thread::Begun;
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
-
-/// Takes what the caller waits for, and hands over the time.
-type Ready = SyncSender<(Result<(Arc<Targets>, Generator), Error>, HandOver)>;
 
 /// Ends the stream for its handles, also where this thread panics.
 struct Ends(Arc<Targets>);
@@ -33,23 +29,28 @@ pub(super) fn run<S: MotionStatus>(
     robot: &mut Robot<S>,
     config: &StreamConfig,
     guard: Option<&Armed>,
-    ready: &Ready,
-) -> Result<ServoReport, Error> {
-    let clock = &robot.clock().clone();
+    begun: &Begun<(Arc<Targets>, Generator)>,
+) -> Option<Result<ServoReport, Error>> {
+    // The caller has the error from here, and not from the thread.
+    let refused = |error: Error| {
+        begun.tell(Err(error));
+        None
+    };
+    let clock = robot.clock().clone();
     let timeout = config.servo.enter_timeout;
     let check = |robot: &mut Robot<S>| check_shows_joints(robot, timeout);
     let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
         Ok(session) => session,
-        Err(error) => return Ok(refuse(ready, error, clock)),
+        Err(error) => return refused(error),
     };
     let mut generator = match generator(&session, config) {
         Ok(generator) => generator,
-        Err(error) => return Ok(refuse(ready, session.end_by(error, &mut |_| None), clock)),
+        Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
-    let targets = Arc::new(Targets::new(generator.joints(), clock));
+    let targets = Arc::new(Targets::new(generator.joints(), &clock));
     let _ends = Ends(Arc::clone(&targets));
     // Nobody waits where the caller's thread has ended; then it lands.
-    if ready.send((Ok((Arc::clone(&targets), generator.clone())), clock.hand_over())).is_err() {
+    if !begun.tell(Ok((Arc::clone(&targets), generator.clone()))) {
         targets.land();
     }
     let (start, period) = (generator.joints(), config.servo.period());
@@ -63,13 +64,7 @@ pub(super) fn run<S: MotionStatus>(
         Err(error) => Err(session.end_by(error, rest)),
     };
     targets.end(result.as_ref().err().map_or_else(|| "it has landed".to_owned(), ToString::to_string));
-    result
-}
-
-/// The caller has the error from here, and not from the thread.
-fn refuse(ready: &Ready, error: Error, clock: &Clock) -> ServoReport {
-    let _ = ready.send((Err(error), clock.hand_over()));
-    ServoReport::default()
+    Some(result)
 }
 
 fn generator<S: MotionStatus>(session: &ServoSession<'_, S>, config: &StreamConfig) -> Result<Generator, Error> {
