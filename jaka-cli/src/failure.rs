@@ -7,7 +7,7 @@ use std::io;
 use jaka_spec::Spec;
 use jaka_spec::tools::Impact;
 use jaka_spec::words::first_sentence;
-use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Refusal, Verdict};
+use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Outcome, Refusal, Verdict};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -82,6 +82,15 @@ fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
     known.map(|known| first_sentence(&known.doc).0.to_owned())
 }
 
+/// What somebody can do about what keeps motions back: each run of this program begins without having acknowledged anything.
+fn remedy(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::ProtectiveStop => "when somebody has checked the robot, `jaka clear`",
+        Outcome::EmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
+        _ => "when somebody has checked the robot, run this again",
+    }
+}
+
 /// An error's text, followed by those of its causes.
 pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
     let errors = std::iter::successors(Some(error), |&error| error.source());
@@ -93,7 +102,10 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) => f.write_str(text),
-            Self::Robot(error) => error.fmt(f),
+            Self::Robot(error) => match error.kind() {
+                ErrorKind::NotAcknowledged { outcome } => write!(f, "not sent: {outcome}; {}", remedy(outcome)),
+                _ => error.fmt(f),
+            },
             Self::NotReached(not_reached) => not_reached.fmt(f),
             Self::NotCompleted(not_completed) => not_completed.fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {

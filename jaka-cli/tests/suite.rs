@@ -4,6 +4,7 @@ mod call;
 mod check;
 mod common;
 mod export;
+mod first_robot;
 mod follow;
 mod guide;
 mod held_packets;

@@ -19,7 +19,7 @@ impl ::jaka_proto::ErrorCode {
     /// Often `call … failed` with the command's name: in a transcript, for malformed arguments, and of [`kine_inverse`](crate::messages::kinematics::KineInverse) where it finds no
     /// solution. It is likely, not certain, that a wrong state has the same answer, such as [`joint_move`](crate::messages::motion::JointMove) while the robot is not enabled.
     pub const CALL_FAILED: Self = Self(2i64);
-    /// The controller does not take commands from this source.
+    /// The controller does not take commands from this source: grant remote control on its panel.
     ///
     /// Not in the document. Seen on a Schneider Lexium, which is of the same controller family, with the message
     /// `permission deny, please check remote control source`.

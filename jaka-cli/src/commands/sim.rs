@@ -9,8 +9,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-use clap::Args;
-use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Trip, Underrun};
+use clap::{Args, ValueEnum};
+use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
 
 use self::schedule::Scheduled;
 use crate::failure::Failure;
@@ -59,6 +59,9 @@ pub(crate) struct Sim {
     /// What the arm does when set-points stop while it has speed: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
     #[arg(long, value_name = "TEXT", default_value_t)]
     underrun: Underrun,
+    /// What a client gets that connects to the command port while another one is connected there
+    #[arg(long, value_name = "WHAT", default_value = "replaces")]
+    second_client: SecondClient,
     /// How many times as fast as real time the controller's time passes: motions, delays and status packets
     #[arg(long, value_name = "NUMBER", default_value_t = 1.0)]
     time_scale: f64,
@@ -80,6 +83,24 @@ pub(crate) struct Sim {
     /// Print each message received and sent
     #[arg(long)]
     log: bool,
+}
+
+/// What happens to the second client of the command port; both were seen.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum SecondClient {
+    /// It replaces the first one, whose connection is closed
+    Replaces,
+    /// Its connection is closed
+    IsRefused,
+}
+
+impl SecondClient {
+    fn takeover(self) -> Takeover {
+        match self {
+            Self::Replaces => Takeover::Replace,
+            Self::IsRefused => Takeover::Refuse,
+        }
+    }
 }
 
 impl Sim {
@@ -115,7 +136,7 @@ impl Sim {
         if let Some(ms) = self.period {
             builder = builder.status_period(Duration::from_millis(ms));
         }
-        builder = builder.time_scale(self.time_scale);
+        builder = builder.time_scale(self.time_scale).takeover(self.second_client.takeover());
         builder =
             builder.lag(Duration::from_millis(self.lag)).trips(self.trips.iter().copied()).underrun(self.underrun);
         builder = self.programs.iter().fold(builder, Builder::programs_from);

@@ -90,7 +90,8 @@ impl<S: MotionStatus> Robot<S> {
         if limit.left().is_zero() {
             return Err(self.not_in_time(limit.timeout, since));
         }
-        self.client.call_within(command, limit.left())?;
+        let accepted = self.client.call_within(command, limit.left());
+        accepted.map_err(|error| self.explained(error, limit.left()))?;
         while !is_done(&self.client.call_within(&GetRobotState::new(), limit.left())?) {
             pause(self, QUERY_PERIOD.min(limit.left()))?;
             if limit.left().is_zero() {
