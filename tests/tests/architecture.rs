@@ -222,6 +222,27 @@ fn time_goes_through_one_clock() {
     }
 }
 
+/// The fields of `Config`: its getters alone keep the compiler from telling of one that nothing applies.
+fn options() -> Vec<String> {
+    let config = text(&workspace().join("jaka-sync/src/config.rs"));
+    let (_, fields) = config.split_once("pub struct Config {").expect("it is there");
+    let (fields, _) = fields.split_once("\n}").expect("it ends");
+    fields.lines().filter_map(|line| line.split("pub(crate) ").nth(1)?.split(':').next()).map(str::to_owned).collect()
+}
+
+#[test]
+fn every_option_of_the_config_is_applied() {
+    let files = sources(&workspace().join("jaka-sync/src"));
+    let others: Vec<_> = files.iter().filter(|file| !file.ends_with("config.rs")).collect();
+    let codes: Vec<_> = others.iter().map(|file| code(&text(file))).collect();
+    let options = options();
+    assert!(options.len() >= 10, "{options:?}");
+    for option in options {
+        let reads = format!("config.{option}");
+        assert!(codes.iter().any(|code| code.contains(&reads)), "nothing applies `Config::{option}`");
+    }
+}
+
 #[test]
 fn circles_are_found() {
     let graph = |arrows: &[(&str, &str)]| {
