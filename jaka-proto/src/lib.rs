@@ -1,4 +1,4 @@
-#![doc = include_str!("../README.md")]
+#![doc = include_str!("../docs/overview.md")]
 
 // Generated code names this crate by its absolute path.
 extern crate self as jaka_proto;

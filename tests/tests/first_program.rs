@@ -14,7 +14,9 @@ fn first_motion(path: &str) -> String {
 
 #[test]
 fn the_first_motion_is_small_and_slow_and_can_be_stopped() {
-    for path in ["README.md", "jaka-sync/README.md", "jaka-sync/src/robot.rs", "jaka-sync/examples/first_motion.rs"] {
+    for path in
+        ["README.md", "jaka-sync/docs/overview.md", "jaka-sync/src/robot.rs", "jaka-sync/examples/first_motion.rs"]
+    {
         let code = if path.contains("examples") {
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
             fs::read_to_string(path).expect("it is there")
