@@ -25,12 +25,12 @@ enum Way {
 }
 
 /// A set-point each four cycles, so that a busy machine seldom leaves the arm without one for three periods.
-const CYCLES: u32 = 4;
-const PERIOD: f64 = 0.032;
+pub(crate) const CYCLES: u32 = 4;
+pub(crate) const PERIOD: f64 = 0.032;
 /// What is allowed, and what the ramps ask for, in deg/s².
-const MOST: f64 = 720.0;
+pub(crate) const MOST: f64 = 720.0;
 const ASKED: f64 = 600.0;
-const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
+pub(crate) const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
 const TRIES: usize = 8;
 
 /// Each trouble with each way; fails with all that is wrong.
@@ -141,8 +141,7 @@ fn lift(trouble: &Trouble, controller: &Controller) {
 }
 
 fn judge(trouble: &Trouble, way: Way, controller: &Controller, ended: &Result<(), Error>) -> bool {
-    let requests: Vec<Value> =
-        controller.requests().iter().map(|text| serde_json::from_str(text).expect("requests are JSON")).collect();
+    let requests = parsed(controller);
     let steps = steps(&requests);
     let what = || format!("{trouble}, {way:?}: {ended:?}: {steps:?}");
     // Set-points whose speeds change faster: where the machine was so busy that the arm stood, they begin again.
@@ -179,8 +178,13 @@ fn judge(trouble: &Trouble, way: Way, controller: &Controller, ended: &Result<()
     true
 }
 
+/// The requests that have come.
+pub(crate) fn parsed(controller: &Controller) -> Vec<Value> {
+    controller.requests().iter().map(|text| serde_json::from_str(text).expect("requests are JSON")).collect()
+}
+
 /// How far joint 3 goes with each set-point.
-fn steps(requests: &[Value]) -> Vec<f64> {
+pub(crate) fn steps(requests: &[Value]) -> Vec<f64> {
     let mut at = START[2];
     let set_points = requests.iter().filter(|request| request["cmdName"] == "servo_j");
     let step = |request: &Value| {

@@ -11,6 +11,7 @@
 
 mod calls;
 mod cell;
+mod guarded;
 mod landings;
 mod link;
 mod model;
@@ -47,6 +48,7 @@ fn each_fault_with_each_kind_of_call() {
     let troubles = troubles::all();
     go_through(&troubles, || Duration::ZERO);
     landings::go_through(&troubles);
+    guarded::go_through(&troubles);
     let cells = troubles.iter().map(|trouble| Kind::ALL.map(|kind| model::expected(trouble, kind)));
     let table = table::table(&troubles, &cells.collect::<Vec<_>>());
     println!("{table}");

@@ -1,0 +1,285 @@
+//! Motions, trajectories and streams under a guard that meet each fault together with what trips the guard, by what the controller receives.
+//!
+//! Not cells of the table: which of the two ends them depends on the moment. What holds in each is asserted. By simulated clocks, so that no machine is too busy.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use jaka_sim::{Controller, Delays, Direction, Port, SimulatedClock, StatusFault};
+use jaka_sync::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
+use jaka_sync::motion::JointMove;
+use jaka_sync::{
+    Config, Error, ErrorKind, FollowConfig, FollowOutcome, MotionEnd, Numbering, Outcome as Ended, Robot, ServoConfig,
+    StreamConfig, TripReason,
+};
+use jaka_tests::simulated::{beside, clock_of};
+
+use crate::cell::Kind;
+use crate::landings::{CYCLES, MOST, PERIOD, START, parsed, steps};
+use crate::model;
+use crate::outcome::Outcome;
+use crate::push;
+use crate::troubles::Trouble;
+
+/// What moves until the guard trips.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Way {
+    Motion,
+    Trajectory,
+    Stream,
+}
+
+/// How many are under way at once: they hardly wait.
+const AT_ONCE: usize = 6;
+/// How far joint 3 goes, in degrees, and in how many seconds about.
+const FAR: f64 = 30.0;
+const SECONDS: f64 = 4.0;
+/// When it goes wrong: the arm moves by then.
+const STRUCK: Duration = Duration::from_secs(1);
+/// Longer than all of it takes.
+const LONG: Duration = Duration::from_secs(20);
+const INPUT: jaka_sync::InputCondition = Numbering::FromOne.cabinet(1).rises();
+
+/// Each trouble with each way; fails with all that is wrong.
+pub(crate) fn go_through(troubles: &[Trouble]) {
+    let ways = [Way::Motion, Way::Trajectory, Way::Stream];
+    let tasks: Vec<_> = troubles.iter().flat_map(|trouble| ways.map(|way| (trouble, way))).collect();
+    let (place, failed) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let work = || {
+        while let Some((trouble, way)) = tasks.get(place.fetch_add(1, Ordering::SeqCst)) {
+            if catch_unwind(AssertUnwindSafe(|| guarded(trouble, *way))).is_err() {
+                push(&failed, format!("{trouble}, {way:?}"));
+            }
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..AT_ONCE {
+            scope.spawn(work);
+        }
+    });
+    let failed = failed.into_inner().expect("no thread panics with it");
+    assert!(failed.is_empty(), "{failed:#?}");
+}
+
+fn guarded(trouble: &Trouble, way: Way) {
+    let arm = Arm::new(trouble, way);
+    let clock = clock_of(&arm.controller);
+    let config = Config::new().clock(clock).reply_timeout(Duration::from_secs(1));
+    let robot = config.connect_robot_at(arm.controller.command_addr(), arm.controller.status_addr());
+    let robot = robot.expect("the controller listens");
+    robot.monitor().next_packet().expect("packets come");
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    let limits = limits.with_joint_accelerations([MOST; 6]).expect("above 0");
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    match way {
+        Way::Motion => arm.judge_motion(&arm.motion(&mut robot)),
+        Way::Trajectory => arm.trajectory(&mut robot),
+        Way::Stream => arm.stream(&mut robot),
+    }
+}
+
+/// An arm that something befalls.
+struct Arm<'t> {
+    trouble: &'t Trouble,
+    way: Way,
+    controller: Controller,
+}
+
+impl<'t> Arm<'t> {
+    fn new(trouble: &'t Trouble, way: Way) -> Self {
+        let builder = Controller::builder().clock(&SimulatedClock::new()).delays(Delays::NONE);
+        let controller = builder.status_period(Duration::from_millis(30)).start().expect("loopback has free ports");
+        controller.set_state(|state| {
+            (state.powered, state.enabled) = (true, true);
+            state.joint_position = START.into();
+        });
+        Self { trouble, way, controller }
+    }
+
+    /// After a second on the way it goes wrong, the input goes high, and what is held for a time is released after it.
+    fn strike(&self) {
+        let clock = clock_of(&self.controller);
+        clock.sleep(STRUCK);
+        assert!(!self.controller.state().at_rest, "{}: the arm does not move", self.what());
+        let command = if self.way == Way::Motion { "stop_program" } else { "servo_j" };
+        if let Some(fault) = self.trouble.fault(command) {
+            self.controller.inject_for(command, fault);
+        }
+        self.controller.status_fault(self.trouble.status());
+        let lasting = match self.trouble {
+            Trouble::Link(link) => {
+                link.strike(&self.controller);
+                link.lasting
+            }
+            _ => None,
+        };
+        self.controller.set_state(|state| state.digital_inputs[0] = true);
+        if let Some(time) = lasting {
+            clock.sleep(time);
+            self.controller.links().release();
+        }
+    }
+
+    /// What is held or late comes now, and the arm does what it is to.
+    fn lift(&self) {
+        self.controller.clear_faults();
+        self.controller.status_fault(StatusFault::None);
+        self.controller.links().release();
+        clock_of(&self.controller).sleep(Duration::from_secs_f64(SECONDS));
+    }
+
+    fn motion(&self, robot: &mut Robot) -> MotionEnd {
+        let target = [START[0], START[1], START[2] + FAR, START[3], START[4], START[5]];
+        let motion = JointMove::absolute(target, FAR / SECONDS).acceleration(MOST);
+        let clock = clock_of(&self.controller);
+        beside(clock, || self.strike(), || robot.run_until(&motion, INPUT, LONG)).expect("its reply came before")
+    }
+
+    fn trajectory(&self, robot: &mut Robot) {
+        let mut end = START;
+        end[2] += FAR;
+        let points = [TimedPoint::new(0.0, START), TimedPoint::new(SECONDS, end)];
+        let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is within them");
+        let config = FollowConfig::new().servo(servo());
+        let run = robot.start_follow_until(&trajectory, &config, INPUT).expect("nothing is wrong yet");
+        self.strike();
+        let end = run.wait();
+        let state = self.controller.state();
+        assert!(!end.is_at_rest() || state.at_rest, "{}: {end}: {state:?}", self.what());
+        let error = end.error.as_ref().unwrap_or_else(|| panic!("{}: {end}", self.what()));
+        let expected = match end.outcome {
+            FollowOutcome::Guard => error_kinds(error).any(|kind| matches!(kind, ErrorKind::GuardTripped { .. })),
+            FollowOutcome::StatusLost => !self.has_packets(),
+            FollowOutcome::LinkLost | FollowOutcome::Refused | FollowOutcome::Failed => !self.has_replies(),
+            _ => false,
+        };
+        assert!(expected, "{}: {end:?}", self.what());
+        self.judge_set_points(error);
+    }
+
+    fn stream(&self, robot: &mut Robot) {
+        let limits = robot.limits().expect("it has some").limits();
+        let dynamics = Dynamics::of(limits).with_speeds([FAR / SECONDS; 6]).expect("they are enough");
+        let config = StreamConfig::new().servo(servo()).dynamics(dynamics);
+        let stream = robot.stream_until(&config, INPUT).expect("nothing is wrong yet");
+        let mut target = stream.joints();
+        target[2] += FAR;
+        stream.set_joints(target).expect("it runs");
+        let (handle, clock) = (stream.handle(), clock_of(&self.controller));
+        self.strike();
+        let since = clock.elapsed();
+        while handle.set_joints(target).is_ok() {
+            assert!(clock.elapsed().saturating_sub(since) < LONG, "{}: it goes on", self.what());
+            clock.sleep(Duration::from_millis(10));
+        }
+        self.judge_set_points(&stream.land().expect_err("it was not asked to land before"));
+    }
+
+    /// What is true of the end of each, whatever befell it.
+    fn judge_motion(&self, end: &MotionEnd) {
+        let (what, state) = (format!("{}: {:?}, {:?}", self.what(), end.outcome, end.stop), self.controller.state());
+        match &end.outcome {
+            Ended::Guard(trip) => {
+                assert!(self.has_packets() && shows_input(&trip.packet.status) && trip.reason == TripReason::Holds, "{what}");
+                assert!(!trip.is_at_rest || state.at_rest, "{what}: {state:?}");
+            }
+            Ended::StatusLost { .. } => assert!(!self.has_packets(), "{what}"),
+            _ => panic!("{what}"),
+        }
+        let accepted = end.stop.as_ref().unwrap_or_else(|| panic!("{what}: nobody has stopped it"));
+        self.lift();
+        let (state, stops) = (self.controller.state(), self.received("stop_program"));
+        let at = state.joint_position.0[2] - START[2];
+        assert!(state.at_rest, "{what}: {state:?}");
+        // No stop that came is told as one that was not sent, and none is told as accepted that did not stop the arm.
+        assert!(stops <= 1 && self.received("joint_move") == 1, "{what}: {:?}", self.controller.requests());
+        assert!(stops == 1 || !self.has_requests(), "{what}: it can be reached");
+        assert!(at < FAR - 1.0 || accepted.is_err(), "{what}: it went on to {at}");
+        match accepted {
+            Ok(()) => assert!(stops == 1, "{what}"),
+            Err(error) => assert!(stops == 0 || error.may_have_run(), "{what}"),
+        }
+        assert!(stops == 0 || at < FAR - 1.0 || !self.has_requests(), "{what}: {at}");
+        assert!(accepted.is_ok() || !(self.has_requests() && self.has_replies()), "{what}");
+    }
+
+    fn judge_set_points(&self, error: &Error) {
+        self.lift();
+        let (requests, state) = (parsed(&self.controller), self.controller.state());
+        let steps = steps(&requests);
+        let what = || format!("{}: {error:?}: {steps:?}", self.what());
+        for kind in error_kinds(error) {
+            if let ErrorKind::GuardTripped { trip } = kind {
+                assert!(shows_input(&trip.packet.status) && trip.reason == TripReason::Holds, "{}", what());
+                assert!(!trip.is_before_start && self.has_packets(), "{}", what());
+            }
+        }
+        let jumps = steps.windows(2).any(|two| (two[1] - two[0]).abs() > MOST * PERIOD * PERIOD * (1.0 + 1e-6));
+        assert!(!jumps, "{}", what());
+        let off = requests.iter().position(|request| request["cmdName"] == "servo_move" && request["relFlag"] == 0);
+        let after = off.map_or(&[][..], |off| &requests[off..]);
+        assert!(after.iter().all(|request| request["cmdName"] != "servo_j"), "a set-point after the end: {}", what());
+        // What is not at rest is said, or the connection is gone.
+        let tells = error_kinds(error).any(|kind| {
+            matches!(
+                kind,
+                ErrorKind::Disconnected { .. }
+                    | ErrorKind::SetPointsUnanswered { .. }
+                    | ErrorKind::ServoModeNotLeft { .. }
+                    | ErrorKind::NotLanded { .. }
+            )
+        });
+        let (rests, at) = (steps.last() == Some(&0.0), state.joint_position.0[2] - START[2]);
+        assert!(rests || tells, "{}", what());
+        assert!(!self.has_replies() || rests && off.is_some() && !state.servo_mode, "{state:?}: {}", what());
+        assert!(state.at_rest && at < FAR - 1.0, "{at}: {}", what());
+        if self.has_replies() && self.has_packets() {
+            assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{}", what());
+        }
+    }
+
+    /// True if packets come, and in time.
+    fn has_packets(&self) -> bool {
+        model::expected(self.trouble, Kind::Monitor).first == Outcome::Ok
+    }
+
+    /// True if requests reach the controller, and in time.
+    fn has_requests(&self) -> bool {
+        !matches!(self.trouble, Trouble::Link(link) if !link.is_in_time() && link.is_on(Port::Command, Direction::ToController))
+    }
+
+    /// True if the replies come, in time, and nothing else.
+    fn has_replies(&self) -> bool {
+        let expected = model::expected(self.trouble, Kind::Stop);
+        expected.first == Outcome::Ok && expected.other == Outcome::Ok
+    }
+
+    fn received(&self, command: &str) -> usize {
+        parsed(&self.controller).iter().filter(|request| request["cmdName"] == command).count()
+    }
+
+    fn what(&self) -> String {
+        format!("{}, {:?}", self.trouble, self.way)
+    }
+}
+
+fn servo() -> ServoConfig {
+    ServoConfig::new().step_count(CYCLES)
+}
+
+fn shows_input(status: &jaka_sync::status::RobotStatus) -> bool {
+    status.digital_inputs.as_ref().and_then(|inputs| inputs.first()) == Some(&true)
+}
+
+/// The kind of an error, and of those that it wraps.
+fn error_kinds(error: &Error) -> impl Iterator<Item = &ErrorKind> {
+    std::iter::successors(Some(error.kind()), |kind| match kind {
+        ErrorKind::RestNotSeen { first: Some(first), .. }
+        | ErrorKind::NotLanded { first, .. }
+        | ErrorKind::ServoModeNotLeft { first: Some(first), .. } => Some(first.kind()),
+        _ => None,
+    })
+}
