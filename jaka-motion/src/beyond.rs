@@ -106,6 +106,13 @@ pub enum Exceeded {
         /// How far beyond it would stop, or be on the way there, in mm.
         by_mm: f64,
     },
+    /// After a set-point the tool centre point would go on too far until the arm stops.
+    LandingWay {
+        /// How far it would go on at least, in mm along its way.
+        way_mm: f64,
+        /// How far it may go on, in mm.
+        limit_mm: f64,
+    },
     /// The arm does not reach there.
     OutOfReach {
         /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.

@@ -1,7 +1,10 @@
 //! Set-points along a trajectory, one a period, at a rate that may change at any time.
 
+mod overtravel;
+
 use jaka_proto::messages::types::JointPosition;
 
+pub use self::overtravel::Overtravel;
 use crate::limits::Limits;
 use crate::trajectory::Trajectory;
 
@@ -16,7 +19,7 @@ use crate::trajectory::Trajectory;
 /// - The rate is from 0 to 1, so that the joints are nowhere faster than in the trajectory.
 /// - The second differences of the set-points, divided by the square of the period, are within the joint accelerations of the limits if those of the trajectory are.
 ///   Which change of the rate leaves room for that, [`Trajectory::rate_change`] says, and each set-point is compared before it is returned.
-/// - The rate's own change goes up to that in 0.1 s, which is ours; it goes down faster only where the curve leaves less room.
+/// - The rate's own change goes up to that in 0.1 s, which is ours; it goes down faster only where the curve leaves less room, and by [`brake`](Self::brake).
 ///
 /// Where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room: [`periods_to_rest`](Self::periods_to_rest) says how long
 /// a stop takes.
@@ -30,6 +33,7 @@ pub struct Follower {
     accelerations: [f64; 6],
     period_s: f64,
     scale: f64,
+    haste: Haste,
     state: State,
     /// That of the set-point before.
     before: State,
@@ -47,6 +51,13 @@ struct State {
     step: [f64; 6],
 }
 
+/// How fast the change of the rate may itself change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Haste {
+    Smooth,
+    AtOnce,
+}
+
 /// In how many seconds the change of the rate reaches what the curve allows.
 const CHANGE_REACHED_S: f64 = 0.1;
 /// How often the change of the rate is halved where it is too much for a joint.
@@ -61,17 +72,25 @@ impl Follower {
     pub fn new(trajectory: Trajectory, limits: &Limits, period_s: f64) -> Self {
         let state = State { time_s: 0.0, rate: 1.0, change: 0.0, joints: trajectory.start(), step: [0.0; 6] };
         let (duration_s, accelerations) = (trajectory.duration_s(), *limits.joint_accelerations());
-        Self { trajectory, duration_s, accelerations, period_s, scale: 1.0, state, before: state }
+        Self { trajectory, duration_s, accelerations, period_s, scale: 1.0, haste: Haste::Smooth, state, before: state }
     }
 
     /// Asks for a scale of the trajectory's pace, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and what is not a number as 0.
     ///
     /// Before the first set-point the rate is this at once.
     pub fn set_scale(&mut self, scale: f64) {
+        self.haste = Haste::Smooth;
         self.scale = if scale.is_nan() { 0.0 } else { scale.clamp(0.0, 1.0) };
         if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step.iter().all(|step| *step == 0.0) {
             self.state.rate = self.scale;
         }
+    }
+
+    /// Asks for a standstill as soon as the joints' accelerations allow, until another scale is asked for: the change of the rate does not take 0.1 s to reach what the
+    /// curve allows.
+    pub fn brake(&mut self) {
+        self.set_scale(0.0);
+        self.haste = Haste::AtOnce;
     }
 
     /// The set-point a period after the last one.
@@ -116,10 +135,11 @@ impl Follower {
         self.state.rate == 0.0 || self.is_at_end()
     }
 
-    /// In how many periods it would be at rest if the scale were 0 from now on; none if that takes more than `most`.
+    /// In how many periods it would be at rest if the scale were 0 from now on, or it [brakes](Self::brake) already; none if that takes more than `most`.
     pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
         let mut stopping = self.clone();
         stopping.set_scale(0.0);
+        stopping.haste = self.haste;
         for periods in 0..=most {
             if stopping.is_at_rest() {
                 return Some(periods);
@@ -146,6 +166,9 @@ impl Follower {
         let allowed = self.trajectory.rate_change_between(from_s, to_s, rate).max(0.0);
         // From 0 to 1 in one period is the most that there is.
         let most = (allowed * self.period_s).min(1.0);
+        if self.haste == Haste::AtOnce {
+            return -rate.min(most);
+        }
         let jerk = most * (self.period_s / CHANGE_REACHED_S).min(1.0);
         let wanted = change_towards(self.scale - rate, jerk);
         wanted.clamp(change - jerk, change + jerk).clamp(-most, most).clamp(-rate, 1.0 - rate)

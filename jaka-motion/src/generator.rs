@@ -15,6 +15,7 @@ use self::plan::Plan;
 use crate::beyond::{Beyond, Exceeded, Way};
 use crate::braking::{JointLimits, JointState, Stop};
 use crate::checker::{Checker, longest};
+use crate::limits::InvalidLimit;
 
 /// Makes one set-point a period, on the way to a goal that may change with each of them.
 ///
@@ -70,6 +71,8 @@ pub struct Generator {
     checker: Checker,
     limits: [JointLimits; 6],
     period_s: f64,
+    /// How far the tool may go on until the arm stops, in mm.
+    stopping_mm: f64,
     state: [JointState; 6],
     /// That of the set-point before.
     before: [JointState; 6],
@@ -106,12 +109,25 @@ impl Generator {
             checker: checker.clone(),
             limits: dynamics.joint_limits(period_s),
             period_s,
+            stopping_mm: f64::INFINITY,
             state: start.0.map(JointState::at_rest),
             before: start.0.map(JointState::at_rest),
             goal: Goal::Rest,
             plan: Plan::new(),
             rejections: 0,
         })
+    }
+
+    /// The same for a tool that must be able to stop soon: the tool centre point moves with at most this speed, in mm/s as mean over a period, and from each set-point
+    /// on it comes to rest within this way, in mm, of which the last period before is a part. Goals are approached more slowly for that, as for any other limit.
+    ///
+    /// # Errors
+    /// The speed is not above 0.
+    pub fn with_tool_stop(self, speed_mm_s: f64, within_mm: f64) -> Result<Self, InvalidLimit> {
+        let limits = self.checker.limits().clone();
+        let speed_mm_s = limits.tcp_speed().map_or(speed_mm_s, |limit| limit.min(speed_mm_s));
+        let checker = Checker::new(limits.with_tcp_speed(speed_mm_s)?, *self.checker.frames());
+        Ok(Self { checker, stopping_mm: within_mm, ..self })
     }
 
     /// Checks a goal before it is given to [`next`](Self::next): joint positions as a place, speeds of joints and of the tool centre point by their limits.
@@ -141,7 +157,7 @@ impl Generator {
                 return self.take(proposed, bound);
             };
             self.plan.drop_way();
-            let is_too_fast = matches!(exceeded, Exceeded::TcpSpeed { .. });
+            let is_too_fast = matches!(exceeded, Exceeded::TcpSpeed { .. } | Exceeded::LandingWay { .. });
             bound = Some(Bound::Limit(self.beyond(exceeded)));
             // As fast as before is often fast enough.
             let coasted = self.coasted();
@@ -254,7 +270,7 @@ impl Generator {
         let stops = std::array::from_fn(|index| Stop::of(next[index], self.limits[index]));
         let last = self.joints().0;
         let rested = self.is_at_rest().then_some(&last);
-        self.checker.check_stops(rested, &last, &stops, self.period_s)
+        self.checker.check_stops(rested, &last, &stops, (self.period_s, self.stopping_mm))
     }
 
     fn coasted(&self) -> [JointState; 6] {

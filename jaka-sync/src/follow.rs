@@ -14,8 +14,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::Trajectory;
-use jaka_proto::Command;
-use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::config::FollowConfig;
@@ -23,7 +21,7 @@ pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
 pub use self::lag::FollowLag;
 use self::orders::Orders;
-use crate::robot::Armed;
+use crate::robot::SetPointGuard;
 use crate::servo_thread::ServoThread;
 use crate::{Error, Guard, MotionStatus, Robot};
 
@@ -110,7 +108,7 @@ impl<S: MotionStatus> Robot<S> {
         config: &FollowConfig,
         guard: impl Into<Guard>,
     ) -> Result<FollowRun<'_, S>, Error> {
-        let armed = self.arm_for(ServoJ::INFO, &guard.into(), "start_follow_until")?;
+        let armed = self.arm_for_set_points(&guard.into(), "start_follow_until")?;
         self.begin_follow(trajectory, config, Some(armed))
     }
 
@@ -118,7 +116,7 @@ impl<S: MotionStatus> Robot<S> {
         &mut self,
         trajectory: &Trajectory,
         config: &FollowConfig,
-        guard: Option<Armed>,
+        guard: Option<SetPointGuard>,
     ) -> Result<FollowRun<'_, S>, Error> {
         config.check()?;
         let deadline = config.deadline.and_then(|time| self.clock().now().checked_add(time));

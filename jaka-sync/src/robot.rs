@@ -36,6 +36,8 @@ use jaka_proto::messages::status::RobotStatus;
 use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
 pub(crate) use self::guard::Armed;
+#[cfg(feature = "stream")]
+pub(crate) use self::guard::SetPointGuard;
 pub use self::guard::{ForceComponent, ForceLimit, Guard, GuardTrip, NotGuarded, TcpBox, TripReason};
 pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 use self::latch::Latch;

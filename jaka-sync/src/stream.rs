@@ -14,7 +14,7 @@ use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
-use crate::robot::Armed;
+use crate::robot::SetPointGuard;
 use crate::servo_session::check_at_least;
 use crate::servo_thread::ServoThread;
 use crate::{Error, Guard, MotionStatus, Robot, ServoConfig, ServoReport};
@@ -131,11 +131,11 @@ impl<S: MotionStatus> Robot<S> {
     /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a
     /// [`ForceLimit`](crate::ForceLimit): how fast the tool of a stream is, and how it brakes, does not follow from targets of joints.
     pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
-        let armed = self.arm_for(ServoJ::INFO, &guard.into(), "stream_until")?;
+        let armed = self.arm_for_set_points(&guard.into(), "stream_until")?;
         self.begin_stream(config, Some(armed))
     }
 
-    fn begin_stream(&mut self, config: &StreamConfig, guard: Option<Armed>) -> Result<Stream<'_, S>, Error> {
+    fn begin_stream(&mut self, config: &StreamConfig, guard: Option<SetPointGuard>) -> Result<Stream<'_, S>, Error> {
         config.check()?;
         let config = config.clone();
         let work = move |robot: &mut Robot<S>, begun: &_| cycle::run(robot, &config, guard.as_ref(), begun);

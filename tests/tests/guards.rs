@@ -2,6 +2,7 @@
 
 mod contact;
 mod links;
+mod set_points;
 mod streams;
 
 use std::panic::resume_unwind;

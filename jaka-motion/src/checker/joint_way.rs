@@ -90,6 +90,11 @@ impl Checker {
         parts.sum::<Vector3<f64>>().norm()
     }
 
+    /// How far apart the tool centre point is at two joint positions, in mm.
+    pub(crate) fn tcp_distance(&self, one: &[f64; 6], other: &[f64; 6]) -> f64 {
+        (self.point(Point::Tcp, one) - self.point(Point::Tcp, other)).norm()
+    }
+
     /// How a point goes while the joints move by these degrees.
     fn course(&self, point: Point, moved: &[f64; 6]) -> Course {
         self.course_of_turns(point, &moved.map(|degrees| degrees.abs().to_radians()))

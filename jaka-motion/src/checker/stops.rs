@@ -13,13 +13,13 @@ const MOST_PERIODS: f64 = 4096.0;
 
 impl Checker {
     /// Checks the way from one set-point to the next and from there to rest: joint ranges, regions, and the speed of the tool centre point as mean over
-    /// each period. Where an arm has rested, if it has, counts as within regions.
+    /// each period, and that it goes on for no more than `stopping_mm`. Where an arm has rested, if it has, counts as within regions.
     pub(crate) fn check_stops(
         &self,
         rested: Option<&[f64; 6]>,
         last: &[f64; 6],
         stops: &[Stop; 6],
-        period_s: f64,
+        (period_s, stopping_mm): (f64, f64),
     ) -> Result<(), Exceeded> {
         self.stops_in_ranges(stops)?;
         let next = stops.map(|stop| stop.at(0.0).position);
@@ -27,7 +27,7 @@ impl Checker {
             self.regions_on_joint_way(last, &next).map_err(|(exceeded, _)| exceeded)?;
             self.regions_on_stops(rested, stops).map_err(|(exceeded, _)| as_landing(exceeded))?;
         }
-        self.tcp_speed_on_stops(last, stops, period_s)
+        self.tcp_on_stops(last, stops, period_s, stopping_mm)
     }
 
     fn stops_in_ranges(&self, stops: &[Stop; 6]) -> Result<(), Exceeded> {
@@ -57,18 +57,29 @@ impl Checker {
         })
     }
 
-    fn tcp_speed_on_stops(&self, last: &[f64; 6], stops: &[Stop; 6], period_s: f64) -> Result<(), Exceeded> {
+    fn tcp_on_stops(
+        &self,
+        last: &[f64; 6],
+        stops: &[Stop; 6],
+        period_s: f64,
+        limit_mm: f64,
+    ) -> Result<(), Exceeded> {
         let Some(limit_mm_s) = self.limits.tcp_speed() else { return Ok(()) };
-        let (seconds, mut done) = (longest(stops), 0.0);
+        let (seconds, mut done, mut way_mm) = (longest(stops), 0.0, 0.0);
         if seconds > MOST_PERIODS * period_s {
             return Err(Exceeded::TooLong);
         }
         let mut before = self.point(Point::Tcp, last);
         loop {
             let here = self.point(Point::Tcp, &stops.map(|stop| stop.at(done).position));
-            let speed_mm_s = (here - before).norm() / period_s;
+            let step_mm = (here - before).norm();
+            let speed_mm_s = step_mm / period_s;
+            way_mm += step_mm;
             if speed_mm_s > rounded_up(limit_mm_s) + START_ROUNDING / period_s {
                 return Err(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s });
+            }
+            if way_mm > limit_mm {
+                return Err(Exceeded::LandingWay { way_mm, limit_mm });
             }
             if done >= seconds {
                 return Ok(());

@@ -7,14 +7,17 @@ use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
 use super::start;
+use crate::robot::SetPointGuard;
 use crate::{Error, ErrorKind};
 
-/// The way to where a trajectory starts, which is held for two periods there, so that the trajectory begins from a standstill at its start exactly.
+/// The way to where a trajectory starts, which is held for two periods there or more, so that the trajectory begins from a standstill at its start exactly.
 #[derive(Debug)]
 pub(super) struct Approach {
     generator: Generator,
     start: JointPosition,
     held: u32,
+    /// For how many periods the start is to be held.
+    hold: u32,
     is_blocked: bool,
     /// What slowed the last set-point.
     bound: Option<Bound>,
@@ -29,21 +32,27 @@ const PERIODS_HELD: u32 = 2;
 impl Approach {
     pub(super) fn new(
         checker: &Checker,
-        from: JointPosition,
-        start: JointPosition,
+        [from, start]: [JointPosition; 2],
         speed_deg_s: Option<f64>,
         period_s: f64,
+        guard: Option<&SetPointGuard>,
     ) -> Result<Self, Error> {
         let speed = speed_deg_s.unwrap_or(NEXT_TO_NOTHING);
         let speeds = checker.limits().joint_speeds().map(|most| most.min(speed));
         let dynamics = Dynamics::of(checker.limits()).with_speeds(speeds).map_err(invalid)?;
         let generator = Generator::new(checker, dynamics, from, period_s).map_err(invalid)?;
-        Ok(Self { generator, start, held: 0, is_blocked: false, bound: None })
+        let generator = match guard {
+            Some(guard) => guard.slowed(generator)?,
+            None => generator,
+        };
+        // What is touched on the way is known before the trajectory begins.
+        let hold = PERIODS_HELD + guard.map_or(0, |guard| guard.periods_unknown(period_s));
+        Ok(Self { generator, start, held: 0, hold, is_blocked: false, bound: None })
     }
 
     /// True once the start was held for so long that the trajectory can begin.
     pub(super) fn is_done(&self) -> bool {
-        self.held >= PERIODS_HELD
+        self.held >= self.hold
     }
 
     /// True if the arm stands and does not get to the start.

@@ -12,7 +12,7 @@ use super::lag::LagFit;
 use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::clock::Clock;
-use crate::robot::Armed;
+use crate::robot::SetPointGuard;
 use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision};
 use crate::servo_thread::Begun;
 use crate::{Error, MotionStatus, Robot, ServoSession};
@@ -30,7 +30,7 @@ impl Drop for Ends<'_> {
 pub(super) fn run<S: MotionStatus>(
     robot: &mut Robot<S>,
     (trajectory, config): (&Trajectory, &FollowConfig),
-    guard: Option<&Armed>,
+    guard: Option<&SetPointGuard>,
     orders: &Arc<Orders>,
     begun: &Begun<()>,
 ) -> Option<FollowEnd> {
@@ -41,12 +41,12 @@ pub(super) fn run<S: MotionStatus>(
         None
     };
     let mut checked = None;
-    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config).map(|with| checked = Some(with));
+    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config, guard).map(|with| checked = Some(with));
     let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };
-    let mut way = match Way::new(&session, (trajectory, checked.as_ref()), config, orders) {
+    let mut way = match Way::new(&session, (trajectory, checked.as_ref()), (config, guard), orders) {
         Ok(way) => way,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
@@ -54,7 +54,7 @@ pub(super) fn run<S: MotionStatus>(
         // Nobody waits where the caller's thread has ended.
         orders.stop();
     }
-    let mut supervision = way.supervision(config).guarded(guard);
+    let mut supervision = way.supervision(config);
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);
@@ -64,6 +64,7 @@ pub(super) fn run<S: MotionStatus>(
 
 /// The way to where the trajectory starts, and then the trajectory.
 struct Way<'o> {
+    guard: Option<&'o SetPointGuard>,
     /// None once the arm has been at the start.
     approach: Option<Approach>,
     follower: Follower,
@@ -79,18 +80,20 @@ impl<'o> Way<'o> {
     fn new<S: MotionStatus>(
         session: &ServoSession<'_, S>,
         (trajectory, known_by): (&Trajectory, Option<&Checker>),
-        config: &FollowConfig,
+        (config, guard): (&FollowConfig, Option<&'o SetPointGuard>),
         orders: &'o Orders,
     ) -> Result<Self, Error> {
         let (checker, at) = session.checker_and_start().ok_or_else(start::no_limits)?;
         // A frame may have changed since, or the arm have moved.
         if known_by != Some(checker) {
-            start::check_limits(checker, trajectory)?;
+            start::check_limits(checker, trajectory, config, guard)?;
         }
         start::check_start(checker, at, trajectory, config)?;
         let period = config.servo.period();
-        let approach = Approach::new(checker, at, trajectory.start(), config.approach_deg_s, period.as_secs_f64())?;
+        let (from_to, speed) = ([at, trajectory.start()], config.approach_deg_s);
+        let approach = Approach::new(checker, from_to, speed, period.as_secs_f64(), guard)?;
         Ok(Self {
+            guard,
             approach: Some(approach),
             follower: Follower::new(trajectory.clone(), checker.limits(), period.as_secs_f64()),
             orders,
@@ -101,8 +104,9 @@ impl<'o> Way<'o> {
         })
     }
 
-    fn supervision<'g>(&self, config: &FollowConfig) -> Supervision<'g> {
-        Supervision::new(self.last, config.servo.period(), config.max_departure_deg, config.max_gap)
+    fn supervision(&self, config: &FollowConfig) -> Supervision<'o> {
+        let supervision = Supervision::new(self.last, config.servo.period(), config.max_departure_deg, config.max_gap);
+        supervision.guarded(self.guard)
     }
 
     /// Brings the arm to rest after the last set-point, and tells how the run has ended.
@@ -142,6 +146,7 @@ impl<'o> Way<'o> {
     fn braked<S: MotionStatus>(&mut self, session: &mut ServoSession<'_, S>, error: Error) -> (Error, bool) {
         let (mut straight_on, time_to_brake) = (session.straight_on(), session.time_to_brake());
         let (mut is_straight_on, mut is_stopping) = (false, None);
+        self.slow_down();
         let error = session.end_by(error, &mut |course| {
             let left = time_to_brake();
             if !is_straight_on && is_stopping.replace(left.is_some()) != Some(left.is_some()) {
@@ -186,12 +191,21 @@ impl<'o> Way<'o> {
             Some(approach) => approach.brake(),
             None if self.follower.is_at_rest() => return None,
             None => {
-                self.follower.set_scale(0.0);
+                self.slow_down();
                 self.follower.advance()
             }
         };
         self.tell();
         Some(SetPoint::Joints(joints))
+    }
+
+    /// To a standstill on the trajectory; under a limit of force, as soon as it can be done.
+    fn slow_down(&mut self) {
+        if self.guard.is_some_and(SetPointGuard::has_force_limits) {
+            self.follower.brake();
+        } else {
+            self.follower.set_scale(0.0);
+        }
     }
 
     fn tell(&self) {

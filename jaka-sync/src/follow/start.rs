@@ -1,11 +1,12 @@
 //! Before the first set-point: the trajectory is within the limits, and the arm is where it starts.
 
-use jaka_motion::{Checker, JointPace, Trajectory};
+use jaka_motion::{Checker, Follower, JointPace, Trajectory};
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
+use crate::robot::SetPointGuard;
 use crate::servo_session::check_shows_joints;
 use crate::{Error, ErrorKind, MotionStatus, Robot, Unchecked};
 
@@ -17,6 +18,7 @@ pub(super) fn check<S: MotionStatus>(
     robot: &mut Robot<S>,
     trajectory: &Trajectory,
     config: &FollowConfig,
+    guard: Option<&SetPointGuard>,
 ) -> Result<Checker, Error> {
     if robot.limits().is_none() {
         return Err(no_limits());
@@ -27,14 +29,22 @@ pub(super) fn check<S: MotionStatus>(
     let pose = robot.tcp_pose(timeout)?;
     robot.prepare_set_points(at, pose, timeout)?;
     let checker = robot.limits().ok_or_else(no_limits)?;
-    check_limits(checker, trajectory)?;
+    check_limits(checker, trajectory, config, guard)?;
     check_start(checker, at, trajectory, config)?;
     Ok(checker.clone())
 }
 
 /// Checks the trajectory.
-pub(super) fn check_limits(checker: &Checker, trajectory: &Trajectory) -> Result<(), Error> {
-    trajectory.check(checker).map_err(|source| ErrorKind::Trajectory { source }.into())
+pub(super) fn check_limits(
+    checker: &Checker,
+    trajectory: &Trajectory,
+    config: &FollowConfig,
+    guard: Option<&SetPointGuard>,
+) -> Result<(), Error> {
+    trajectory.check(checker).map_err(|source| ErrorKind::Trajectory { source })?;
+    let Some(guard) = guard else { return Ok(()) };
+    let follower = Follower::new(trajectory.clone(), checker.limits(), config.servo.period().as_secs_f64());
+    guard.check_trajectory(&follower, checker)
 }
 
 /// Checks where the arm is, and the way from there to the start of the trajectory.

@@ -3,6 +3,10 @@
 mod armed;
 mod condition;
 mod force;
+mod not_guarded;
+mod packet_period;
+#[cfg(feature = "stream")]
+mod set_points;
 mod tcp_box;
 mod trip;
 
@@ -15,7 +19,11 @@ use jaka_proto::messages::status::RobotStatus;
 
 pub(crate) use self::armed::Armed;
 pub(super) use self::condition::Condition;
-pub use self::force::{ForceComponent, ForceLimit, NotGuarded};
+pub use self::force::{ForceComponent, ForceLimit};
+pub use self::not_guarded::NotGuarded;
+pub(super) use self::packet_period::longest_silence;
+#[cfg(feature = "stream")]
+pub(crate) use self::set_points::SetPointGuard;
 pub use self::tcp_box::TcpBox;
 pub(crate) use self::trip::Trip;
 pub use self::trip::{GuardTrip, TripReason};

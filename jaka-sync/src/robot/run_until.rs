@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_proto::CommandInfo;
 
-use super::guard::{Guard, NotGuarded, Trip, TripReason};
+use super::guard::{Guard, NotGuarded, Trip, TripReason, longest_silence};
 use super::readiness::unknown;
 use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
 use super::stops::Sent;
@@ -15,12 +15,6 @@ use crate::{Error, ErrorKind};
 
 /// How long an arm that was stopped is waited for until it rests.
 const REST: Duration = Duration::from_secs(2);
-
-/// How long is waited for packets, to know their period.
-const PERIOD_WITHIN: Duration = Duration::from_secs(2);
-
-/// For how long at least packets may stay away under a limit of force.
-const SHORTEST_SILENCE: Duration = Duration::from_millis(100);
 
 impl<S: MotionStatus> Robot<S> {
     /// Runs a motion under a guard: sends it, and waits until it has ended or the guard has tripped, upon which the arm is stopped.
@@ -113,12 +107,9 @@ impl<S: MotionStatus> Robot<S> {
         if self.has_motions() || !is_in_position {
             return Err(refused(NotGuarded::Moving));
         }
-        let period = || self.monitor.statistics().recent_gap;
-        let patience = timeout.min(PERIOD_WITHIN);
-        let period = self.monitor.watch(patience, |_| period()).ok().flatten();
-        let period = period.ok_or_else(|| refused(NotGuarded::PeriodUnknown))?;
+        let period = self.packet_period(timeout).ok_or_else(|| refused(NotGuarded::PeriodUnknown))?;
         guard.force_limits().try_for_each(|limit| limit.check_speed(speed, acceleration, period)).map_err(refused)?;
-        Ok((period * 3).max(SHORTEST_SILENCE))
+        Ok(longest_silence(period))
     }
 
     /// The end where the guard has tripped before the motion went out.

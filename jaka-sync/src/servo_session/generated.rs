@@ -14,7 +14,7 @@ use super::departure::Departure;
 use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::clock::Clock;
-use crate::robot::{Armed, shown_joints};
+use crate::robot::{SetPointGuard, shown_joints};
 use crate::{Error, ErrorKind, MotionStatus, NotShown, Outcome, Robot, Snapshot};
 
 /// What makes set-points, one a cycle.
@@ -54,7 +54,7 @@ pub(crate) struct Supervision<'g> {
     /// When the first packet came after which none has shown the joints.
     unseen: Option<Instant>,
     max_gap: Duration,
-    guard: Option<&'g Armed>,
+    guard: Option<&'g SetPointGuard>,
 }
 
 impl<'g> Supervision<'g> {
@@ -65,13 +65,13 @@ impl<'g> Supervision<'g> {
     }
 
     /// Under a guard.
-    pub(crate) fn guarded(self, guard: Option<&'g Armed>) -> Self {
+    pub(crate) fn guarded(self, guard: Option<&'g SetPointGuard>) -> Self {
         Self { guard, ..self }
     }
 
     /// Fails once the guard has tripped.
-    pub(super) fn check_guard(&self) -> Result<(), Error> {
-        self.guard.map_or(Ok(()), Armed::check)
+    pub(super) fn check_tripped(&self) -> Result<(), Error> {
+        self.guard.map_or(Ok(()), SetPointGuard::check_tripped)
     }
 
     /// Compares the joints of a packet, if it shows them. Fails where none has for half a second.
@@ -140,7 +140,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             if late >= self.config.gap() {
                 set_points.paused();
             }
-            supervision.check_guard()?;
+            supervision.guard.map_or(Ok(()), |guard| guard.check(self.robot.monitor()))?;
             if set_points.is_done() {
                 return Ok(());
             }

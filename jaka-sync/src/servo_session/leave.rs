@@ -41,7 +41,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     #[cfg(feature = "stream")]
     pub(crate) fn land_by(&mut self, braking: Braking<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
-        self.leave_landed(landed, supervision.check_guard().err())
+        self.leave_landed(landed, supervision.check_tripped().err())
     }
 
     /// Whether packets showed the arm at rest before servo mode was left.

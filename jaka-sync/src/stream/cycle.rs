@@ -10,7 +10,7 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
-use crate::robot::Armed;
+use crate::robot::SetPointGuard;
 use crate::servo_session::{SetPoint, SetPoints, Supervision, check_shows_joints};
 use crate::servo_thread::Begun;
 use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
@@ -28,7 +28,7 @@ impl Drop for Ends {
 pub(super) fn run<S: MotionStatus>(
     robot: &mut Robot<S>,
     config: &StreamConfig,
-    guard: Option<&Armed>,
+    guard: Option<&SetPointGuard>,
     begun: &Begun<(Arc<Targets>, Generator)>,
 ) -> Option<Result<ServoReport, Error>> {
     // The caller has the error from here, and not from the thread.
@@ -43,7 +43,11 @@ pub(super) fn run<S: MotionStatus>(
         Ok(session) => session,
         Err(error) => return refused(error),
     };
-    let mut generator = match generator(&session, config) {
+    let slowed = |generator| match guard {
+        Some(guard) => guard.slowed(generator),
+        None => Ok(generator),
+    };
+    let mut generator = match generator(&session, config).and_then(slowed) {
         Ok(generator) => generator,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };

@@ -6,14 +6,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-#[cfg(feature = "stream")]
-use jaka_proto::CommandInfo;
 use jaka_proto::wire::DecodeError;
 
 use super::condition::Judge;
 use super::{Guard, Trip};
-#[cfg(feature = "stream")]
-use super::{NotGuarded, TripReason};
 use crate::robot::readiness::unknown;
 use crate::robot::{MotionStatus, trouble};
 use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
@@ -108,16 +104,6 @@ impl Armed {
         Ok(())
     }
 
-    /// Fails once the guard has tripped.
-    #[cfg(feature = "stream")]
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        match (self.trip(), self.broken()) {
-            (Some(trip), _) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
-            (None, Some(problem)) => Err(unknown(problem)),
-            (None, None) => Ok(()),
-        }
-    }
-
     /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where that is the reason.
     pub(crate) fn shut(&self, blind: Option<StatusProblem>) -> bool {
         let mut progress = lock(&self.0.progress);
@@ -192,29 +178,6 @@ impl<S: MotionStatus> Robot<S> {
     pub(crate) fn arm(&self, guard: &Guard, timeout: Duration) -> Result<Armed, StatusProblem> {
         self.status_now(timeout)?;
         Armed::new(guard, self.monitor(), || self.fresh_status())
-    }
-
-    /// Arms a guard for set-points, which is to be asked in each cycle ([`Armed::check`]). Fails if it has tripped already, cannot be
-    /// judged, or has a limit of force, for which the speed of the tool would have to be known.
-    #[cfg(feature = "stream")]
-    pub(crate) fn arm_for(&self, info: &'static CommandInfo, guard: &Guard, call: &str) -> Result<Armed, Error> {
-        guard.check(call)?;
-        self.check_latch()?;
-        let attach = |kind: ErrorKind| self.client.link().attach(kind.into());
-        if guard.force_limits().next().is_some() {
-            let (command, reason) = (info.name.to_owned(), NotGuarded::SpeedUnknown);
-            return Err(attach(ErrorKind::NotGuarded { command, reason }));
-        }
-        let armed = self
-            .arm(guard, self.monitor.stale_after())
-            .map_err(|problem| self.client.link().attach(unknown(problem)))?;
-        match armed.trip() {
-            None => Ok(armed),
-            Some(Trip { reason: TripReason::NotShown(reason), .. }) => {
-                Err(attach(ErrorKind::NotShown { what: guard.to_string(), reason }))
-            }
-            Some(trip) => Err(attach(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) })),
-        }
     }
 }
 

@@ -3,10 +3,12 @@
 use std::fmt;
 use std::time::Duration;
 
+#[cfg(feature = "stream")]
+use jaka_motion::Overtravel;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::wire::{DecodeError, Typed};
 
-use super::{Condition, Guard};
+use super::{Condition, Guard, NotGuarded};
 use crate::Snapshot;
 use crate::robot::not_shown::{Field, NotShown};
 
@@ -143,14 +145,54 @@ impl ForceLimit {
     ) -> Result<(), NotGuarded> {
         let braking_mm_s2 = self.braking.or(acceleration).ok_or(NotGuarded::BrakingUnknown)?;
         let (overtravel_mm, reaction) = (self.overtravel_mm, self.reaction);
-        let time = period.saturating_add(reaction).as_secs_f64();
-        // The positive root of speed * time + speed² / (2 * braking) = overtravel, in the form in which nothing cancels.
-        let root = (time * time + 2.0 * overtravel_mm / braking_mm_s2).sqrt();
-        let permitted_mm_s = 2.0 * overtravel_mm / (time + root);
+        let permitted_mm_s = self.permitted(period.saturating_add(reaction).as_secs_f64(), braking_mm_s2);
         if speed <= permitted_mm_s {
             return Ok(());
         }
         Err(NotGuarded::TooFast { speed_mm_s: speed, permitted_mm_s, overtravel_mm, period, reaction, braking_mm_s2 })
+    }
+
+    /// The speed in mm/s at which the overtravel is used up by a time in which the tool is not braked and the braking.
+    fn permitted(&self, unbraked_s: f64, braking_mm_s2: f64) -> f64 {
+        // The positive root of speed * time + speed² / (2 * braking) = overtravel, in the form in which nothing cancels.
+        let root = (unbraked_s * unbraked_s + 2.0 * self.overtravel_mm / braking_mm_s2).sqrt();
+        2.0 * self.overtravel_mm / (unbraked_s + root)
+    }
+}
+
+/// For set-points, which brake the tool themselves.
+#[cfg(feature = "stream")]
+impl ForceLimit {
+    /// How far the tool may go on, in mm.
+    pub(super) fn overtravel_mm(&self) -> f64 {
+        self.overtravel_mm
+    }
+
+    /// How long after a contact the tool goes on unbraked at most, in seconds, where packets come each `period` and set-points each `cycle_s`: until a
+    /// packet shows it, the next set-point goes out and the reaction is over; and the arm is a set-point behind.
+    pub(super) fn unbraked_s(&self, period: Duration, cycle_s: f64) -> f64 {
+        period.saturating_add(self.reaction).as_secs_f64() + 2.0 * cycle_s
+    }
+
+    /// Why a trajectory is not sent on which the tool goes on for so long.
+    pub(super) fn too_fast_along(&self, after: usize, worst: &Overtravel, period: Duration) -> NotGuarded {
+        let Overtravel { time_s, unbraked_s, speed_mm_s, braking_mm_s2, way_mm, .. } = *worst;
+        if way_mm.is_infinite() {
+            return NotGuarded::CannotBrake { after, time_s };
+        }
+        let (overtravel_mm, reaction) = (self.overtravel_mm, self.reaction);
+        let permitted_mm_s = self.permitted(unbraked_s, braking_mm_s2);
+        NotGuarded::TooFastAlong {
+            after,
+            time_s,
+            speed_mm_s,
+            permitted_mm_s,
+            way_mm,
+            overtravel_mm,
+            period,
+            reaction,
+            braking_mm_s2,
+        }
     }
 }
 
@@ -192,57 +234,6 @@ impl fmt::Display for ForceLimit {
         write!(f, "{component} has changed by more than {}", self.change)
     }
 }
-
-/// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum NotGuarded {
-    /// The motion is too fast.
-    TooFast {
-        /// The speed of the motion, in mm/s.
-        speed_mm_s: f64,
-        /// The speed that is permitted, in mm/s.
-        permitted_mm_s: f64,
-        /// The overtravel that is allowed, in mm.
-        overtravel_mm: f64,
-        /// The longest time between two of the last packets.
-        period: Duration,
-        /// How long the reaction is taken to last.
-        reaction: Duration,
-        /// With which deceleration the tool is taken to brake, in mm/s².
-        braking_mm_s2: f64,
-    },
-    /// The speed of the tool centre point does not follow from the motion: only that of a line or an arc does.
-    SpeedUnknown,
-    /// The motion does not say its acceleration, and the limit says nothing of the braking.
-    BrakingUnknown,
-    /// The arm moves, or motions wait that were started before: what the sensor reads at the start does not count then.
-    Moving,
-    /// Too few packets have come in time to know their period.
-    PeriodUnknown,
-}
-
-impl fmt::Display for NotGuarded {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFast { speed_mm_s, permitted_mm_s, overtravel_mm, period, reaction, braking_mm_s2 } => write!(
-                f,
-                "at {speed_mm_s} mm/s the tool goes on for more than {overtravel_mm} mm after a contact; permitted are {permitted_mm_s:.2} mm/s, with up to \
-                 {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2} mm/s²"
-            ),
-            Self::SpeedUnknown => f.write_str(
-                "the speed of the tool does not follow from it; move on a line or an arc towards a contact (`move_l`, `move_c`)",
-            ),
-            Self::BrakingUnknown => {
-                f.write_str("it does not say with which acceleration, from which the braking follows; give it one")
-            }
-            Self::Moving => f.write_str("the arm must be at rest before, and no other motion may be waiting"),
-            Self::PeriodUnknown => f.write_str("too few status packets have come to know their period; wait for more"),
-        }
-    }
-}
-
-impl std::error::Error for NotGuarded {}
 
 #[cfg(test)]
 mod tests {

@@ -1,0 +1,139 @@
+//! How far the tool goes on after a contact, where it is then braked along a trajectory.
+
+use super::{Follower, Haste, State};
+use crate::checker::Checker;
+
+/// How far the tool goes on after a contact on a trajectory: see [`Follower::worst_overtravel`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Overtravel {
+    /// The trajectory time of the contact, in seconds.
+    pub time_s: f64,
+    /// How far the tool centre point goes on from there until it rests, in mm along its way; infinite where braking takes longer than 0.5 s.
+    pub way_mm: f64,
+    /// For how long of that it is not braked yet, in seconds: the delay, rounded up to periods, and one more, since the contact can come at any moment of one.
+    pub unbraked_s: f64,
+    /// Its greatest speed on that way, as mean over a period, in mm/s.
+    pub speed_mm_s: f64,
+    /// The even deceleration by which it would be braked in as far, in mm/s²; infinite where it rests at once.
+    pub braking_mm_s2: f64,
+}
+
+/// How long braking may take, in seconds.
+const LONGEST_S: f64 = 0.5;
+
+impl Follower {
+    /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further than `allowed_mm`; none otherwise.
+    ///
+    /// Any set-point may be followed by a contact, and [`brake`](Self::brake) be called `delay_s` after it. What is computed is at the rate 1, which is the
+    /// most: at a lower one, also one that goes up or down meanwhile, the tool has gone less far when it is braked, and rests sooner. Where the tool goes on further than is
+    /// allowed before it is braked at all, the place at which that is the furthest is told.
+    ///
+    /// Each period of the trajectory is looked at. It allocates a number for each.
+    pub fn worst_overtravel(&self, checker: &Checker, delay_s: f64, allowed_mm: f64) -> Option<Overtravel> {
+        let ways = Ways { ways_mm: self.ways_mm(checker), unbraked: self.periods(delay_s).saturating_add(1) };
+        let unbraked = ways.contacts().map(|contact| (contact, ways.between(contact, ways.braked_from(contact))));
+        let furthest = furthest(unbraked)?;
+        let (contact, way_mm) = if furthest.1 > allowed_mm {
+            (furthest.0, self.overtravel_mm(&ways, furthest.0))
+        } else {
+            let all = ways.contacts().map(|contact| (contact, self.overtravel_mm(&ways, contact)));
+            self::furthest(all).filter(|(_, way_mm)| *way_mm > allowed_mm)?
+        };
+        Some(self.told(&ways, contact, way_mm))
+    }
+
+    /// How far the tool has gone by each set-point at the rate 1.
+    fn ways_mm(&self, checker: &Checker) -> Vec<f64> {
+        let (mut way_mm, mut before) = (0.0, self.trajectory.start());
+        let ways = (0..=self.periods(self.duration_s)).map(|place| {
+            let joints = self.trajectory.at(self.time_at(place)).joints;
+            way_mm += checker.tcp_distance(&before.0, &joints.0);
+            before = joints;
+            way_mm
+        });
+        ways.collect()
+    }
+
+    fn overtravel_mm(&self, ways: &Ways, contact: usize) -> f64 {
+        let rest = self.rest_from(ways.braked_from(contact));
+        rest.map_or(f64::INFINITY, |rest| ways.between(contact, rest))
+    }
+
+    /// The set-point at or after which it rests, if it is braked after this one; none where that takes too long.
+    fn rest_from(&self, place: usize) -> Option<usize> {
+        let (time_s, before_s) = (self.time_at(place), self.time_at(place.saturating_sub(1)));
+        let (joints, before) = (self.trajectory.at(time_s).joints, self.trajectory.at(before_s).joints);
+        let step = std::array::from_fn(|joint| joints.0[joint] - before.0[joint]);
+        let mut braking = self.clone();
+        braking.state = State { time_s, rate: 1.0, change: 0.0, joints, step };
+        (braking.scale, braking.haste) = (0.0, Haste::AtOnce);
+        for _ in 0..=self.periods(LONGEST_S) {
+            if braking.is_at_rest() {
+                return Some(self.periods(braking.time_s()));
+            }
+            braking.advance();
+        }
+        None
+    }
+
+    fn told(&self, ways: &Ways, contact: usize, way_mm: f64) -> Overtravel {
+        let braked = ways.braked_from(contact);
+        let speed = |place: usize| ways.between(place.saturating_sub(1), place) / self.period_s;
+        let (braking_mm, speed_then) = (way_mm - ways.between(contact, braked), speed(braked));
+        Overtravel {
+            time_s: self.time_at(contact),
+            way_mm,
+            unbraked_s: self.seconds(ways.unbraked),
+            speed_mm_s: (contact + 1..=braked).map(speed).fold(0.0, f64::max),
+            braking_mm_s2: if braking_mm > 0.0 { speed_then * speed_then / (2.0 * braking_mm) } else { f64::INFINITY },
+        }
+    }
+
+    fn time_at(&self, place: usize) -> f64 {
+        self.seconds(place).min(self.duration_s)
+    }
+
+    fn seconds(&self, periods: usize) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "a count of periods")]
+        let periods = periods as f64;
+        periods * self.period_s
+    }
+
+    /// How many periods a time has, rounded up.
+    fn periods(&self, time_s: f64) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
+        let periods = (time_s / self.period_s - 1e-9).ceil() as usize;
+        periods
+    }
+}
+
+/// How far the tool has gone by each set-point, and how many periods after a contact it is braked.
+struct Ways {
+    ways_mm: Vec<f64>,
+    unbraked: usize,
+}
+
+impl Ways {
+    /// The set-points after which something can be touched.
+    fn contacts(&self) -> std::ops::Range<usize> {
+        0..self.ways_mm.len().saturating_sub(1)
+    }
+
+    /// The last set-point that does not brake.
+    fn braked_from(&self, contact: usize) -> usize {
+        contact.saturating_add(self.unbraked).min(self.last())
+    }
+
+    fn between(&self, from: usize, to: usize) -> f64 {
+        self.ways_mm[to.min(self.last())] - self.ways_mm[from]
+    }
+
+    fn last(&self) -> usize {
+        self.ways_mm.len().saturating_sub(1)
+    }
+}
+
+fn furthest(contacts: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)> {
+    contacts.max_by(|one, other| one.1.total_cmp(&other.1))
+}

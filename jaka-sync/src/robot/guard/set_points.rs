@@ -1,0 +1,126 @@
+//! A guard of set-points, which is asked in each cycle.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_motion::{Checker, Follower, Generator};
+use jaka_proto::Command;
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::messages::servo::ServoJ;
+
+use super::{Armed, ForceLimit, Guard, NotGuarded, Trip, TripReason};
+use crate::robot::readiness::unknown;
+use crate::{Error, ErrorKind, Monitor, MotionStatus, Robot, StatusProblem};
+
+/// A guard of set-points, which is asked in each cycle, and never waited for.
+#[derive(Debug)]
+pub(crate) struct SetPointGuard {
+    armed: Armed,
+    force: Option<Force>,
+}
+
+/// The limits of force in a guard.
+#[derive(Debug)]
+struct Force {
+    limits: Vec<ForceLimit>,
+    /// The longest time between two of the last packets.
+    period: Duration,
+}
+
+/// For how much of the overtravel set-points of a stream may brake: what the tool does at its highest speed in this time, in seconds. Ours.
+const BRAKING_S: f64 = 0.1;
+
+impl SetPointGuard {
+    /// Fails once the guard has tripped, or, under a limit of force, packets have stayed away for too long.
+    pub(crate) fn check<S: MotionStatus>(&self, monitor: &Monitor<S>) -> Result<(), Error> {
+        self.check_tripped()?;
+        let fresh_for = self.force.as_ref().map_or(Duration::MAX, |force| super::longest_silence(force.period));
+        let age = monitor.last_known_packet().map_or(Duration::ZERO, |packet| packet.age());
+        if age > fresh_for { Err(unknown(StatusProblem::Stale { age })) } else { Ok(()) }
+    }
+
+    /// Fails once the guard has tripped.
+    pub(crate) fn check_tripped(&self) -> Result<(), Error> {
+        match (self.armed.trip(), self.armed.broken()) {
+            (Some(trip), _) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
+            (None, Some(problem)) => Err(unknown(problem)),
+            (None, None) => Ok(()),
+        }
+    }
+
+    /// True if the arm is to be braked as soon as it can be.
+    pub(crate) fn has_force_limits(&self) -> bool {
+        self.force.is_some()
+    }
+
+    /// Fails where the tool goes on for too long after a contact somewhere on a trajectory.
+    pub(crate) fn check_trajectory(&self, follower: &Follower, checker: &Checker) -> Result<(), Error> {
+        let Some(Force { limits, period }) = &self.force else { return Ok(()) };
+        limits.iter().try_for_each(|limit| {
+            let unbraked_s = limit.unbraked_s(*period, follower.period_s());
+            let Some(worst) = follower.worst_overtravel(checker, unbraked_s, limit.overtravel_mm()) else {
+                return Ok(());
+            };
+            let way_points = follower.trajectory().way_points();
+            let after = way_points.partition_point(|way_point| way_point.time_s <= worst.time_s);
+            Err(not_guarded(limit.too_fast_along(after, &worst, *period)))
+        })
+    }
+
+    /// A generator so slow that the tool goes on for no longer than is allowed after a contact: at its highest speed while nothing is known of it, and then on its way to
+    /// rest.
+    pub(crate) fn slowed(&self, generator: Generator) -> Result<Generator, Error> {
+        let Some(force) = &self.force else { return Ok(generator) };
+        let all = || force.unbraked_s(generator.period_s());
+        let speed = all().map(|(limit, time_s)| limit.overtravel_mm() / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
+        let within = all().map(|(limit, time_s)| limit.overtravel_mm() - speed * time_s).fold(f64::INFINITY, f64::min);
+        generator.with_tool_stop(speed, within).map_err(|error| {
+            InvalidArgument::new(ServoJ::INFO.name, "overtravel", error.to_string(), "more".to_owned(), false).into()
+        })
+    }
+
+    /// For how many periods of so many seconds an arm must rest until a contact before is known.
+    pub(crate) fn periods_unknown(&self, cycle_s: f64) -> u32 {
+        let longest = self.force.iter().flat_map(|force| force.unbraked_s(cycle_s));
+        let longest_s = longest.map(|(_, time_s)| time_s).fold(0.0, f64::max);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
+        let periods = (longest_s / cycle_s).ceil() as u32;
+        periods
+    }
+}
+
+impl Force {
+    fn unbraked_s(&self, cycle_s: f64) -> impl Iterator<Item = (&ForceLimit, f64)> {
+        self.limits.iter().map(move |limit| (limit, limit.unbraked_s(self.period, cycle_s)))
+    }
+}
+
+impl<S: MotionStatus> Robot<S> {
+    /// Arms a guard for set-points. Fails if it has tripped already or cannot be judged.
+    pub(crate) fn arm_for_set_points(&self, guard: &Guard, call: &str) -> Result<SetPointGuard, Error> {
+        guard.check(call)?;
+        self.check_latch()?;
+        let (link, patience) = (self.client.link(), self.monitor.stale_after());
+        let no_status = |problem| link.attach(unknown(problem));
+        self.status_now(patience).map_err(no_status)?;
+        let limits: Vec<_> = guard.force_limits().copied().collect();
+        let force = if limits.is_empty() {
+            None
+        } else {
+            let period = self.packet_period(patience).ok_or_else(|| link.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
+            Some(Force { limits, period })
+        };
+        let armed = self.arm(guard, patience).map_err(no_status)?;
+        match armed.trip() {
+            None => Ok(SetPointGuard { armed, force }),
+            Some(Trip { reason: TripReason::NotShown(reason), .. }) => {
+                Err(link.attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()))
+            }
+            Some(trip) => Err(link.attach(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into())),
+        }
+    }
+}
+
+fn not_guarded(reason: NotGuarded) -> Error {
+    ErrorKind::NotGuarded { command: ServoJ::INFO.name.to_owned(), reason }.into()
+}
