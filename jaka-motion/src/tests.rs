@@ -13,6 +13,7 @@ mod follower;
 mod generator;
 mod hostile;
 mod limits;
+mod overtravel;
 mod place;
 mod polish;
 mod round_trip;

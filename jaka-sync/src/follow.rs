@@ -98,10 +98,15 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
+    /// # A limit of force
+    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also where packets stay away for three of their periods and 100 ms. All of
+    /// the trajectory is looked at, at its own speed, which is the most that a handle can ask for: wherever something were touched, the tool must rest within the overtravel,
+    /// [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An approach is so slow that the same holds.
+    ///
     /// # Errors
-    /// As [`start_follow`](Self::start_follow). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
-    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a
-    /// [`ForceLimit`](crate::ForceLimit): how a trajectory brakes is not one deceleration of the tool.
+    /// As [`start_follow`](Self::start_follow). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (a
+    /// [`ForceLimit`](crate::ForceLimit) permits less speed: it says where, and how much).
     pub fn start_follow_until(
         &mut self,
         trajectory: &Trajectory,

@@ -47,7 +47,7 @@ use crate::{Config, Disconnect, Error};
 ///    gate of [`Outgoing`] runs under it: it may take 2, and must not use the connection.
 /// 2. The state of a monitor's board (`Board` in `monitor.rs`), the latch of a robot (`robot/latch.rs`) or the progress of a guard
 ///    (`robot/guard/armed.rs`), never two at once. A thread that holds one of these must not take 1. What a guard judges by (`Judging`, in
-///    the same file) is taken before 2, and never together with 1.
+///    the same file) is taken before 2, and never together with 1. What it stops by (`Early`, there, too) is taken before 1.
 /// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which are the state of
 ///    a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue (`recorder/queue.rs`).
 ///
@@ -82,6 +82,13 @@ pub(crate) struct Sent<'c> {
     command: &'c str,
     since: Instant,
     timeout: Duration,
+}
+
+impl Sent<'_> {
+    /// The same, with another time for its reply, which counts from when it was to go out.
+    pub(crate) fn within(self, timeout: Duration) -> Self {
+        Self { timeout, ..self }
+    }
 }
 
 /// What was posted.

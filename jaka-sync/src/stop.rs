@@ -8,7 +8,7 @@ use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::program::StopProgram;
 
 use crate::Error;
-use crate::link::{Link, Outgoing, Right};
+use crate::link::{Link, Outgoing, Right, Sent};
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
 ///
@@ -37,6 +37,17 @@ pub struct StopHandle {
     timeout: Duration,
 }
 
+/// A stop that was written, whose reply is to come.
+#[derive(Debug)]
+pub(crate) struct WrittenStop {
+    sent: Sent<'static>,
+    /// When it had been written.
+    pub(crate) at: Instant,
+}
+
+/// How long a thread may be kept that must not wait.
+const AT_ONCE: Duration = Duration::from_millis(1);
+
 impl StopHandle {
     pub(crate) fn new(link: Arc<Link>, timeout: Duration) -> Self {
         Self { link, timeout }
@@ -48,14 +59,28 @@ impl StopHandle {
     /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
     /// the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
-        self.stop_and_tell().1
+        self.wait(&self.write()?)
     }
 
-    /// The same, and when the stop had been written, if it was.
-    pub(crate) fn stop_and_tell(&self) -> (Option<Instant>, Result<(), Error>) {
-        let outgoing = Outgoing::of(self.link.clock(), StopProgram::INFO, self.timeout).by(Right::Stop);
-        let sent = self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out));
-        let written = sent.is_ok().then(|| self.link.clock().now());
-        (written, sent.and_then(|sent| self.link.wait(&sent, &mut String::new(), &mut TextOnly)))
+    /// Writes the stop.
+    pub(crate) fn write(&self) -> Result<WrittenStop, Error> {
+        self.write_within(self.timeout)
+    }
+
+    /// Writes the stop if that can be done at once; none otherwise. The thread is kept for a moment at most.
+    pub(crate) fn write_now(&self) -> Option<WrittenStop> {
+        // What is outstanding may fill what the system holds: the write would wait.
+        if self.link.outstanding() > 0 { None } else { self.write_within(AT_ONCE).ok() }
+    }
+
+    /// Waits until the controller has accepted a stop that was written.
+    pub(crate) fn wait(&self, written: &WrittenStop) -> Result<(), Error> {
+        self.link.wait(&written.sent, &mut String::new(), &mut TextOnly)
+    }
+
+    fn write_within(&self, timeout: Duration) -> Result<WrittenStop, Error> {
+        let outgoing = Outgoing::of(self.link.clock(), StopProgram::INFO, timeout).by(Right::Stop);
+        let sent = self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))?;
+        Ok(WrittenStop { sent: sent.within(self.timeout), at: self.link.clock().now() })
     }
 }

@@ -126,10 +126,15 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
+    /// # A limit of force
+    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and
+    /// from each set-point on it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with that speed as the limit
+    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods and 100 ms.
+    ///
     /// # Errors
     /// As [`stream`](Self::stream). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
-    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] for a
-    /// [`ForceLimit`](crate::ForceLimit): how fast the tool of a stream is, and how it brakes, does not follow from targets of joints.
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
+    /// period).
     pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
         let armed = self.arm_for_set_points(&guard.into(), "stream_until")?;
         self.begin_stream(config, Some(armed))

@@ -74,7 +74,8 @@ impl<S: MotionStatus> Robot<S> {
             let result = sent.map(|()| self.wait_unless(left(), &|| sentry.has_failed()));
             drop(relieved);
             // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not accepted, the wait has ended.
-            Ok::<_, Error>((result, watching.join().unwrap_or_default()))
+            let stopped = watching.join().unwrap_or_default();
+            Ok::<_, Error>((result, stopped.or_else(|| sentry.written_late())))
         })?;
         match (result, sentry.armed.trip()) {
             (Ok(end), _) => Ok(self.end_of_guarded(&sentry, end, stopped)),

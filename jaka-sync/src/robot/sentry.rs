@@ -31,6 +31,7 @@ impl<S: MotionStatus> Sentry<S> {
     pub(super) fn new(robot: &Robot<S>, armed: Armed, fresh_for: Duration) -> Self {
         let (monitor, stop) = (Arc::clone(&robot.monitor), robot.stop_handle());
         let waker = monitor.waker();
+        armed.stop_by(stop.clone());
         let (is_relieved, has_failed) = (AtomicBool::default(), AtomicBool::default());
         Self { monitor, waker, stop, armed, fresh_for, is_relieved, has_failed }
     }
@@ -47,9 +48,21 @@ impl<S: MotionStatus> Sentry<S> {
         if !self.armed.shut(blind) || is_relieved() {
             return None;
         }
-        let stopped = Stopped::new(&self.stop, Some(why));
+        let stopped = self.written(&why).unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
         self.took(&stopped.stop.accepted);
         Some(stopped)
+    }
+
+    /// The stop that the monitor's thread has written, if it has; it writes none any more.
+    fn written(&self, why: &Why) -> Option<Stopped> {
+        let written = self.armed.take_written()?;
+        Some(Stopped { why: Some(why.clone()), stop: self.stop.finish(&written) })
+    }
+
+    /// The same where nobody watches any more.
+    pub(super) fn written_late(&self) -> Option<Stopped> {
+        let written = self.armed.take_written()?;
+        Some(Stopped { why: self.armed.trip().map(Why::Trip), stop: self.stop.finish(&written) })
     }
 
     /// A stop that was not accepted ends the wait.
@@ -80,7 +93,7 @@ pub(super) struct Stopped {
     pub(super) stop: Sent,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) enum Why {
     Trip(Trip),
     Blind(StatusProblem),

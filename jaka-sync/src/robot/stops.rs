@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use super::Outcome;
 use crate::clock::{Clock, Signal};
 use crate::monitor::Waker;
+use crate::stop::WrittenStop;
 use crate::{Error, StopHandle};
 
 /// The stops that were asked for through handles, by their numbers from 1.
@@ -115,21 +116,30 @@ fn lock(next_set_point: &Mutex<Expected>) -> MutexGuard<'_, Expected> {
 }
 
 /// A stop on its way, until it is dropped.
-struct UnderWay<'s>(&'s Stops);
+#[derive(Debug)]
+struct UnderWay(Arc<Stops>);
 
-impl<'s> UnderWay<'s> {
-    fn begin(stops: &'s Stops) -> (Self, u64) {
+impl UnderWay {
+    fn begin(stops: &Arc<Stops>) -> (Self, u64) {
         // Who sees the stop knows when it goes out.
         lock(&stops.next_set_point).stop.get_or_insert(stops.clock.now() + LONGEST_BRAKING);
         stops.under_way.fetch_add(1, Ordering::SeqCst);
-        (Self(stops), stops.begun.fetch_add(1, Ordering::SeqCst) + 1)
+        (Self(Arc::clone(stops)), stops.begun.fetch_add(1, Ordering::SeqCst) + 1)
     }
 }
 
-impl Drop for UnderWay<'_> {
+impl Drop for UnderWay {
     fn drop(&mut self) {
         self.0.under_way.fetch_sub(1, Ordering::SeqCst);
     }
+}
+
+/// A stop that was written, and is on its way.
+#[derive(Debug)]
+pub(super) struct Written {
+    stop: WrittenStop,
+    number: u64,
+    _under_way: UnderWay,
 }
 
 /// A stop that was sent, or was to be.
@@ -179,7 +189,34 @@ impl RobotStop {
         let (_under_way, number) = UnderWay::begin(&self.stops);
         self.stops.wait_until_braked();
         self.stops.sent.fetch_max(number, Ordering::SeqCst);
-        let (written, accepted) = self.handle.stop_and_tell();
+        match self.handle.write() {
+            Ok(stop) => self.answered(number, Some(stop.at), self.handle.wait(&stop)),
+            Err(error) => self.answered(number, None, Err(error)),
+        }
+    }
+
+    /// Writes the stop if that can be done at once, and no servo session moves the arm; none otherwise.
+    pub(super) fn write_now(&self) -> Option<Written> {
+        if lock(&self.stops.next_set_point).set_point.is_some() {
+            return None;
+        }
+        let (under_way, number) = UnderWay::begin(&self.stops);
+        self.stops.wait_until_braked();
+        let Some(stop) = self.handle.write_now() else {
+            // As if it had not been asked for, unless another has been since.
+            let _ = self.stops.begun.compare_exchange(number, number - 1, Ordering::SeqCst, Ordering::SeqCst);
+            return None;
+        };
+        self.stops.sent.fetch_max(number, Ordering::SeqCst);
+        Some(Written { stop, number, _under_way: under_way })
+    }
+
+    /// Waits for the reply to a stop that was written.
+    pub(super) fn finish(&self, written: &Written) -> Sent {
+        self.answered(written.number, Some(written.stop.at), self.handle.wait(&written.stop))
+    }
+
+    fn answered(&self, number: u64, written: Option<Instant>, accepted: Result<(), Error>) -> Sent {
         if accepted.is_ok() {
             self.stops.taken.fetch_max(number, Ordering::SeqCst);
             self.waker.wake();

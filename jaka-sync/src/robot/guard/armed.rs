@@ -11,7 +11,8 @@ use jaka_proto::wire::DecodeError;
 use super::condition::Judge;
 use super::{Guard, Trip};
 use crate::robot::readiness::unknown;
-use crate::robot::{MotionStatus, trouble};
+use crate::robot::stops::Written;
+use crate::robot::{MotionStatus, RobotStop, trouble};
 use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never
@@ -28,6 +29,17 @@ struct Shared {
     judging: Mutex<Judging>,
     /// Nothing is locked under it.
     progress: Mutex<Progress>,
+    /// Locked while the stop is written, for which the link's state is locked.
+    early: Mutex<Early>,
+}
+
+/// What the monitor's thread stops the arm by, at once, without another thread.
+#[derive(Debug, Default)]
+struct Early {
+    /// None before the motion, and once it was used, or may be no more.
+    stop: Option<RobotStop>,
+    /// The stop that was written.
+    written: Option<Written>,
 }
 
 #[derive(Debug)]
@@ -58,13 +70,18 @@ impl Armed {
         newest: impl FnOnce() -> Result<Arc<Snapshot>, StatusProblem>,
     ) -> Result<Self, StatusProblem> {
         let judging = Judging { judges: guard.conditions.iter().cloned().map(Judge::new).collect(), last: 0 };
-        let shared = Arc::new(Shared { judging: Mutex::new(judging), progress: Mutex::default() });
+        let shared = Arc::new(Shared { judging: Mutex::new(judging), progress: Mutex::default(), early: Mutex::default() });
         // Locked until the newest packet is judged: those that come meanwhile wait for it.
         let mut judging = lock(&shared.judging);
         let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());
         monitor.observe_first(move |snapshot| {
             let Some(shared) = weak.upgrade() else { return ControlFlow::Break(()) };
-            if shared.take(shared.judge(&S::snapshot(snapshot))) {
+            let judged = shared.judge(&S::snapshot(snapshot));
+            if !matches!(judged, Ok(None)) {
+                // What a logger's panic leaves undone the sentry does.
+                let _ = catch_unwind(AssertUnwindSafe(|| shared.stop_now()));
+            }
+            if shared.take(judged) {
                 // At once: the user's observers, which may take their time, come before the monitor itself wakes anybody.
                 waker.wake();
             }
@@ -74,6 +91,18 @@ impl Armed {
         shared.take(Ok(trip));
         drop(judging);
         Ok(Self(shared))
+    }
+
+    /// Has the monitor's thread write this stop where a packet calls for one and nothing has to be waited for. Whoever gave it takes what was written.
+    pub(in crate::robot) fn stop_by(&self, stop: RobotStop) {
+        lock(&self.0.early).stop = Some(stop);
+    }
+
+    /// The stop that the monitor's thread has written, if it has. It writes none any more.
+    pub(in crate::robot) fn take_written(&self) -> Option<Written> {
+        let mut early = lock(&self.0.early);
+        early.stop = None;
+        early.written.take()
     }
 
     /// Why a packet could not be judged, if one could not.
@@ -134,6 +163,17 @@ impl Shared {
         }
     }
 
+    /// Stops the arm after the first judgement that calls for it, before anybody learns of that.
+    fn stop_now(&self) {
+        let progress = lock(&self.progress);
+        let is_first = progress.has_begun && progress.trip.is_none() && progress.broken.is_none();
+        drop(progress);
+        let mut early = lock(&self.early);
+        if let Some(stop) = early.stop.take_if(|_| is_first) {
+            early.written = stop.write_now();
+        }
+    }
+
     /// Takes a judgement: true if it is news.
     fn take(&self, result: Result<Option<Trip>, DecodeError>) -> bool {
         let mut progress = lock(&self.progress);
@@ -187,7 +227,7 @@ mod tests {
 
     fn armed() -> Armed {
         let judging = Mutex::new(Judging { judges: Vec::new(), last: 0 });
-        Armed(Arc::new(Shared { judging, progress: Mutex::default() }))
+        Armed(Arc::new(Shared { judging, progress: Mutex::default(), early: Mutex::default() }))
     }
 
     #[test]

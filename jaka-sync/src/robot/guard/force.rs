@@ -27,6 +27,10 @@ use crate::robot::not_shown::{Field, NotShown};
 /// is not sent, and neither is one whose tool speed or braking is not known: it has to be a `move_l` or `move_c` with an acceleration, from
 /// rest. All of it is about the tool centre point; other points of a tool that turns may be faster.
 ///
+/// Trajectories and streams (feature `stream`) are bounded by their set-points: the tool goes on for a period of the packets, the reaction and two servo periods, and
+/// then on the way on which the set-points brake it, whatever [`braking`](Self::braking) says. `Robot::start_follow_until` and `Robot::stream_until` say how. What such an arm
+/// lags behind its set-points, and a servo filter, belong to the reaction: `FollowEnd::lag` measures the lag.
+///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|
 /// | 8 ms | 20 ms | 500 mm/s² | 20.6 mm/s |
@@ -94,7 +98,8 @@ impl ForceLimit {
     }
 
     /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until
-    /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network. One minute is the most.
+    /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With set-points, an arm's lag behind them belongs to it, which
+    /// is longer with a filter. One minute is the most.
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self

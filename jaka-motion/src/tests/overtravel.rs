@@ -1,0 +1,126 @@
+//! How far the tool goes on after a contact, at any rate that a follower may have then.
+
+use jaka_proto::messages::types::{JointPosition, Pose};
+
+use super::Random;
+use crate::{Checker, Follower, Frames, Limits, Model, TimedPoint, Trajectory};
+
+const PERIOD: f64 = 0.008;
+const UNBRAKED_S: f64 = 0.066;
+/// The same in periods, rounded up.
+const UNBRAKED: usize = 9;
+
+fn checker() -> Checker {
+    Checker::new(Limits::of(Model::named("Zu 5").expect("a published arm")), Frames::new())
+}
+
+/// To and fro with three joints, with peaks of some 60 % of what a Zu 5 may do.
+fn trajectory() -> Trajectory {
+    let at = |time_s: f64, by: [f64; 3]| TimedPoint::new(time_s, [by[0], 100.0 + by[1], 80.0, 90.0, -90.0, by[2]]);
+    let points = [
+        at(0.0, [0.0; 3]),
+        at(2.0, [20.0, 5.0, -15.0]),
+        at(4.0, [0.0, -5.0, 15.0]),
+        at(5.0, [2.0, -5.0, 15.0]),
+        at(7.0, [10.0, 0.0, 0.0]),
+    ];
+    Trajectory::timed(&points, &checker()).expect("within the limits")
+}
+
+fn apart(one: JointPosition, other: JointPosition) -> f64 {
+    let model = Model::named("Zu 5").expect("a published arm");
+    let [one, other] = [one, other].map(|joints| Pose::from(model.forward(joints)));
+    (one.x - other.x).hypot(one.y - other.y).hypot(one.z - other.z)
+}
+
+/// How far the tool goes on from a set-point, where it goes on as `scale` says until it is braked.
+fn way(mut follower: Follower, scale: impl Fn(usize) -> f64) -> f64 {
+    let (mut way, mut last) = (0.0, follower.joints());
+    for index in 0.. {
+        if index < UNBRAKED {
+            follower.set_scale(scale(index));
+        } else if follower.is_at_rest() {
+            return way;
+        } else {
+            follower.brake();
+        }
+        let next = follower.advance();
+        way += apart(last, next);
+        last = next;
+    }
+    way
+}
+
+/// The least overtravel with which nothing is wrong.
+fn least_allowed(follower: &Follower) -> f64 {
+    let (mut low, mut high) = (0.0, 1000.0);
+    for _ in 0..40 {
+        let middle = f64::midpoint(low, high);
+        let is_refused = follower.worst_overtravel(&checker(), UNBRAKED_S, middle).is_some();
+        (low, high) = if is_refused { (middle, high) } else { (low, middle) };
+    }
+    high
+}
+
+#[test]
+fn nowhere_does_the_tool_go_on_further_than_is_told() {
+    let mut follower = Follower::new(trajectory(), checker().limits(), PERIOD);
+    let allowed = least_allowed(&follower);
+    let (mut random, mut scale, mut furthest) = (Random::new(17), 1.0, 0.0);
+    for round in 0..20 {
+        while !follower.is_at_end() {
+            if random.below(20) == 0 {
+                scale = [0.0, 0.3, 1.0, 1.0][random.below(4)];
+            }
+            let then = if random.below(2) == 0 { 1.0 } else { scale };
+            let gone = way(follower.clone(), |_| then);
+            assert!(gone <= allowed, "round {round}, at {} s: {gone} mm of {allowed} mm", follower.time_s());
+            furthest = f64::max(furthest, gone);
+            follower.set_scale(scale.max(0.01));
+            follower.advance();
+        }
+        follower = Follower::new(trajectory(), checker().limits(), PERIOD);
+    }
+    // The contact may come at any moment of a period, which is up to one more.
+    assert!(furthest > 0.85 * allowed, "{furthest} mm of {allowed} mm");
+}
+
+#[test]
+fn the_figures_of_the_worst_contact_make_its_way() {
+    let follower = Follower::new(trajectory(), checker().limits(), PERIOD);
+    let allowed = 0.99 * least_allowed(&follower);
+    let worst = follower.worst_overtravel(&checker(), UNBRAKED_S, allowed).expect("it is too far somewhere");
+    assert!(worst.way_mm > 0.0 && (0.0..7.0).contains(&worst.time_s), "{worst:?}");
+    assert!((worst.unbraked_s - 0.080).abs() < 1e-9, "{worst:?}");
+    let braking = worst.speed_mm_s * worst.speed_mm_s / (2.0 * worst.braking_mm_s2);
+    let most = worst.speed_mm_s * worst.unbraked_s + braking;
+    assert!(worst.way_mm <= most + 1e-9 && worst.way_mm > 0.8 * most, "{most}: {worst:?}");
+    assert!(follower.worst_overtravel(&checker(), UNBRAKED_S, 1e6).is_none());
+}
+
+#[test]
+fn braking_keeps_to_the_accelerations_and_is_sooner_than_a_smooth_stop() {
+    let start = Follower::new(trajectory(), checker().limits(), PERIOD);
+    for after in [10, 60, 125, 300, 700] {
+        let mut smooth = start.clone();
+        let mut set_points = vec![smooth.joints().0];
+        for _ in 0..after {
+            set_points.push(smooth.advance().0);
+        }
+        let mut braked = smooth.clone();
+        braked.brake();
+        let periods = braked.periods_to_rest(1000).expect("it comes to rest");
+        smooth.set_scale(0.0);
+        assert!(Some(periods) < smooth.periods_to_rest(1000), "after {after}: {periods}");
+        for _ in 0..periods {
+            set_points.push(braked.advance().0);
+        }
+        assert!(braked.is_at_rest() && braked.advance() == braked.joints());
+        for three in set_points.windows(3) {
+            for joint in 0..6 {
+                let acceleration = (three[2][joint] - 2.0 * three[1][joint] + three[0][joint]).abs() / PERIOD / PERIOD;
+                assert!(acceleration < 72.0 + 1e-4, "after {after}: {acceleration} deg/s²");
+            }
+        }
+    }
+}
