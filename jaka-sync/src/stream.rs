@@ -8,9 +8,7 @@ use std::marker::PhantomData;
 use std::time::Duration;
 
 use jaka_motion::Dynamics;
-use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;

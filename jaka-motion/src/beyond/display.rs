@@ -53,7 +53,10 @@ impl fmt::Display for Beyond {
             }
             Exceeded::LandingWay { way_mm, limit_mm } => {
                 let way = Apart(*way_mm, *limit_mm);
-                write!(f, "the arm could not stop before the tool centre point has gone on for {way} mm; limit {limit_mm}")?;
+                write!(
+                    f,
+                    "the arm could not stop before the tool centre point has gone on for {way} mm; limit {limit_mm}"
+                )?;
             }
             Exceeded::OutOfReach { by_mm } => write!(f, "out of reach by {} mm{at}", Apart(*by_mm, 0.0))?,
             Exceeded::Singularity { which, .. } => {

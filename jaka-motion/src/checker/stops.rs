@@ -57,13 +57,7 @@ impl Checker {
         })
     }
 
-    fn tcp_on_stops(
-        &self,
-        last: &[f64; 6],
-        stops: &[Stop; 6],
-        period_s: f64,
-        limit_mm: f64,
-    ) -> Result<(), Exceeded> {
+    fn tcp_on_stops(&self, last: &[f64; 6], stops: &[Stop; 6], period_s: f64, limit_mm: f64) -> Result<(), Exceeded> {
         let Some(limit_mm_s) = self.limits.tcp_speed() else { return Ok(()) };
         let (seconds, mut done, mut way_mm) = (longest(stops), 0.0, 0.0);
         if seconds > MOST_PERIODS * period_s {

@@ -183,7 +183,10 @@ impl<'t> Arm<'t> {
         let (what, state) = (format!("{}: {:?}, {:?}", self.what(), end.outcome, end.stop), self.controller.state());
         match &end.outcome {
             Ended::Guard(trip) => {
-                assert!(self.has_packets() && shows_input(&trip.packet.status) && trip.reason == TripReason::Holds, "{what}");
+                assert!(
+                    self.has_packets() && shows_input(&trip.packet.status) && trip.reason == TripReason::Holds,
+                    "{what}"
+                );
                 assert!(!trip.is_at_rest || state.at_rest, "{what}: {state:?}");
             }
             Ended::StatusLost { .. } => assert!(!self.has_packets(), "{what}"),

@@ -187,7 +187,10 @@ fn a_trajectory_that_is_too_fast_somewhere_is_refused_with_the_place_and_the_fig
     let begin = "`servo_j` was not sent under a guard: after way-point 2, at 4.";
     assert!(text.starts_with(begin) && text.contains(" mm/s the tool goes on for "), "{text}");
     assert!(text.contains(", and 1 mm are allowed; permitted are "), "{text}");
-    assert!(text.contains(" mm/s there, with up to 30.0ms between packets, 20.0ms of reaction and braking with "), "{text}");
+    assert!(
+        text.contains(" mm/s there, with up to 30.0ms between packets, 20.0ms of reaction and braking with "),
+        "{text}"
+    );
     assert_eq!(count(&controller, ServoJ::INFO.name), 0);
 }
 

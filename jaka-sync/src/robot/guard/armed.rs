@@ -70,7 +70,8 @@ impl Armed {
         newest: impl FnOnce() -> Result<Arc<Snapshot>, StatusProblem>,
     ) -> Result<Self, StatusProblem> {
         let judging = Judging { judges: guard.conditions.iter().cloned().map(Judge::new).collect(), last: 0 };
-        let shared = Arc::new(Shared { judging: Mutex::new(judging), progress: Mutex::default(), early: Mutex::default() });
+        let shared =
+            Arc::new(Shared { judging: Mutex::new(judging), progress: Mutex::default(), early: Mutex::default() });
         // Locked until the newest packet is judged: those that come meanwhile wait for it.
         let mut judging = lock(&shared.judging);
         let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());

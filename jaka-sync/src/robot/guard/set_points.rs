@@ -72,7 +72,8 @@ impl SetPointGuard {
     pub(crate) fn slowed(&self, generator: Generator) -> Result<Generator, Error> {
         let Some(force) = &self.force else { return Ok(generator) };
         let all = || force.unbraked_s(generator.period_s());
-        let speed = all().map(|(limit, time_s)| limit.overtravel_mm() / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
+        let speed =
+            all().map(|(limit, time_s)| limit.overtravel_mm() / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
         let within = all().map(|(limit, time_s)| limit.overtravel_mm() - speed * time_s).fold(f64::INFINITY, f64::min);
         generator.with_tool_stop(speed, within).map_err(|error| {
             InvalidArgument::new(ServoJ::INFO.name, "overtravel", error.to_string(), "more".to_owned(), false).into()
@@ -107,7 +108,8 @@ impl<S: MotionStatus> Robot<S> {
         let force = if limits.is_empty() {
             None
         } else {
-            let period = self.packet_period(patience).ok_or_else(|| link.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
+            let period =
+                self.packet_period(patience).ok_or_else(|| link.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
             Some(Force { limits, period })
         };
         let armed = self.arm(guard, patience).map_err(no_status)?;
