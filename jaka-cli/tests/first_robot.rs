@@ -96,20 +96,20 @@ fn a_payload_of_zero_is_named_by_the_check() {
 
 #[test]
 fn remote_control_that_is_not_granted_is_named_by_the_refusal() {
-    let refuses = |command: &str| {
+    let fault_at = |command: &str| {
         // The text of a Schneider Lexium.
         let message = "permission deny, please check remote control source";
         let reply = format!(r#"{{\"errorCode\":\"3\",\"errorMsg\":\"{message}\",\"cmdName\":\"{command}\"}}"#);
         format!(r#"for {command}: instead "{reply}""#)
     };
     for (command, line) in [("rapid_rate", "call rapid_rate --rate 0.2 --yes"), ("power_on", "up --yes")] {
-        let controller = Controller::start(&["--faults", &refuses(command)]);
+        let controller = Controller::start(&["--faults", &fault_at(command)]);
         let refused = controller.run(line);
         assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""), "{refused:?}");
         assert!(refused.err.contains("with code 3: permission deny"), "{refused:?}");
         assert!(refused.err.contains("grant remote control on its panel"), "{refused:?}");
     }
-    let controller = Controller::start(&["--powered", "--faults", &refuses("joint_move")]);
+    let controller = Controller::start(&["--powered", "--faults", &fault_at("joint_move")]);
     let refused = controller.run("jog 6 5 --speed 5 --yes");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""), "{refused:?}");
     assert!(refused.err.contains("grant remote control on its panel"), "{refused:?}");
