@@ -86,10 +86,16 @@ fn draw_view(view: &DrawingArea<SVGBackend<'_>, Shift>, shows: &str, way: &[(f64
     let mut chart = chart_on(view, x - WIDE * half..x + WIDE * half, y - half..y + half)?;
     chart::axes(&mut chart, shows, "", [decimals(2.0 * half); 2])?;
     chart::line(&mut chart, way.to_vec(), WAY, WIDTH)?;
-    for (place, name) in [(way.first(), "start"), (way.last(), "end")] {
-        let Some(&place) = place else { continue };
-        chart.draw_series([Circle::new(place, 24, WAY.filled())])?;
-        chart::text(&mut chart, name, (place.0 + 0.04 * half, place.1), HPos::Left, TEXT)?;
+    if let (Some(&start), Some(&end)) = (way.first(), way.last()) {
+        let apart = (start.0 - end.0).hypot(start.1 - end.1);
+        let ends = [(start, "start"), (end, "end")];
+        let places = if apart < 0.1 * half { &[(start, "start and end")][..] } else { &ends };
+        for &(place, name) in places {
+            chart.draw_series([Circle::new(place, 24, WAY.filled())])?;
+            // Towards the middle, where there is room.
+            let (side, anchor) = if place.0 > x { (-1.0, HPos::Right) } else { (1.0, HPos::Left) };
+            chart::text(&mut chart, name, (place.0 + side * 0.04 * half, place.1), anchor, TEXT)?;
+        }
     }
     chart::text(&mut chart, "x in mm", (x + 0.95 * WIDE * half, y - 0.95 * half), HPos::Right, TEXT)
 }
