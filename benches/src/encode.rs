@@ -59,7 +59,7 @@ fn work<C: Command + Clone + 'static>(name: &'static str, request: C, by_hand: f
     let ours = move || {
         generated.clear();
         black_box(&request).write_request(&mut generated);
-        black_box(generated.as_str());
+        black_box(&generated);
     };
     Work {
         name,
