@@ -6,7 +6,7 @@ use jaka_spec::tools::Impact;
 use jaka_sync::{Error, ErrorKind, FollowOutcome, Outcome, Verdict};
 
 use crate::failure::{Failure, chain};
-use crate::output;
+use crate::{command_line, output};
 
 /// The controller refused the command, which did not run.
 pub(crate) const REFUSED: u8 = 1;
@@ -58,8 +58,11 @@ pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Prints a failure with its causes on standard error, and gives the exit code.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
-    if !matches!(failure, Failure::Differs(_) | Failure::Found(_) | Failure::OutputClosed) {
-        output::tell(&chain(failure));
+    match failure {
+        Failure::Differs(_) | Failure::Found(_) | Failure::OutputClosed => {}
+        // The reader may be gone: the exit code says enough.
+        Failure::CommandLine(error) if command_line::is_help(error) => drop(error.print()),
+        _ => output::error(&chain(failure)),
     }
     ExitCode::from(code(failure))
 }
@@ -68,6 +71,13 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
 pub(crate) fn code(failure: &Failure) -> u8 {
     match failure {
         Failure::Usage(_) => USAGE,
+        Failure::CommandLine(error) => {
+            if error.use_stderr() {
+                USAGE
+            } else {
+                0
+            }
+        }
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
         Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),

@@ -9,11 +9,15 @@ use jaka_spec::tools::Impact;
 use jaka_spec::words::first_sentence;
 use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Outcome, Refusal, Verdict};
 
+use crate::command_line;
+
 /// Why a command failed.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The command line, an argument or the config file is wrong.
     Usage(String),
+    /// The command line cannot be read, or asks for help.
+    CommandLine(Box<clap::Error>),
     /// The robot, or the connection to it.
     Robot(Error),
     /// The controller refused the command.
@@ -102,6 +106,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) => f.write_str(text),
+            Self::CommandLine(error) => f.write_str(&command_line::text(error)),
             Self::Robot(error) => match error.kind() {
                 ErrorKind::NotAcknowledged { outcome } => write!(f, "not sent: {outcome}; {}", remedy(outcome)),
                 _ => error.fmt(f),
@@ -140,5 +145,11 @@ impl StdError for Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         Self::Robot(error)
+    }
+}
+
+impl From<clap::Error> for Failure {
+    fn from(error: clap::Error) -> Self {
+        Self::CommandLine(Box::new(error))
     }
 }

@@ -8,7 +8,7 @@ use std::{process, thread};
 use jaka_sync::{FollowHandle, RobotStop};
 
 use crate::failure::{Failure, chain};
-use crate::{exit, output, record};
+use crate::{exit, logging, output, record};
 
 /// How long the program may take to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -113,7 +113,7 @@ impl UnderWay {
             Stage::Following(handle, stop) => {
                 // Where it has ended by itself, that is told.
                 if handle.stop().is_ok() {
-                    output::tell(
+                    output::urgent_note(
                         "interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too",
                     );
                 }
@@ -138,7 +138,7 @@ impl UnderWay {
 /// Stops the arm, and says whether the controller has taken the stop. If it has, the wait for the motion ends.
 fn stop_arm(stop: &RobotStop) {
     let Err(error) = stop.stop() else {
-        return output::tell("interrupted: the controller has taken the stop (`stop_program`)");
+        return output::urgent_note("interrupted: the controller has taken the stop (`stop_program`)");
     };
     let taken = if error.may_have_run() {
         "it is not known whether the controller has taken the stop"
@@ -154,12 +154,13 @@ fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
 }
 
 fn end_with(code: u8, text: &str) -> ! {
-    output::tell(text);
+    output::error(text);
     end(code)
 }
 
 /// Ends the program, with another code if what it recorded cannot be written.
 fn end(code: u8) -> ! {
+    logging::finish();
     if let Err(failure) = record::finish() {
         exit::report(&failure);
         process::exit(exit::LOCAL.into());

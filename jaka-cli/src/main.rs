@@ -2,9 +2,11 @@
 
 mod acting;
 mod chart;
+mod command_line;
 mod commands;
 mod condition;
 mod consent;
+mod console;
 mod csv;
 mod dashboard;
 mod event;
@@ -14,6 +16,7 @@ mod fields;
 mod interrupt;
 mod limits;
 mod listen;
+mod logging;
 mod motion;
 mod number;
 mod output;
@@ -29,15 +32,15 @@ mod seat;
 mod seconds;
 mod target;
 mod utc;
-mod wire_log;
 
-use std::io::{Write, stderr};
+use std::env::args_os;
 use std::process::ExitCode;
 
 use clap::Parser;
-use jaka_sync::proto::text::visible_lines;
 
 use crate::commands::Command;
+use crate::console::ConsoleArgs;
+use crate::failure::Failure;
 
 /// What `jaka --help` says after the list of commands.
 const NOTES: &str = "\
@@ -95,29 +98,22 @@ Exit codes:
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    console: ConsoleArgs,
 }
 
 fn main() -> ExitCode {
-    let result = match Cli::try_parse() {
-        Ok(cli) => {
-            let result = cli.command.run();
-            let recorded = record::finish();
-            result.and(recorded.map(drop))
-        }
-        Err(error) => return told(&error),
-    };
+    logging::begin();
+    console::color(args_os().skip(1).map(|word| word.to_string_lossy().into_owned()));
+    let result = run();
+    logging::finish();
     result.map_or_else(|failure| exit::report(&failure), |()| ExitCode::SUCCESS)
 }
 
-/// Prints what clap has to say: the help, the version, or what is wrong with the command line.
-fn told(error: &clap::Error) -> ExitCode {
-    let text = error.to_string();
-    let told = match text.strip_prefix("error: ") {
-        Some(text) => write!(stderr(), "jaka: {}", visible_lines(text)),
-        // With colours.
-        None => error.print(),
-    };
-    // The reader may be gone: the exit code says enough.
-    told.ok();
-    if error.use_stderr() { ExitCode::from(exit::USAGE) } else { ExitCode::SUCCESS }
+fn run() -> Result<(), Failure> {
+    let cli = Cli::try_parse()?;
+    cli.console.apply();
+    let result = cli.command.run();
+    let recorded = record::finish();
+    result.and(recorded.map(drop))
 }

@@ -5,7 +5,10 @@
 //! visible once more; only [`write()`] passes on bytes as they are, for which its caller is responsible.
 
 use std::borrow::Cow;
-use std::io::{Write, stderr, stdout};
+use std::io::{Write, stdout};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::builder::styling::{AnsiColor, Style};
 
 use jaka_sync::proto::text::{visible, visible_json, visible_lines};
 
@@ -35,10 +38,51 @@ pub(crate) fn json(text: &str) -> Result<(), Failure> {
     write(visible_json(text).as_bytes())
 }
 
-/// Writes a line to standard error.
-pub(crate) fn tell(text: &str) {
-    // The reader may be gone.
-    writeln!(stderr(), "jaka: {}", visible_lines(text)).ok();
+/// True if notes and warnings are left out.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From now on, notes and warnings are left out.
+pub(crate) fn be_quiet() {
+    IS_QUIET.store(true, Ordering::Relaxed);
+}
+
+/// True if notes and warnings are left out.
+pub(crate) fn is_quiet() -> bool {
+    IS_QUIET.load(Ordering::Relaxed)
+}
+
+/// Writes to standard error why something failed.
+pub(crate) fn error(text: &str) {
+    tell(AnsiColor::Red.on_default().bold(), "error", text);
+}
+
+/// Writes a warning to standard error, unless that is to be quiet.
+pub(crate) fn warning(text: &str) {
+    if !is_quiet() {
+        urgent_warning(text);
+    }
+}
+
+/// Writes a warning to standard error that must be seen: it is about an arm that may move.
+pub(crate) fn urgent_warning(text: &str) {
+    tell(AnsiColor::Yellow.on_default().bold(), "warning", text);
+}
+
+/// Writes a note to standard error, unless that is to be quiet.
+pub(crate) fn note(text: &str) {
+    if !is_quiet() {
+        urgent_note(text);
+    }
+}
+
+/// Writes a note to standard error that must be seen: it is about an arm that may move.
+pub(crate) fn urgent_note(text: &str) {
+    tell(Style::new().bold(), "note", text);
+}
+
+/// Writes to standard error, with colours where they are used. The reader may be gone.
+fn tell(style: Style, kind: &str, text: &str) {
+    writeln!(anstream::stderr().lock(), "{style}{kind}:{style:#} {}", visible_lines(text)).ok();
 }
 
 /// A text of others for a cell of a table, in quotes where it is empty or has what cannot be seen.

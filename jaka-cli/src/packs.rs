@@ -84,7 +84,7 @@ pub(crate) fn add(spec: &Spec, path: &Path) -> Result<Spec, Failure> {
     let pack = jaka_spec::load_pack(spec, Source { path: &name, text: &text })
         .map_err(|errors| Failure::Usage(format!("the pack {name} has errors:\n{errors}")))?;
     for note in &pack.notes {
-        output::tell(&format!("warning: {note}"));
+        output::warning(&note.to_string());
     }
     Ok(pack.spec)
 }

@@ -110,5 +110,5 @@ fn set_options(stream: &TcpStream) -> io::Result<()> {
 }
 
 fn warn(text: &str) {
-    output::tell(&format!("warning: {}", visible(text)));
+    output::warning(&visible(text));
 }

@@ -73,7 +73,7 @@ pub(crate) fn read(path: &Path) -> Result<Recording, Failure> {
     let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
     let recording = Recording::read(&file).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
     if let Some(error) = &recording.truncated {
-        output::tell(&format!("warning: {}: the file ends in the middle of a line: {error}", path.display()));
+        output::warning(&format!("{}: the file ends in the middle of a line: {error}", path.display()));
     }
     Ok(recording)
 }

@@ -177,7 +177,7 @@ fn the_seat_is_not_taken_without_consent() {
     let words = ["check".to_owned()].into_iter().chain(address_of(&controller));
     let refused = run(command(words), "y\n");
     expect![[r#"
-        jaka: nothing was checked: another program that is connected to the command port may be disconnected, and there is no terminal to ask on; use --yes to connect anyway
+        error: nothing was checked: another program that is connected to the command port may be disconnected, and there is no terminal to ask on; use --yes to connect anyway
         exit code 2
     "#]].assert_eq(&refused.text());
     assert!(controller.requests().is_empty());

@@ -33,8 +33,8 @@ fn columns_have_units_and_hold_all_parts_of_all_packets() {
         0.006000,1763726000.506000,2,true,1.5,2,3,4,5,6,true,,,'=1+1
         0.206000,1763726000.706000,2,false,,,,,,,false,true,12.5,"\u{1b}, <"
         1000.206000,1763727000.706000,3,,,,,,,,,,,
-        jaka: warning: field `enabled`: expected a truth value, found `"perhaps"`; it is left out
-        jaka: warning: 1 message of the status port cannot be read as packets, and are left out
+        warning: field `enabled`: expected a truth value, found `"perhaps"`; it is left out
+        warning: 1 message of the status port cannot be read as packets, and are left out
         exit code 0
     "#]]
     .assert_eq(&export(SESSION, &["--fields", "enabled,joint_actual_position,din,tcp_speed,errmsg"]));
@@ -46,8 +46,8 @@ fn json_has_the_same_columns() {
         {"time (s)":0.006000,"unix_time (s)":1763726000.506000,"connection":2,"enabled":true,"actual_position.x (mm)":null,"digital_inputs[1]":null,"error_message":"=1+1"}
         {"time (s)":0.206000,"unix_time (s)":1763726000.706000,"connection":2,"enabled":false,"actual_position.x (mm)":null,"digital_inputs[1]":true,"error_message":"\u001b, <"}
         {"time (s)":1000.206000,"unix_time (s)":1763727000.706000,"connection":3,"enabled":null,"actual_position.x (mm)":null,"digital_inputs[1]":null,"error_message":null}
-        jaka: warning: field `enabled`: expected a truth value, found `"perhaps"`; it is left out
-        jaka: warning: 1 message of the status port cannot be read as packets, and are left out
+        warning: field `enabled`: expected a truth value, found `"perhaps"`; it is left out
+        warning: 1 message of the status port cannot be read as packets, and are left out
         exit code 0
     "#]].assert_eq(&export(
         SESSION,
@@ -81,16 +81,16 @@ fn a_file_is_written_and_never_the_recording() {
 #[test]
 fn what_is_not_a_recording_is_an_error_and_one_without_packets_is_a_header() {
     expect![[r#"
-        jaka: session.jsonl: line 1 of the recording cannot be read: not JSON: expected a value at byte 0, where the text ends
+        error: session.jsonl: line 1 of the recording cannot be read: not JSON: expected a value at byte 0, where the text ends
         exit code 2
     "#]].assert_eq(&export("", &[]));
     expect![[r#"
         time (s),unix_time (s),connection,enabled
-        jaka: warning: session.jsonl: the file ends in the middle of a line: line 2 of the recording cannot be read: not JSON: expected the end of a string at byte 16, where the text ends
+        warning: session.jsonl: the file ends in the middle of a line: line 2 of the recording cannot be read: not JSON: expected the end of a string at byte 16, where the text ends
         exit code 0
     "#]].assert_eq(&export(&SESSION[..80], &["--fields", "enabled"]));
     expect![[r#"
-        jaka: there is no status field `enabeld`; similar names: `enabled`
+        error: there is no status field `enabeld`; similar names: `enabled`
         exit code 2
     "#]]
     .assert_eq(&export(SESSION, &["--fields", "enabeld"]));

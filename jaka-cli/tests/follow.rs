@@ -95,7 +95,7 @@ fn what_is_wrong_with_a_file_is_told_at_its_place() {
     let file = file.display().to_string();
     let run = jaka(["follow", &*file, "--model", "zu5", "--dry-run"]);
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
-    assert_eq!(run.err, format!("jaka: {file}:3:5: joint_2_deg: found `ninety`, expected a finite number\n"));
+    assert_eq!(run.err, format!("error: {file}:3:5: joint_2_deg: found `ninety`, expected a finite number\n"));
     let fast = way("fast.csv", 0.1);
     let run = jaka(["follow", &*fast, "--model", "zu5", "--dry-run"]);
     assert_eq!(run.code, Some(2));
@@ -115,7 +115,7 @@ fn it_asks_before_the_arm_moves() {
     let controller = controller();
     let run = run(&controller, &way("way.csv", 1.0), "");
     expect![[r#"
-        jaka: the arm was not moved: there is no terminal to ask on; use --yes to move it anyway
+        error: the arm was not moved: there is no terminal to ask on; use --yes to move it anyway
         exit code 2
     "#]]
     .assert_eq(&run.text());
@@ -150,7 +150,7 @@ fn an_arm_that_is_elsewhere_is_not_moved_unless_an_approach_is_asked_for() {
     controller.set_state(|state| state.joint_position.0[3] = 91.0);
     let file = way("way.csv", 1.0);
     expect![[r#"
-        jaka: the trajectory was not started: it starts with joint 4 at 90.000 deg, and the arm has it at 91.000 deg, 1.000 deg away; move the arm there first, or ask for an approach
+        error: the trajectory was not started: it starts with joint 4 at 90.000 deg, and the arm has it at 91.000 deg, 1.000 deg away; move the arm there first, or ask for an approach
         exit code 20
     "#]].assert_eq(&run(&controller, &file, "--yes").text());
     assert!(!has_moved(&controller));
@@ -174,9 +174,9 @@ fn an_interrupt_stops_it_on_the_trajectory_and_says_so() {
         let lines: Vec<_> = run.err.lines().collect();
         assert_eq!(
             lines[0],
-            "jaka: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too"
+            "note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too"
         );
-        assert!(lines[1].starts_with("jaka: the trajectory was stopped before its end ("), "{}", run.text());
+        assert!(lines[1].starts_with("error: the trajectory was stopped before its end ("), "{}", run.text());
         assert!(lines[1].ends_with(" s of 60.000 s), and the arm is at rest"), "{}", run.text());
     } else {
         assert!(matches!(run.code, Some(4 | 28 | 30)), "{}", run.text());

@@ -142,7 +142,7 @@ fn a_draft_does_not_overwrite_a_finished_pack() {
     let run = jaka_at(&controller, &["probe", "--draft", path.to_str().expect("it is UTF-8")]);
     assert_eq!(run.code, Some(2), "{}", run.err);
     let path_text = path.display();
-    let expected = format!("jaka: {path_text} exists already, and packs are not overwritten\n");
+    let expected = format!("error: {path_text} exists already, and packs are not overwritten\n");
     assert_eq!(run.err, expected);
     assert_eq!(fs::read_to_string(&path).expect("it is there"), "finished");
 }

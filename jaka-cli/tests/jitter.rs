@@ -94,7 +94,7 @@ fn a_robot_is_only_asked_with_consent() {
         options.chain(address_of(&controller)).collect::<Vec<_>>()
     };
     expect![[r#"
-        jaka: nothing was measured: another program that is connected to the command port may be disconnected, and there is no terminal to ask on; use --yes to connect anyway
+        error: nothing was measured: another program that is connected to the command port may be disconnected, and there is no terminal to ask on; use --yes to connect anyway
         exit code 2
     "#]]
     .assert_eq(&run(command(words(&[])), "y\n").text());

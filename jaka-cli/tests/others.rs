@@ -55,17 +55,15 @@ fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     child.wait().unwrap();
     expect![[r#"
-        jaka: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
-        jaka: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
+        error: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
+        error: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
     expect![[r#"
-        jaka: invalid value ' trip' for '--schedule <LIST>': `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
-
-        For more information, try '--help'.
+        error: `--schedule <LIST>` cannot be ` trip`: `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
+        hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide at 2s, trip"])));
     expect![[r#"
-        jaka: invalid value 'collide 2s' for '--schedule <LIST>': `collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`
-
-        For more information, try '--help'.
+        error: `--schedule <LIST>` cannot be `collide 2s`: `collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`
+        hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
 }
 
@@ -76,7 +74,7 @@ fn a_port_in_use_is_named() {
     for options in [["--commands", &port, "--status", "0"], ["--commands", "0", "--status", &port]] {
         let failed = failure(&mut jaka(&[&["sim"][..], &options].concat()));
         let named =
-            format!("jaka: cannot start the controller: port {port} of 127.0.0.1 is in use; --commands and --status");
+            format!("error: cannot start the controller: port {port} of 127.0.0.1 is in use; --commands and --status");
         assert!(failed.starts_with(&named) && failed.ends_with("exit code Some(6)"), "{failed}");
     }
 }
@@ -104,36 +102,32 @@ fn the_help_of_sim_lists_the_faults() {
 #[test]
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
-        jaka: invalid value '9' for '--firmware <NAME>': there is 1.5.14, newer, document
-
-        For more information, try '--help'.
+        error: `--firmware <NAME>` cannot be `9`: there are 1.5.14, newer, document
+        hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));
     expect![[r#"
-        jaka: invalid value 'drip' for '--faults <TEXT>': line 1: `drip`: unknown fault; the faults of replies are none, drop, delay, hold, split, with-next, twice, nameless, renamed, before, after, instead, garbage, oversized, half-open, close, close-after, reset, takeover; `jaka sim --help` has all
-
-        For more information, try '--help'.
+        error: `--faults <TEXT>` cannot be `drip`: line 1: `drip`: unknown fault; the faults of replies are none, drop, delay, hold, split, with-next, twice, nameless, renamed, before, after, instead, garbage, oversized, half-open, close, close-after, reset, takeover; `jaka sim --help` has all
+        hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--faults", "drip"])));
     expect![[r#"
-        jaka: invalid value ' sped 3' for '--trips <LIST>': `sped 3` is not a trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, `command-speed 1`, `command-acceleration 1`
-
-        For more information, try '--help'.
+        error: `--trips <LIST>` cannot be ` sped 3`: `sped 3` is not a trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, `command-speed 1`, `command-acceleration 1`
+        hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--trips", "deviation 1, sped 3"])));
     expect![[r#"
-        jaka: invalid value 'stop' for '--underrun <TEXT>': `stop` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`
-
-        For more information, try '--help'.
+        error: `--underrun <TEXT>` cannot be `stop`: `stop` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`
+        hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--underrun", "stop"])));
     expect![[r#"
-        jaka: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
+        error: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--model", "zu99"])));
 }
 
 #[test]
 fn a_dashboard_needs_a_terminal() {
     expect![[r#"
-        jaka: `jaka monitor` needs a terminal; `jaka status --watch` does not
+        error: `jaka monitor` needs a terminal; `jaka status --watch` does not
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["monitor", "--sim"])));
 }
@@ -154,7 +148,7 @@ fn the_help_explains_exit_codes() {
     expect![[r#"
         Commands, status, live dashboard and simulated controller for JAKA robots
 
-        Usage: jaka <COMMAND>
+        Usage: jaka [OPTIONS] <COMMAND>
 
         Commands:
           status       Print the robot's state, once or repeatedly
@@ -191,6 +185,17 @@ fn the_help_explains_exit_codes() {
 
           -V, --version
                   Print version
+
+        Messages:
+          -v, --verbose...
+                  Log connections, requests and replies on standard error; `-vv` also what a simulated
+                  controller does
+
+          -q, --quiet
+                  Print nothing on standard error but errors, questions, and what has become of a motion
+
+              --color <WHEN>
+                  Colours: always, never, or auto: on terminals, unless NO_COLOR is set [default: auto]
 
         The robot:
           Commands that talk to a robot take its address from, in this order: --sim,

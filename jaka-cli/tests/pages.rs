@@ -237,6 +237,6 @@ fn what_jaka_says_is_quoted_as_it_is() {
         let quoted = rest.split("``").nth(1).expect("it is quoted").trim();
         // Without a robot at the address: none of these connects to one.
         let run = jaka(typed.trim_end_matches(" < /dev/null").split(' '));
-        assert_eq!((run.code, run.err), (Some(2), format!("jaka: {quoted}\n")), "jaka {typed}");
+        assert_eq!((run.code, run.err), (Some(2), format!("error: {quoted}\n")), "jaka {typed}");
     }
 }

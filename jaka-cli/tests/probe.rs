@@ -171,7 +171,7 @@ fn nothing_to_draft_is_said() {
     let run = probe(&controller(Firmware::Document), &["--draft", &draft.display().to_string()]);
     assert_eq!(run.code, Some(0));
     expect![[r"
-        jaka: no draft is written: no message has a key that is not in the spec, or a value that cannot be read
+        note: no draft is written: no message has a key that is not in the spec, or a value that cannot be read
     "]]
     .assert_eq(&run.err);
     assert!(!draft.exists());
@@ -316,7 +316,7 @@ fn an_interrupt_leaves_a_report_of_what_was_found() {
     assert!(controller.wait_for_requests(2, std::time::Duration::from_secs(30)), "two are asked");
     crate::common::interrupt(&child);
     let run = result(child);
-    assert_eq!((run.code, run.err.as_str()), (Some(130), "jaka: interrupted\n"), "{run:?}");
+    assert_eq!((run.code, run.err.as_str()), (Some(130), "error: interrupted\n"), "{run:?}");
     let row = |name: &str| {
         let begin = format!("{name} ");
         let line = run.out.lines().find(|line| line.starts_with(&begin)).unwrap_or_else(|| panic!("{name}: {run:?}"));

@@ -321,7 +321,7 @@ fn a_robot_that_cannot_be_reached_is_reported_and_recorded() {
     assert!(text.starts_with("cannot connect to 127.0.0.1:"), "{text}");
     let mut told = String::new();
     errors.read_to_string(&mut told).unwrap();
-    assert_eq!(told, format!("jaka: warning: {text}\n"));
+    assert_eq!(told, format!("warning: {text}\n"));
 }
 
 #[test]
@@ -343,7 +343,7 @@ fn status_packets_alone_are_recorded_until_there_are_enough() {
 
     let text = record(&["--count", "4"]).text().replace(&path.display().to_string(), "packets.jsonl");
     expect![[r#"
-        jaka: packets.jsonl exists already, and recordings are not overwritten
+        error: packets.jsonl exists already, and recordings are not overwritten
         exit code 2
     "#]]
     .assert_eq(&text);
@@ -401,7 +401,7 @@ fn a_recording_of_nothing_is_not_kept() {
     let file = path.to_str().unwrap();
     let proxy = jaka(["record", file, "--sim", "--listen", "127.0.0.1", "--listen-commands", &port]);
     assert_eq!((proxy.code, path.exists()), (Some(6), false), "{}", proxy.err);
-    assert!(proxy.err.starts_with(&format!("jaka: cannot listen at 127.0.0.1, port {port}: ")), "{}", proxy.err);
+    assert!(proxy.err.starts_with(&format!("error: cannot listen at 127.0.0.1, port {port}: ")), "{}", proxy.err);
     drop(taken);
     let nobody = jaka(["call", "get_version", "-r", "127.0.0.1", "--command-port", &port, "--record", file]);
     assert_eq!((nobody.code, path.exists()), (Some(3), false), "{}", nobody.err);

@@ -103,7 +103,7 @@ fn a_port_or_a_command_is_shown_alone() {
     expect![[r"
         recorded by a test, from 2025-11-21 11:53:20 UTC
 
-        jaka: the recording has no request of `no_such_command`; it has `enable_robot`, `get_joint_pos`, `get_version`
+        warning: the recording has no request of `no_such_command`; it has `enable_robot`, `get_joint_pos`, `get_version`
         exit code 0
     "]]
     .assert_eq(&nothing);
@@ -150,16 +150,16 @@ fn a_recording_that_is_cut_off_is_used_and_a_damaged_one_is_not() {
         recorded by a test, from 2025-11-21 11:53:20 UTC
             0.001000  command  1  connected to 10.5.5.100:10001
 
-        jaka: warning: session.jsonl: the file ends in the middle of a line: line 3 of the recording cannot be read: not JSON: expected `,` or `}` at byte 11, where the text ends
+        warning: session.jsonl: the file ends in the middle of a line: line 3 of the recording cannot be read: not JSON: expected `,` or `}` at byte 11, where the text ends
         exit code 0
     "]].assert_eq(&show("cut.jsonl", &(first.clone() + "{\"time\":0.0"), &[]));
     expect![[r"
-        jaka: session.jsonl: line 3 of the recording cannot be read: field `port`: the key `port` is missing
+        error: session.jsonl: line 3 of the recording cannot be read: field `port`: the key `port` is missing
         exit code 2
     "]]
     .assert_eq(&show("damaged.jsonl", &(first + "{\"time\":0.0}\n"), &[]));
     expect![[r"
-        jaka: session.jsonl: line 1 of the recording cannot be read: field `jaka_recording`: the key `jaka_recording` is missing
+        error: session.jsonl: line 1 of the recording cannot be read: field `jaka_recording`: the key `jaka_recording` is missing
         exit code 2
     "]].assert_eq(&show("other.jsonl", "{\"a\":1}\n", &[]));
     assert_eq!(jaka(["replay", "nowhere.jsonl"]).code, Some(2));
@@ -222,7 +222,7 @@ mod served {
         out.read_line(&mut line).unwrap();
         expect![[r#"
             deviation: expected the recorded request `{"cmdName":"get_version"}`, but received `{"cmdName":"get_joint_pos"}`
-            jaka: 1 deviation from the recording
+            error: 1 deviation from the recording
             exit code Some(7)
         "#]]
         .assert_eq(&(line + &finish(child, out)));
@@ -240,7 +240,7 @@ mod served {
         let found = finish(child, out);
         expect![[r#"
             deviation: the recording has no unused reply to `{"cmdName":"get_version"}`
-            jaka: 1 deviation from the recording
+            error: 1 deviation from the recording
             exit code Some(7)
         "#]]
         .assert_eq(&found);

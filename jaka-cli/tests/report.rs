@@ -210,6 +210,6 @@ fn what_is_not_a_recording_is_an_error_and_no_page() {
     for text in ["", "\n", "<script>", "{\"jaka_recording\":2,\"started\":0}\n", &format!("{HEADER}\n{{}}\n")] {
         let (page, run) = report(text.as_bytes());
         assert_eq!((run.code, page.as_str(), run.out.as_str()), (Some(2), "", ""), "{text}: {}", run.err);
-        assert!(run.err.starts_with("jaka: ") && run.err.contains("session.jsonl: line "), "{text}: {}", run.err);
+        assert!(run.err.starts_with("error: ") && run.err.contains("session.jsonl: line "), "{text}: {}", run.err);
     }
 }

@@ -125,7 +125,7 @@ fn errors_of_all_packs_are_reported_at_their_places() {
         second.toml:14:10: note: command `get_zone`, reply of an example: `zone` is "1"; expected is a number
         second.toml: 1 addition, minor
           minor: command `get_zone`: added
-        jaka: 4 errors
+        error: 4 errors
         exit code 2
     "#]]
     .assert_eq(&text(&["check", &first, &second]));
@@ -157,7 +157,7 @@ fn a_whole_spec_is_checked_with_its_examples() {
         whole/payload.toml:31:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         whole/newer.toml:31:10: command `demo_motion_state`, reply of an example: `queue` is [3]; expected is a whole number
         whole: 117 commands, 50 types, 5 error codes, 894 events
-        jaka: 1 error
+        error: 1 error
         exit code 2
     "#]].assert_eq(&text(&["check", "--spec", &folder]));
     file("whole/newer.toml", &newer.replace("\"int\"", "\"Int\""));
@@ -166,7 +166,7 @@ fn a_whole_spec_is_checked_with_its_examples() {
         whole/newer.toml:27:8: command `demo_motion_state`, reply field `active_queue`: there is no `[[type]]` named `Int`
         whole/newer.toml:50:1: command `set_demo_period`, field `period`: `min`, `max` and `advisory` are for numbers
         whole/newer.toml:53:8: command `set_demo_period`, field `period`: there is no `[[type]]` named `Int`
-        jaka: the spec in whole has errors
+        error: the spec in whole has errors
         exit code 2
     "]].assert_eq(&text(&["check", "--spec", &folder]));
 }
@@ -176,17 +176,17 @@ fn what_is_not_a_spec_is_named() {
     let empty = scratch("empty_spec");
     fs::create_dir_all(&empty).unwrap();
     expect![[r"
-        jaka: the folder empty_spec has no TOML files
+        error: the folder empty_spec has no TOML files
         exit code 2
     "]]
     .assert_eq(&text(&["diff", "builtin", &empty.display().to_string()]));
     expect![[r"
-        jaka: cannot read nowhere.toml: No such file or directory (os error 2)
+        error: cannot read nowhere.toml: No such file or directory (os error 2)
         exit code 2
     "]]
     .assert_eq(&text(&["diff", "builtin", "nowhere.toml"]));
     expect![[r"
-        jaka: cannot read nowhere: No such file or directory (os error 2)
+        error: cannot read nowhere: No such file or directory (os error 2)
         exit code 2
     "]]
     .assert_eq(&text(&["check", "--spec", "nowhere"]));

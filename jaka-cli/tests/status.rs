@@ -163,7 +163,7 @@ fn raw_is_what_came() {
 fn a_name_that_does_not_exist_has_near_ones() {
     let failed = failure(&mut jaka(&["status", "--sim", "--fields", "enabled,joint_actual_pos"]));
     expect![[r#"
-        jaka: there is no status field `joint_actual_pos`; similar names: `joint_actual_position`
+        error: there is no status field `joint_actual_pos`; similar names: `joint_actual_position`
         exit code Some(2)"#]]
     .assert_eq(&failed);
 }
@@ -196,7 +196,7 @@ fn a_lost_connection_is_reported() {
     let mut rest = String::new();
     while out.read_line(&mut rest).unwrap() > 0 {}
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
-    expect!["jaka: the status connection is broken: the controller closed the connection; it may have shut down, or another client may have taken the command port"].assert_eq(&errors.join("\n"));
+    expect!["error: the status connection is broken: the controller closed the connection; it may have shut down, or another client may have taken the command port"].assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
 }
 
@@ -230,7 +230,7 @@ fn a_field_that_does_not_fit_is_reported_once_and_the_rest_is_printed() {
     assert_eq!(rest.matches("protective_stop").count(), 3, "{rest}");
     assert_eq!(rest.matches("true").count(), 2, "{rest}");
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
-    expect!["jaka: warning: field `enabled`: expected a truth value, found `[ ]`; it is left out"]
+    expect!["warning: field `enabled`: expected a truth value, found `[ ]`; it is left out"]
         .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(0));
 }
@@ -241,7 +241,7 @@ fn a_packet_that_cannot_be_read_is_reported() {
     let (mut child, _out, _) = started(jaka(&[]).args(args).args(["--fields", "enabled"]));
     controller.send_status(br#"{"enabled" true}"#);
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
-    expect!["jaka: a status packet does not fit the spec: not JSON: expected `:` at byte 11, found `true}`"]
+    expect!["error: a status packet does not fit the spec: not JSON: expected `:` at byte 11, found `true}`"]
         .assert_eq(&errors.join("\n"));
     assert_eq!(end(child).code(), Some(5));
 }
@@ -267,13 +267,13 @@ fn a_condition_is_waited_for() {
 fn a_condition_that_does_not_come_in_time_is_a_failure() {
     let failed = failure(&mut jaka(&["status", "--sim", "--timeout", "1", "--until", "enabled || rapid_rate > 1"]));
     expect![[r#"
-        jaka: `enabled || rapid_rate > 1` did not hold within 1s; the last packet: enabled false, rapid_rate 1
+        error: `enabled || rapid_rate > 1` did not hold within 1s; the last packet: enabled false, rapid_rate 1
         exit code Some(27)"#]]
     .assert_eq(&failed);
     let (controller, args) = quiet_controller();
     // Also where no packet comes any more.
     let (_, stderr, code) = output(jaka(&[]).args(args).args(["--timeout", "3", "--until", "enabled"]));
-    expect!["jaka: `enabled` did not hold within 3s; the last packet: enabled false\n"].assert_eq(&stderr);
+    expect!["error: `enabled` did not hold within 3s; the last packet: enabled false\n"].assert_eq(&stderr);
     assert_eq!(code, Some(27));
     drop(controller);
 }
@@ -281,7 +281,7 @@ fn a_condition_that_does_not_come_in_time_is_a_failure() {
 #[test]
 fn a_condition_that_is_none_is_pointed_at() {
     expect![[r#"
-        jaka: --until, column 12: there is no status field `in_postion`; similar names: `in_position`
+        error: `--until`, column 12: there is no status field `in_postion`; similar names: `in_position`
           enabled && in_postion
                      ^
         exit code Some(2)"#]]
@@ -374,9 +374,9 @@ fn a_pack_says_how_packets_are_read() {
         brakes           –
         powered_on       –
         enabled          true
-        jaka: warning: field `protective_stop`: expected "free" or "stopped", found `"maybe"`; it is left out
-        jaka: warning: field `demo_brakes`: expected a whole number, found `"on"`; it is left out
-        jaka: warning: field `powered_on`: expected a truth value, found `"perhaps"`; it is left out
+        warning: field `protective_stop`: expected "free" or "stopped", found `"maybe"`; it is left out
+        warning: field `demo_brakes`: expected a whole number, found `"on"`; it is left out
+        warning: field `powered_on`: expected a truth value, found `"perhaps"`; it is left out
         Some(0)"#]]
     .assert_eq(&printed_with_pack(packet, "in_position,protective_stop,brakes,powered_on,enabled"));
 }

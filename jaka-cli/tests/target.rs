@@ -23,7 +23,7 @@ fn config(name: &str, text: &str) -> PathBuf {
 #[test]
 fn without_an_address_the_ways_to_give_one_are_named() {
     expect![[r#"
-        jaka: no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with `robot = "NAME"` in the config file; or try a simulated one with `--sim`
+        error: no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with `robot = "NAME"` in the config file; or try a simulated one with `--sim`
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["status"])));
 }
 
@@ -51,7 +51,7 @@ fn the_usual_config_file_is_in_the_users_folder() {
     fs::create_dir_all(folder.join("jaka")).unwrap();
     fs::write(folder.join("jaka/config.toml"), "robot = 'cell 2'\n").unwrap();
     expect![[r#"
-        jaka: `cell 2` is not an address, and the config file has no robot of that name
+        error: `cell 2` is not an address, and the config file has no robot of that name
         exit code Some(2)"#]]
     .assert_eq(&failure(jaka(&["status"]).env("XDG_CONFIG_HOME", &folder)));
 }
@@ -62,11 +62,11 @@ fn a_config_file_that_is_wrong_is_named_with_the_line() {
     let folder = path.display().to_string().replace("wrong.toml", "");
     let failed = failure(jaka(&["status", "-r", "cell1"]).arg("--config").arg(&path));
     expect![[r#"
-        jaka: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`
+        error: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`
         exit code Some(2)"#]].assert_eq(&failed.replace(&folder, ""));
     let failed = failure(&mut jaka(&["status", "-r", "cell1", "--config", "nowhere.toml"]));
     expect![[r#"
-        jaka: the config file nowhere.toml does not exist
+        error: the config file nowhere.toml does not exist
         exit code Some(2)"#]]
     .assert_eq(&failed);
 }
@@ -77,7 +77,7 @@ fn nothing_listens_at_the_address() {
     let port = nobody.address().port().to_string();
     let (_, stderr, code) = output(&mut jaka(&["status", "-r", "127.0.0.1", "--status-port", &port]));
     assert_eq!(code, Some(3));
-    assert!(stderr.starts_with(&format!("jaka: cannot connect to 127.0.0.1:{port}: ")), "{stderr}");
+    assert!(stderr.starts_with(&format!("error: cannot connect to 127.0.0.1:{port}: ")), "{stderr}");
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn nothing_comes_from_the_address() {
     let port = silent.local_addr().unwrap().port().to_string();
     let args = ["status", "-r", "127.0.0.1", "--status-port", &port, "--timeout", "0.2"];
     expect![[r#"
-        jaka: no status packet within 200ms
+        error: no status packet within 200ms
         exit code Some(5)"#]]
     .assert_eq(&failure(&mut jaka(&args)));
 }

@@ -86,7 +86,7 @@ fn each_asks_but_stop() {
     }
     assert!(controller.requests().is_empty());
     expect![[r"
-        jaka: `power_on` and `enable_robot` were not sent: there is no terminal to ask on; use --yes to send them anyway
+        error: `power_on` and `enable_robot` were not sent: there is no terminal to ask on; use --yes to send them anyway
         exit code 2
     "]]
     .assert_eq(&run(&controller, "up").text());
@@ -153,31 +153,25 @@ fn what_is_beyond_a_limit_is_not_sent() {
 #[test]
 fn what_is_wrong_on_the_line_is_told() {
     let text = |line: &str| jaka(line.split(' ')).text();
-    expect![[r"
-        jaka: invalid value '0,90' for '--joints <DEG,...>': six numbers with commas between them are needed, such as 0,90,90,90,-90,0
-
-        For more information, try '--help'.
+    expect![[r#"
+        error: `--joints <DEG,...>` cannot be `0,90`: six numbers with commas between them are needed, such as 0,90,90,90,-90,0
+        hint: `jaka move --help` explains what there is
         exit code 2
-    "]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
-    expect![[r"
-        jaka: the following required arguments were not provided:
-          <--joints <DEG,...>|--pose <X,Y,Z,RX,RY,RZ>>
-
-        Usage: jaka move --speed <SPEED> --sim[=<MODEL>] <--joints <DEG,...>|--pose <X,Y,Z,RX,RY,RZ>>
-
-        For more information, try '--help'.
+    "#]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
+    expect![[r#"
+        error: `--joints <DEG,...>` or `--pose <X,Y,Z,RX,RY,RZ>` is missing
+        hint: `jaka move --help` explains what there is
         exit code 2
-    "]]
+    "#]]
     .assert_eq(&text("move --speed 10 --sim"));
-    expect![[r"
-        jaka: invalid value '7' for '<AXIS>': there are joints 1 to 6, and the axes x, y and z
-
-        For more information, try '--help'.
+    expect![[r#"
+        error: `<AXIS>` cannot be `7`: there are joints 1 to 6, and the axes x, y and z
+        hint: `jaka jog --help` explains what there is
         exit code 2
-    "]]
+    "#]]
     .assert_eq(&text("jog 7 5 --speed 10 --sim"));
     expect![[r"
-        jaka: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller
+        error: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller
         exit code 2
     "]].assert_eq(&text("jog 1 5 --speed 0 --sim"));
 }
@@ -194,8 +188,8 @@ fn an_interrupt_stops_a_move_and_a_jog() {
         }
         interrupt(&child);
         expect![[r"
-            jaka: interrupted: the controller has taken the stop (`stop_program`)
-            jaka: the motion was stopped before its target
+            note: interrupted: the controller has taken the stop (`stop_program`)
+            error: the motion was stopped before its target
             exit code 22
         "]]
         .assert_eq(&result(child).text());

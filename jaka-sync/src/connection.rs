@@ -19,13 +19,14 @@ const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
 
 /// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address names none.
 pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Socket, Tap), Error> {
-    let number = match port {
-        Port::Command => COMMAND_PORT,
-        Port::Status => STATUS_PORT,
+    let (number, what) = match port {
+        Port::Command => (COMMAND_PORT, "commands"),
+        Port::Status => (STATUS_PORT, "status packets"),
     };
     let tap = Tap::new(port, config);
     match connect_to(address, number, config) {
         Ok(stream) => {
+            log::debug!(target: "jaka_sync", "connected to {address} (port for {what})");
             tap.connected(&stream);
             Ok((stream, tap))
         }

@@ -27,7 +27,6 @@ use self::parser::Parser;
 use self::request::Request;
 use crate::failure::Failure;
 use crate::output;
-use crate::packs::SpecArgs;
 
 pub(crate) use self::parser::all;
 pub(crate) use self::reply::json as reply_json;
@@ -47,7 +46,10 @@ pub(crate) struct Call {
 impl Call {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let outline = Outline::of(self.words);
-        let protocol = SpecArgs::of(outline.packs).load(outline.config.as_deref())?;
+        if outline.quiet {
+            output::be_quiet();
+        }
+        let protocol = outline.protocol()?;
         let spec = &protocol.spec;
         let name = outline.command.as_deref();
         let command = match name {
@@ -55,6 +57,7 @@ impl Call {
             _ => None,
         };
         let line = Parser::of(spec, command).parse(outline.rest)?;
+        line.options.console.apply();
         if let Some(topic) = &line.options.list {
             return output::lines(&list::text(spec, topic)?);
         }
@@ -77,7 +80,7 @@ fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {
     spec.command_called(name).ok_or_else(|| {
         let near = near(spec, name).map(|near| format!("; did you mean `{}`?", near.wire)).unwrap_or_default();
         Failure::Usage(format!(
-            "there is no command `{name}`{near}\n`jaka call --list` lists the commands; --pack adds commands, and --raw \
+            "there is no command `{name}`{near}\nhint: `jaka call --list` lists the commands; --pack adds commands, and --raw \
              sends a command that is not in the spec"
         ))
     })

@@ -112,13 +112,11 @@ impl LeftOut {
 
     fn tell(&self) {
         for error in &self.unfit {
-            output::tell(&format!("warning: {error}; it is left out"));
+            output::warning(&format!("{error}; it is left out"));
         }
         if self.messages > 0 {
             let messages = count(self.messages, "message");
-            output::tell(&format!(
-                "warning: {messages} of the status port cannot be read as packets, and are left out"
-            ));
+            output::warning(&format!("{messages} of the status port cannot be read as packets, and are left out"));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! `jaka monitor`: a live dashboard in the terminal.
 
-use std::io::{self, IsTerminal, stdin, stdout};
+use std::io::{self, IsTerminal, stderr, stdin, stdout};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -13,6 +13,7 @@ use ratatui::crossterm::event::{self, Event};
 use crate::dashboard::{AfterKey, Feed, View, draw};
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
+use crate::logging;
 use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
 
@@ -38,6 +39,9 @@ impl Monitor {
     pub(crate) fn run(self) -> Result<(), Failure> {
         if !stdin().is_terminal() || !stdout().is_terminal() {
             return Err(Failure::Usage("`jaka monitor` needs a terminal; `jaka status --watch` does not".to_owned()));
+        }
+        if logging::is_told() && stderr().is_terminal() {
+            return Err(Failure::Usage("`jaka monitor -v` needs standard error in a file: `2> log.txt`".to_owned()));
         }
         let protocol = self.spec.load(self.robot.config())?;
         let target = self.robot.target(&protocol.packs)?;

@@ -73,7 +73,7 @@ impl Probe {
 
 fn write_draft(path: &Path, spec: &Spec, findings: &Findings) -> Result<(), Failure> {
     let Some(draft) = draft::text(spec, findings) else {
-        output::tell(
+        output::note(
             "no draft is written: no message has a key that is not in the spec, or a value that cannot be read",
         );
         return Ok(());

@@ -18,7 +18,7 @@ use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
 use crate::packs::SpecArgs;
 use crate::target::model;
-use crate::{output, wire_log};
+use crate::{logging, output};
 
 /// Run a simulated controller until it is interrupted.
 ///
@@ -109,7 +109,7 @@ impl Sim {
             return Model::published().iter().try_for_each(|model| output::line(model.name()));
         }
         if self.log {
-            wire_log::print_all("jaka_sim");
+            logging::print("jaka_sim");
         }
         end_on_interrupt(0)?;
         let controller = self.listen.start(self.builder()?, |controller| {
@@ -154,7 +154,7 @@ fn firmware(name: &str) -> Result<Firmware, String> {
     let found = Firmware::ALL.iter().find(|firmware| firmware.name() == name).copied();
     found.ok_or_else(|| {
         let names: Vec<_> = Firmware::ALL.iter().map(|firmware| firmware.name()).collect();
-        format!("there is {}", names.join(", "))
+        format!("there are {}", names.join(", "))
     })
 }
 

@@ -79,7 +79,7 @@ impl Status {
         protocol.read_status();
         let fields = Field::named(self.fields.as_deref())?;
         let until = self.until.as_deref().map(str::parse::<Condition>).transpose();
-        let until = until.map_err(|error| Failure::Usage(format!("--until, {error}")))?;
+        let until = until.map_err(|error| Failure::Usage(format!("`--until`, {error}")))?;
         end_on_interrupt(if until.is_some() { exit::INTERRUPTED } else { 0 })?;
         let limit = target.timeout().filter(|_| until.is_some());
         let stream = match limit {

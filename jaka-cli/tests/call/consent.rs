@@ -38,7 +38,7 @@ fn what_changes_something_needs_yes_without_a_terminal() {
     assert_eq!((code, sent), (Some(0), 1), "{error}");
     assert!(!controller.state().powered);
     expect![[r"
-        jaka: `power_on` was not sent: it switches power, brakes or the controller itself, and there is no terminal to ask on; use --yes to send it anyway
+        error: `power_on` was not sent: it switches power, brakes or the controller itself, and there is no terminal to ask on; use --yes to send it anyway
     "]].assert_eq(&call(&controller, "power_on", "").1);
 }
 

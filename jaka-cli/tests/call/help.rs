@@ -36,7 +36,7 @@ fn the_list_of_one_topic() {
     "]]
     .assert_eq(&jaka(["call", "--list", "payload"]).text());
     expect![[r"
-        jaka: there is no topic `joints`; the topics are power, motion, servo, program, io, frames, variables, payload, collision, kinematics, trajectory, force, network, session, beyond_state, beyond_io, beyond_settings
+        error: there is no topic `joints`; the topics are power, motion, servo, program, io, frames, variables, payload, collision, kinematics, trajectory, force, network, session, beyond_state, beyond_io, beyond_settings
         exit code 2
     "]].assert_eq(&jaka(["call", "--list", "joints"]).text());
     expect![[r"

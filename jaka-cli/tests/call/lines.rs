@@ -65,7 +65,7 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
         &expect![[r#"
             {"command":"get_version","reply":{"version":"1.5.14_13_X64"}}
             {"command":"rapid_rate","error":"`rapid_rate` was not sent:\n  field `rate` is 7; allowed is a number, 0 to 1","exit_code":2}
-            jaka: `rapid_rate` was not sent:
+            error: `rapid_rate` was not sent:
               field `rate` is 7; allowed is a number, 0 to 1
             exit code 2
         "#]],
@@ -76,10 +76,10 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
             {"command":"get_version","reply":{"version":"1.5.14_13_X64"}}
             {"command":"rapid_rate","error":"`rapid_rate` was not sent:\n  field `rate` is 7; allowed is a number, 0 to 1","exit_code":2}
             {"error":"the request is not a JSON object: expected ident at line 1 column 2","exit_code":2}
-            {"command":"get_versio","error":"there is no command `get_versio`; did you mean `get_version`?\n`jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec","exit_code":2}
+            {"command":"get_versio","error":"there is no command `get_versio`; did you mean `get_version`?\nhint: `jaka call --list` lists the commands; --pack adds commands, and --raw sends a command that is not in the spec","exit_code":2}
             {"command":"rapid_rate","reply":{}}
             {"command":"get_rapid_rate","error":"the controller refused `get_rapid_rate` with code 1: Exception:function call failed\nThe code's meaning: An exception arose in the controller's program.","exit_code":1}
-            jaka: `rapid_rate` was not sent:
+            error: `rapid_rate` was not sent:
               field `rate` is 7; allowed is a number, 0 to 1
             exit code 2
         "#]],
@@ -90,7 +90,7 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
         &refused,
         &expect![[r#"
         {"command":"power_off","error":"`power_off` was not sent: it switches power, brakes or the controller itself; use --yes to send such commands from standard input","exit_code":2}
-        jaka: `power_off` was not sent: it switches power, brakes or the controller itself; use --yes to send such commands from standard input
+        error: `power_off` was not sent: it switches power, brakes or the controller itself; use --yes to send such commands from standard input
         exit code 2
     "#]],
     );
@@ -106,7 +106,7 @@ fn a_refusal_and_a_lost_reply_are_told_apart() {
         &lines(&controller, "--yes", motion),
         &expect![[r#"
         {"command":"joint_move","error":"the controller refused `joint_move` with code 2: call joint_move failed\nThe reason: the arm is not enabled: call `enable_robot`","exit_code":1}
-        jaka: the controller refused `joint_move` with code 2: call joint_move failed
+        error: the controller refused `joint_move` with code 2: call joint_move failed
         The reason: the arm is not enabled: call `enable_robot`
         exit code 1
     "#]],
@@ -117,7 +117,7 @@ fn a_refusal_and_a_lost_reply_are_told_apart() {
         &lost,
         &expect![[r#"
         {"command":"get_version","error":"no reply to `get_version` within 1s; it may have run","exit_code":4}
-        jaka: no reply to `get_version` within 1s; it may have run
+        error: no reply to `get_version` within 1s; it may have run
         exit code 4
     "#]],
     );
@@ -162,7 +162,7 @@ fn an_interrupt_between_lines_ends_it() {
     assert!(controller.wait_for_requests(1, Duration::from_secs(30)));
     interrupt(&child);
     expect![[r"
-        jaka: interrupted; no command is outstanding
+        error: interrupted; no command is outstanding
         exit code 130
     "]]
     .assert_eq(&result(child).text());

@@ -42,7 +42,7 @@ fn new_commands_are_called_by_either_name() {
         "newer.toml",
         "demo_set_period --period 0",
         &expect![[r"
-        jaka: `demo_set_period` was not sent:
+        error: `demo_set_period` was not sent:
           field `period` is 0; allowed is a whole number, at least 1 ms
         exit code 2
     "]],

@@ -134,7 +134,7 @@ fn refusals_have_code_message_and_meaning() {
     simulated(
         "enable_robot",
         &expect![[r"
-            jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
+            error: the controller refused `enable_robot` with code 2: call enable_robot failed
             The reason: the arm has no power: call `power_on`
             exit code 1
         "]],
@@ -143,7 +143,7 @@ fn refusals_have_code_message_and_meaning() {
         "enable_robot --json=wire",
         &expect![[r#"
             {"errorCode": "2", "errorMsg": "call enable_robot failed", "cmdName": "enable_robot"}
-            jaka: the controller refused `enable_robot` with code 2: call enable_robot failed
+            error: the controller refused `enable_robot` with code 2: call enable_robot failed
             The reason: the arm has no power: call `power_on`
             exit code 1
         "#]],
@@ -151,7 +151,7 @@ fn refusals_have_code_message_and_meaning() {
     simulated(
         "no_such_command --raw",
         &expect![[r"
-        jaka: the controller refused `no_such_command` with code 1: Exception:function call failed
+        error: the controller refused `no_such_command` with code 1: Exception:function call failed
         The code's meaning: An exception arose in the controller's program.
         exit code 1
     "]],
@@ -160,7 +160,7 @@ fn refusals_have_code_message_and_meaning() {
     let reply = br#"{"errorCode": "77", "errorMsg": "hot", "cmdName": "get_version"}"#;
     controller.inject(Fault::Instead(reply.to_vec()));
     expect![[r"
-        jaka: the controller refused `get_version` with code 77: hot
+        error: the controller refused `get_version` with code 77: hot
         The code is not in the spec.
         exit code 1
     "]]
@@ -189,7 +189,7 @@ fn a_reply_that_cannot_be_read_says_where() {
     let run = call(&controller, "get_joint_pos");
     expect![[r#"
         joint_position  none
-        jaka: `get_joint_pos` was not refused, but its reply does not fit the spec: field `joint_pos`: expected an array of 6, each a number (in deg), found `"none"`
+        error: `get_joint_pos` was not refused, but its reply does not fit the spec: field `joint_pos`: expected an array of 6, each a number (in deg), found `"none"`
         exit code 4
     "#]].assert_eq(&run.text());
 }
@@ -212,13 +212,13 @@ fn a_silent_controller_may_have_carried_out_the_command() {
     let controller = controller();
     controller.inject(Fault::Drop);
     expect![[r"
-        jaka: no reply to `get_version` within 200ms; it may have run
+        error: no reply to `get_version` within 200ms; it may have run
         exit code 4
     "]]
     .assert_eq(&call(&controller, "get_version --timeout 0.2").text());
     controller.inject(Fault::Close);
     expect![[r"
-        jaka: the connection broke during `get_version`, which may have run: the controller closed the connection; it may have shut down, or another client may have taken the command port
+        error: the connection broke during `get_version`, which may have run: the controller closed the connection; it may have shut down, or another client may have taken the command port
         exit code 4
     "]].assert_eq(&call(&controller, "get_version").text());
 }
@@ -247,11 +247,11 @@ fn the_firmware_is_asked_first() {
     );
     let controller = controller();
     expect![[r"
-        jaka: `joint_move` was not sent: the controller's firmware 1.5.14 does not have its field `zone`; firmware 1.7.1 and later has
+        error: `joint_move` was not sent: the controller's firmware 1.5.14 does not have its field `zone`; firmware 1.7.1 and later has
         exit code 2
     "]].assert_eq(&call(&controller, &motion).text());
     expect![[r"
-        jaka: `new_query` was not sent: the controller's firmware 1.5.14 does not have it; firmware up to 1.4 has
+        error: `new_query` was not sent: the controller's firmware 1.5.14 does not have it; firmware up to 1.4 has
         exit code 2
     "]]
     .assert_eq(&call(&controller, &format!("new_query --check-firmware --pack {}", file.display())).text());
@@ -268,17 +268,17 @@ fn a_reply_says_what_it_lacks() {
     answer(r#"{"errorCode":"0","errorMsg":"","cmdName":"get_joint_pos"}"#);
     expect![[r"
         accepted
-        jaka: `get_joint_pos` was not refused, but its reply does not fit the spec: field `joint_pos`: the key `joint_pos` is missing
+        error: `get_joint_pos` was not refused, but its reply does not fit the spec: field `joint_pos`: the key `joint_pos` is missing
         exit code 4
     "]].assert_eq(&call(&controller, "get_joint_pos").text());
     answer(r#"{"errorMsg":"","cmdName":"power_on"}"#);
     expect![[r"
-        jaka: `power_on` was not refused, but its reply does not fit the spec: field `error_code`: the key `errorCode` is missing
+        error: `power_on` was not refused, but its reply does not fit the spec: field `error_code`: the key `errorCode` is missing
         exit code 4
     "]].assert_eq(&call(&controller, "power_on --yes").text());
     answer(r#"{"errorMsg":"","cmdName":"power_on"}"#);
     expect![[r"
-        jaka: `power_on` was not refused, but its reply does not fit the spec: field `error_code`: the key `errorCode` is missing
+        error: `power_on` was not refused, but its reply does not fit the spec: field `error_code`: the key `errorCode` is missing
         exit code 4
     "]].assert_eq(&call(&controller, "power_on --yes --raw").text());
 }

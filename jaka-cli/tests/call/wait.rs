@@ -63,7 +63,7 @@ fn each_outcome_has_its_exit_code() {
     for (options, meanwhile, code, text) in ends {
         let run = run(&controller(), &format!("{SLOW}{options}"), meanwhile);
         assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{text}: {run:?}");
-        assert!(run.err.starts_with("jaka: ") && run.err.contains(text), "{run:?}");
+        assert!(run.err.starts_with("error: ") && run.err.contains(text), "{run:?}");
     }
     let turn = "moveL --mode relative --pose 0,0,1,0,0,1 --speed 100 --yes --wait";
     let run = run(&controller(), turn, |_| {});
@@ -122,8 +122,8 @@ fn an_interrupt_stops_the_arm() {
     assert!(controller.wait_for_requests(1, LONG), "the motion comes");
     interrupt(&child);
     expect![[r"
-        jaka: interrupted: the controller has taken the stop (`stop_program`)
-        jaka: the motion was stopped before its target
+        note: interrupted: the controller has taken the stop (`stop_program`)
+        error: the motion was stopped before its target
         exit code 22
     "]]
     .assert_eq(&result(child).text());
@@ -154,7 +154,7 @@ fn an_interrupt_after_a_command_went_out_says_that_it_may_have_run() {
     assert!(controller.wait_for_requests(1, LONG), "the command comes");
     interrupt(&child);
     expect![[r"
-        jaka: interrupted: `set_digital_output` may have run; check the robot's state before you go on
+        error: interrupted: `set_digital_output` may have run; check the robot's state before you go on
         exit code 4
     "]]
     .assert_eq(&result(child).text());
@@ -170,7 +170,7 @@ fn an_interrupt_before_that_says_that_nothing_was_changed() {
     let _connection = silent.accept().expect("it connects");
     interrupt(&child);
     expect![[r"
-        jaka: interrupted; nothing was sent that changes anything
+        error: interrupted; nothing was sent that changes anything
         exit code 130
     "]]
     .assert_eq(&result(child).text());

@@ -115,7 +115,7 @@ fn limits_of_a_file() {
     let controller = healthy();
     let report = check(&controller, &["--yes", "--limits", &file]);
     expect![[r#"
-        jaka: limits.toml:3:1: tcp: unknown key `speed_mms`; is it `speed_mm_s`?
+        error: limits.toml:3:1: tcp: unknown key `speed_mms`; is it `speed_mm_s`?
         exit code 2
     "#]]
     .assert_eq(&report.text().replace(&file, "limits.toml"));

@@ -15,7 +15,16 @@ pub(crate) fn jaka(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_jaka"));
     let nowhere = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("nowhere");
     command.args(args).stdin(Stdio::null()).env("HOME", &nowhere);
-    for name in ["JAKA_ROBOT", "JAKA_CONFIG", "JAKA_PACK", "XDG_CONFIG_HOME", "APPDATA"] {
+    for name in [
+        "JAKA_ROBOT",
+        "JAKA_CONFIG",
+        "JAKA_PACK",
+        "XDG_CONFIG_HOME",
+        "APPDATA",
+        "NO_COLOR",
+        "CLICOLOR",
+        "CLICOLOR_FORCE",
+    ] {
         command.env_remove(name);
     }
     command

@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 use jaka_dynamic::AdvisoryRanges;
 
+use crate::console::ConsoleArgs;
 use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
 
@@ -60,6 +61,8 @@ pub(super) struct Options {
     pub(super) spec: SpecArgs,
     #[command(flatten)]
     pub(super) robot: RobotArgs,
+    #[command(flatten)]
+    pub(super) console: ConsoleArgs,
 }
 
 /// The keys of a reply that is printed as JSON.

@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use clap::{Arg, Command};
 
 use super::parser;
+use crate::failure::Failure;
+use crate::packs::{Protocol, SpecArgs};
 
 /// The command, the packs and the rest of a line.
 #[derive(Debug, Default)]
@@ -18,6 +20,8 @@ pub(super) struct Outline {
     pub(super) config: Option<PathBuf>,
     /// True if `--raw` is given.
     pub(super) raw: bool,
+    /// True if `--quiet` is given.
+    pub(super) quiet: bool,
     /// The line without the command.
     pub(super) rest: Vec<OsString>,
 }
@@ -51,11 +55,17 @@ impl Outline {
         outline
     }
 
+    /// The protocol with these packs, or else with those of the environment or the config file.
+    pub(super) fn protocol(&self) -> Result<Protocol, Failure> {
+        SpecArgs::of(self.packs.clone()).load(self.config.as_deref())
+    }
+
     fn note(&mut self, option: &str, value: Option<PathBuf>) {
         match option {
             "packs" => self.packs.extend(value),
             "config" => self.config = value,
             "raw" => self.raw = true,
+            "quiet" => self.quiet = true,
             _ => {}
         }
     }

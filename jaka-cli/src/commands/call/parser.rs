@@ -66,15 +66,14 @@ impl<'s> Parser<'s> {
         Self { spec, arguments, clap }
     }
 
-    /// Parses a line without its command. Ends the program with clap's own message where clap finds an error, and
-    /// after help.
+    /// Parses a line without its command.
     ///
     /// # Errors
-    /// Every value that does not have its field's type.
+    /// It cannot be parsed, or asks for help; or every value that does not have its field's type.
     pub(super) fn parse(self, words: Vec<OsString>) -> Result<CommandLine, Failure> {
         let Self { spec, arguments, clap } = self;
-        let matches = clap.get_matches_from(iter::once("jaka call".into()).chain(words));
-        let options = Options::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        let matches = clap.try_get_matches_from(iter::once("jaka call".into()).chain(words))?;
+        let options = Options::from_arg_matches(&matches)?;
         Ok(CommandLine { options, fields: fields(spec, &arguments, &matches)? })
     }
 }
@@ -85,10 +84,10 @@ fn fields(spec: &Spec, arguments: &[Argument], matches: &ArgMatches) -> Result<M
         let Some(text) = matches.get_one::<String>(&id(argument)) else { continue };
         match argument.value(spec, text) {
             Ok(_) if fields.contains_key(&argument.field) => {
-                wrong.push(format!("--{}: another option gives the same field", argument.name));
+                wrong.push(format!("`--{}`: another option gives the same field", argument.name));
             }
             Ok(value) => drop(fields.insert(argument.field.clone(), value)),
-            Err(error) => wrong.push(format!("--{}: {error}", argument.name)),
+            Err(error) => wrong.push(format!("`--{}`: {error}", argument.name)),
         }
     }
     if wrong.is_empty() { Ok(fields) } else { Err(Failure::Usage(wrong.join("\n"))) }

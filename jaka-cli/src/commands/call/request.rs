@@ -132,7 +132,7 @@ fn nameless() -> Failure {
 fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
     let lines: Vec<_> = problems.iter().map(|problem| format!("\n  {problem}")).collect();
     let hint = if problems.iter().all(|problem| problem.advisory) {
-        "\n`--advisory-ranges ignore` leaves it to the controller"
+        "\nhint: `--advisory-ranges ignore` leaves it to the controller"
     } else {
         ""
     };

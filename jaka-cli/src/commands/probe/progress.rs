@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::failure::Failure;
 use crate::interrupt::on_first_interrupt;
+use crate::output;
 
 /// How far a probe has come: shown on a terminal, until Ctrl-C.
 #[derive(Debug)]
@@ -20,7 +21,7 @@ impl Progress {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
         on_first_interrupt(move || flag.store(true, Ordering::Relaxed))?;
-        Ok(Self { interrupted, is_shown: stderr().is_terminal() })
+        Ok(Self { interrupted, is_shown: stderr().is_terminal() && !output::is_quiet() })
     }
 
     pub(super) fn is_interrupted(&self) -> bool {

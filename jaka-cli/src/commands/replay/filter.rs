@@ -91,7 +91,7 @@ impl CommandFilter {
         if !names.contains(&command) {
             let names: Vec<_> = names.iter().map(|name| format!("`{}`", visible(name))).collect();
             let names = if names.is_empty() { "no command".to_owned() } else { names.join(", ") };
-            output::tell(&format!("the recording has no request of `{command}`; it has {names}"));
+            output::warning(&format!("the recording has no request of `{command}`; it has {names}"));
         }
         let of_it = |answered: &Answered| name(&answered.request).as_ref() == Some(&command);
         let reply = |answered: Answered| match answered.answer {

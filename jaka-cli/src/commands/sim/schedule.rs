@@ -147,7 +147,7 @@ pub(super) fn run(
         for due in scheduled.extract_if(.., |scheduled| scheduled.at <= now) {
             match due.happening.apply(controller) {
                 Ok(()) => output::line(&format!("{:.3} s: {}", now.as_secs_f64(), due.happening))?,
-                Err(error) => output::tell(&format!("{}: {error}", due.happening)),
+                Err(error) => output::error(&format!("{}: {error}", due.happening)),
             }
         }
         match lines.recv_timeout(TICK) {
@@ -171,7 +171,7 @@ fn read(sender: &Sender<Scheduled>) {
         match line.parse() {
             Ok(scheduled) if sender.send(scheduled).is_err() => return,
             Ok(_) => {}
-            Err(error) => output::tell(&error),
+            Err(error) => output::error(&error),
         }
     }
 }

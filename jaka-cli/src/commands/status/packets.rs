@@ -1,6 +1,5 @@
 //! Packets at the requested rate.
 
-use std::io::{Write, stderr};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use jaka_sync::{ErrorKind, StatusStream};
@@ -8,6 +7,7 @@ use serde_json::Value;
 
 use super::until::Until;
 use crate::failure::Failure;
+use crate::output;
 use crate::packed_status::PackedStatus;
 
 /// A packet, ready to be printed.
@@ -72,8 +72,7 @@ impl Packets {
         for error in self.stream.unfit().iter().chain(&status.unfit) {
             if !self.told.iter().any(|told| told == error.field()) {
                 self.told.push(error.field().to_owned());
-                // If standard error cannot be written, the packet is still printed.
-                writeln!(stderr(), "jaka: warning: {error}; it is left out").ok();
+                output::warning(&format!("{error}; it is left out"));
             }
         }
     }

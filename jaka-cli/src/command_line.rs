@@ -1,0 +1,110 @@
+//! What is wrong with a command line, in the form of all errors: what, and a hint.
+
+use std::env;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, Error};
+
+use crate::{Cli, packs};
+
+/// True for a help or a version that is to be printed, also where a command is missing.
+pub(crate) fn is_help(error: &Error) -> bool {
+    !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+}
+
+/// What is wrong, and what helps.
+pub(crate) fn text(error: &Error) -> String {
+    let what = what(error).unwrap_or_else(|| in_words_of_clap(error));
+    format!("{what}\nhint: {}", hint(error))
+}
+
+fn what(error: &Error) -> Option<String> {
+    let argument = || quoted(error, ContextKind::InvalidArg);
+    let value = || quoted(error, ContextKind::InvalidValue);
+    Some(match error.kind() {
+        ErrorKind::UnknownArgument if argument()?.starts_with("`-") => format!("there is no option {}", argument()?),
+        ErrorKind::UnknownArgument => format!("{} is not expected here", argument()?),
+        ErrorKind::InvalidSubcommand => {
+            format!("there is no command {}", quoted(error, ContextKind::InvalidSubcommand)?)
+        }
+        ErrorKind::InvalidValue => {
+            let values = list(error, ContextKind::ValidValue).join(", ");
+            let values = if values.is_empty() { values } else { format!(": it is one of {values}") };
+            match value()?.as_str() {
+                "``" => format!("{} needs a value{values}", argument()?),
+                value => format!("{} cannot be {value}{values}", argument()?),
+            }
+        }
+        ErrorKind::ValueValidation => {
+            let why = std::error::Error::source(error)?;
+            format!("{} cannot be {}: {why}", argument()?, value()?)
+        }
+        ErrorKind::MissingRequiredArgument => match list(error, ContextKind::InvalidArg).as_slice() {
+            [] => return None,
+            [one] => format!("{one} is missing"),
+            several => format!("{} are missing", several.join(", ")),
+        },
+        ErrorKind::ArgumentConflict => {
+            let others = list(error, ContextKind::PriorArg).join(", ");
+            match argument()? {
+                argument if argument == others => format!("{argument} is given more than once"),
+                argument if others.is_empty() => format!("{argument} cannot be used with other options that are given"),
+                argument => format!("{argument} cannot be used with {others}"),
+            }
+        }
+        ErrorKind::NoEquals => format!("the value of {} is written after an equals sign", argument()?),
+        _ => return None,
+    })
+}
+
+/// What is said of the rarer errors: the first paragraph.
+fn in_words_of_clap(error: &Error) -> String {
+    let text = error.to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text);
+    text.split("\n\n").next().unwrap_or_default().trim_end().to_owned()
+}
+
+fn hint(error: &Error) -> String {
+    // Not of values: those are listed.
+    let suggested = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg];
+    let suggested: Vec<_> = suggested.into_iter().flat_map(|kind| list(error, kind)).collect();
+    if suggested.is_empty() {
+        format!("`{} --help` explains what there is", command())
+    } else {
+        format!("did you mean {}?", suggested.join(" or "))
+    }
+}
+
+/// The command whose line it is, as far as there is one.
+fn command() -> String {
+    let mut known = Cli::command();
+    let mut path = String::from("jaka");
+    for word in env::args_os().skip(1).filter_map(|word| word.into_string().ok()) {
+        if let Some(found) = known.find_subcommand(&word) {
+            path = format!("{path} {word}");
+            known = found.clone();
+        } else if known.get_name() == "call" && packs::builtin().command_called(&word).is_some() {
+            return format!("{path} {word}");
+        }
+    }
+    path
+}
+
+/// What the error says of this kind, in backticks.
+fn quoted(error: &Error, kind: ContextKind) -> Option<String> {
+    list(error, kind).into_iter().next()
+}
+
+fn list(error: &Error, kind: ContextKind) -> Vec<String> {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![format!("`{text}`")],
+        Some(ContextValue::Strings(texts)) => texts.iter().map(|text| alternatives(text)).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// One of several is `<--this|--that>` for clap.
+fn alternatives(text: &str) -> String {
+    let inner = text.strip_prefix('<').and_then(|text| text.strip_suffix('>')).filter(|text| text.starts_with('-'));
+    format!("`{}`", inner.unwrap_or(text).replace(">|--", ">` or `--"))
+}

@@ -1,0 +1,238 @@
+//! What goes to standard error, and in which colours: `-v`, `-q` and `--color`.
+
+use std::process::Stdio;
+
+use expect_test::expect;
+use jaka_sim::{Controller, Delays, Fault};
+
+use crate::program::{address_of, command, jaka, result, run, scratch};
+
+/// The lines of a log, without their times.
+fn log(err: &str) -> String {
+    let without_time = |line: &str| {
+        let (time, text) = line.strip_prefix('[').and_then(|line| line.split_once(" s] ")).expect("a line has a time");
+        assert!(time.trim().parse::<f64>().is_ok_and(|time| time >= 0.0), "{line}");
+        format!("{text}\n")
+    };
+    err.lines().map(without_time).collect()
+}
+
+#[test]
+fn verbose_tells_connections_requests_and_replies() {
+    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    let expected = format!(
+        "connected to {} (port for commands)\n-> {}\n<- {}",
+        controller.command_addr(),
+        r#"{"cmdName":"get_version"}"#,
+        r#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_version", "#
+    );
+    for line in [["-v", "call", "get_version"], ["call", "-v", "get_version"], ["call", "get_version", "-v"]] {
+        let run = jaka(line.map(str::to_owned).into_iter().chain(address_of(&controller)));
+        assert_eq!(run.code, Some(0), "{run:?}");
+        let log = log(&run.err);
+        assert!(log.starts_with(&expected) && log.lines().count() == 3, "{log}");
+    }
+    let silent = jaka(["call", "get_version", "--sim"]);
+    assert_eq!((silent.code, silent.err.as_str()), (Some(0), ""));
+    let both = jaka(["call", "get_version", "--sim", "-vv"]);
+    assert!(both.err.contains("command client connected"), "{both:?}");
+    let of_status = jaka(["status", "-v", "--sim"]);
+    assert!(of_status.err.contains("(port for status packets)"), "{of_status:?}");
+}
+
+#[test]
+fn a_log_is_whole_when_the_command_fails() {
+    let controller = Controller::start().expect("loopback has free ports");
+    controller.inject(Fault::Drop);
+    let words = ["-v", "call", "get_version", "--timeout", "0.3"].map(str::to_owned);
+    let run = jaka(words.into_iter().chain(address_of(&controller)));
+    let lines: Vec<_> = run.err.lines().collect();
+    assert_eq!((run.code, lines.len()), (Some(4), 3), "{run:?}");
+    assert!(lines[1].ends_with(r#"-> {"cmdName":"get_version"}"#), "{lines:?}");
+    assert!(lines[2].starts_with("error: no reply to `get_version`"), "{lines:?}");
+}
+
+#[test]
+fn quiet_hides_warnings_and_no_errors() {
+    let recording = scratch("cut.jsonl");
+    let text = "{\"jaka_recording\":1,\"started\":1,\"software\":\"a test\"}\n{\"time\":1,";
+    std::fs::write(&recording, text).expect("it can be written");
+    let file = recording.to_str().expect("it is UTF-8");
+    let warned = jaka(["replay", file, "--show"]);
+    assert!(warned.err.starts_with("warning: ") && warned.code == Some(0), "{warned:?}");
+    let quiet = jaka(["replay", file, "--show", "-q"]);
+    assert_eq!((quiet.code, quiet.err.as_str(), quiet.out), (Some(0), "", warned.out));
+    let failed = jaka(["-q", "call", "power_on", "-r", "127.0.0.1"]);
+    assert!(failed.err.starts_with("error: `power_on` was not sent"), "{failed:?}");
+    assert_eq!(jaka(["call", "-q", "-v", "power_on", "--sim"]).code, Some(2));
+}
+
+#[cfg(unix)]
+#[test]
+fn quiet_does_not_hide_that_a_command_may_have_run() {
+    let controller = Controller::start().expect("loopback has free ports");
+    for words in [["-q", "call", "power_on", "--yes"], ["call", "power_on", "--yes", "-q"]] {
+        controller.inject(Fault::Drop);
+        let before = controller.requests().len();
+        let mut command = command(words.map(str::to_owned).into_iter().chain(address_of(&controller)));
+        let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+        assert!(controller.wait_for_requests(before + 1, std::time::Duration::from_secs(30)), "the command comes");
+        crate::common::interrupt(&child);
+        expect![[r"
+            error: interrupted: `power_on` may have run; check the robot's state before you go on
+            exit code 4
+        "]]
+        .assert_eq(&result(child).text());
+    }
+}
+
+#[test]
+fn colours_are_used_where_they_are_asked_for() {
+    let failed = |words: &[&str], no_color: &str| {
+        let mut command = command(words);
+        run(
+            {
+                command.env("NO_COLOR", no_color);
+                command
+            },
+            "",
+        )
+        .err
+    };
+    let line = ["status", "--sim", "--fields", "nothing"];
+    for (option, no_color) in [("auto", ""), ("never", ""), ("auto", "1")] {
+        let err = failed(&[&line[..], &["--color", option]].concat(), no_color);
+        assert!(err.starts_with("error: there is no status field `nothing`"), "{err}");
+    }
+    for words in [&["--color=always"][..], &["--color", "always"]] {
+        let err = failed(&[words, &line].concat(), "1");
+        assert!(err.starts_with("\u{1b}[1m\u{1b}[31merror:\u{1b}[0m there is no status field"), "{err:?}");
+    }
+    // Also where the line cannot be parsed, and in help.
+    let err = failed(&["status", "--color", "always", "--filds", "x"], "");
+    assert!(err.starts_with("\u{1b}[1m\u{1b}[31merror:\u{1b}[0m there is no option `--filds`"), "{err:?}");
+    let help = jaka(["call", "joint_move", "--help", "--color=always"]).out;
+    assert!(help.contains("\u{1b}["), "{help}");
+    assert!(!jaka(["status", "--help", "--color=never"]).out.contains('\u{1b}'));
+}
+
+#[test]
+fn what_is_wrong_on_a_line_has_one_form() {
+    let text = |line: &str| jaka(line.split(' ')).text();
+    for (line, expected) in [
+        (
+            "status --filds x",
+            expect![[r#"
+            error: there is no option `--filds`
+            hint: did you mean `--fields`?
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --sim --format",
+            expect![[r#"
+            error: `--format <FORMAT>` needs a value: it is one of `table`, `json`, `csv`
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --sim --format xml",
+            expect![[r#"
+            error: `--format <FORMAT>` cannot be `xml`: it is one of `table`, `json`, `csv`
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --sim --raw --fields x",
+            expect![[r#"
+            error: `--raw` cannot be used with `--fields <NAMES>`
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --sim more",
+            expect![[r#"
+            error: `more` is not expected here
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "stats",
+            expect![[r#"
+            error: there is no command `stats`
+            hint: did you mean `status`?
+            exit code 2
+        "#]],
+        ),
+        (
+            "spec chek",
+            expect![[r#"
+            error: there is no command `chek`
+            hint: did you mean `schema` or `check`?
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --sim --timeout 0",
+            expect![[r#"
+            error: `--timeout <SECONDS>` cannot be `0`: must be more than 0 seconds
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --sim --sim",
+            expect![[r#"
+            error: `--sim[=<MODEL>]` is given more than once
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "jog 1 --sim",
+            expect![[r#"
+            error: `--speed <SPEED>`, `<DISTANCE>` are missing
+            hint: `jaka jog --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "status --color blue",
+            expect![[r#"
+            error: `--color <WHEN>` cannot be `blue`: it is one of `auto`, `always`, `never`
+            hint: `jaka status --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "call joint_move --sped 1",
+            expect![[r#"
+            error: there is no option `--sped`
+            hint: did you mean `--speed`?
+            exit code 2
+        "#]],
+        ),
+        (
+            "call joint_move --advisory-ranges no",
+            expect![[r#"
+            error: `--advisory-ranges <WHAT>` cannot be `no`: it is one of `enforce`, `ignore`
+            hint: `jaka call joint_move --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+        (
+            "call power_on --stdin --json",
+            expect![[r#"
+            error: `--stdin` cannot be used with `--json[=<KEYS>]`
+            hint: `jaka call power_on --help` explains what there is
+            exit code 2
+        "#]],
+        ),
+    ] {
+        expected.assert_eq(&text(line));
+    }
+}
