@@ -30,6 +30,8 @@ use clap::Subcommand;
 
 use crate::failure::Failure;
 
+pub(crate) use self::call::{all as all_of_call, protocol_of};
+
 /// What `jaka` is asked to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -53,6 +55,8 @@ pub(crate) enum Command {
     Export(export::Export),
     Spec(spec::Spec),
     Completions(completions::Completions),
+    #[command(hide = true)]
+    CompleteWords(completions::CompleteWords),
 }
 
 impl Command {
@@ -79,6 +83,7 @@ impl Command {
             Self::Export(command) => command.run(),
             Self::Spec(command) => command.run(),
             Self::Completions(command) => command.run(),
+            Self::CompleteWords(command) => command.run(),
         }
     }
 }

@@ -88,6 +88,12 @@ pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure
     address::packs(config, &Environment::read())
 }
 
+/// The robots that the config file names, with their addresses; none if it cannot be read.
+pub(crate) fn robots(config: Option<&Path>) -> Vec<(String, String)> {
+    let file = address::config_file(config, &Environment::read()).unwrap_or_default();
+    file.robots.into_iter().map(|(name, entry)| (name, entry.address)).collect()
+}
+
 impl RobotArgs {
     /// The config file that the option names.
     pub(crate) fn config(&self) -> Option<&Path> {

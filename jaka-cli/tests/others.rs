@@ -133,15 +133,6 @@ fn a_dashboard_needs_a_terminal() {
 }
 
 #[test]
-fn shells_complete_commands_and_options() {
-    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let (script, _, code) = output(&mut jaka(&["completions", shell]));
-        assert_eq!(code, Some(0));
-        assert!(script.contains("monitor") && script.contains("status-port"), "{shell}");
-    }
-}
-
-#[test]
 fn the_help_explains_exit_codes() {
     let (help, _, code) = output(&mut jaka(&["--help"]));
     assert_eq!(code, Some(0));

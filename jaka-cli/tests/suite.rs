@@ -3,6 +3,7 @@
 mod call;
 mod check;
 mod common;
+mod completions;
 mod console;
 mod export;
 mod first_robot;

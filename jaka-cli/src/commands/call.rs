@@ -27,6 +27,7 @@ use self::parser::Parser;
 use self::request::Request;
 use crate::failure::Failure;
 use crate::output;
+use crate::packs::Protocol;
 
 pub(crate) use self::parser::all;
 pub(crate) use self::reply::json as reply_json;
@@ -74,6 +75,11 @@ impl Call {
             None => output::lines(&list::text(spec, "")?),
         }
     }
+}
+
+/// The protocol with the packs that a line names, or else the environment or the config file.
+pub(crate) fn protocol_of(words: &[String]) -> Result<Protocol, Failure> {
+    Outline::of(words.iter().map(OsString::from).collect()).protocol()
 }
 
 fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {

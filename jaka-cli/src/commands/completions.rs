@@ -1,28 +1,65 @@
-//! `jaka completions`: scripts for shells.
+//! `jaka completions`: scripts for shells, which ask this program.
 
-use clap::{Args, CommandFactory};
-use clap_complete::Shell;
+use clap::{Args, ValueEnum};
+use jaka_sync::proto::text::visible;
 
-use super::call;
+use crate::completion::{Completion, complete};
 use crate::failure::Failure;
 use crate::output;
 
-/// Print the completion script of a shell.
+/// Print the completion script of a shell
 ///
-/// For bash: `jaka completions bash > ~/.local/share/bash-completion/completions/jaka`.
+/// For bash: `jaka completions bash > ~/.local/share/bash-completion/completions/jaka`. The script asks `jaka` itself for commands, the commands and fields of the
+/// protocol with those of packs, values, robots of the config file, and the fields of a recording.
 #[derive(Debug, Args)]
 pub(crate) struct Completions {
     /// The shell
     shell: Shell,
 }
 
+/// A shell that has completions.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Shell {
+    Bash,
+    Zsh,
+    Fish,
+    Powershell,
+}
+
 impl Completions {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        // Those of `jaka call` come from the spec when it runs.
-        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
-        let mut command = crate::Cli::command().mut_subcommand("call", |_| call::all(&spec));
-        let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut command, "jaka", &mut script);
-        output::write(&script)
+        output::lines(match self.shell {
+            Shell::Bash => include_str!("completions/jaka.bash"),
+            Shell::Zsh => include_str!("completions/jaka.zsh"),
+            Shell::Fish => include_str!("completions/jaka.fish"),
+            Shell::Powershell => include_str!("completions/jaka.ps1"),
+        })
+    }
+}
+
+/// Print what a word can become, for the scripts of shells: `file`, or `words` and a line for each
+#[derive(Debug, Args)]
+pub(crate) struct CompleteWords {
+    /// The word at the cursor
+    #[arg(long, allow_hyphen_values = true)]
+    current: String,
+    /// The words before it
+    #[arg(last = true)]
+    before: Vec<String>,
+}
+
+impl CompleteWords {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        match complete(&self.before, &self.current) {
+            Completion::File => output::line("file"),
+            Completion::Words(words) => {
+                output::line("words")?;
+                // A tabulator in a word would begin its help, and a line end another word.
+                let words = words
+                    .iter()
+                    .map(|candidate| format!("{}\t{}\n", visible(&candidate.word), visible(&candidate.help)));
+                output::write(words.collect::<String>().as_bytes())
+            }
+        }
     }
 }

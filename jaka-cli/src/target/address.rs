@@ -95,7 +95,7 @@ pub(super) fn packs(config: Option<&Path>, environment: &Environment) -> Result<
 }
 
 /// The config file to read; an empty one if it is the usual one and does not exist.
-fn config_file(path: Option<&Path>, environment: &Environment) -> Result<ConfigFile, Failure> {
+pub(super) fn config_file(path: Option<&Path>, environment: &Environment) -> Result<ConfigFile, Failure> {
     if let Some(path) = path.or(environment.config.as_deref()) {
         return ConfigFile::read(path);
     }

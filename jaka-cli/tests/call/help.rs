@@ -48,9 +48,3 @@ fn the_list_of_one_topic() {
     "]]
     .assert_eq(&jaka(["call", "--list", "newer", "--pack", &pack("newer.toml")]).text());
 }
-
-#[test]
-fn completions_know_the_fields_of_commands() {
-    let script = jaka(["completions", "bash"]).out;
-    assert!(script.contains("--joint-position"), "{script}");
-}

@@ -1,0 +1,14 @@
+# Completes lines of jaka in fish, by what jaka itself says.
+
+function __jaka_complete
+    set -l before (commandline -opc)
+    set -l current (commandline -ct)
+    set -l lines ($before[1] complete-words "--current=$current" -- $before[2..] 2>/dev/null)
+    if test "$lines[1]" = file
+        __fish_complete_path "$current"
+    else
+        printf '%s\n' $lines | tail -n +2
+    end
+end
+
+complete -c jaka -f -a '(__jaka_complete)'

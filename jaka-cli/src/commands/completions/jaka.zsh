@@ -1,0 +1,22 @@
+#compdef jaka
+# Completes lines of jaka in zsh, by what jaka itself says.
+
+_jaka() {
+    local line
+    local -a lines values
+    lines=("${(@f)$("${words[1]}" complete-words "--current=${(Q)words[CURRENT]}" -- "${(@Q)words[2,CURRENT-1]}" 2>/dev/null)}")
+    if [[ $lines[1] == file ]]; then
+        _files
+        return
+    fi
+    for line in "${(@)lines[2,-1]}"; do
+        values+=("${${line%%$'\t'*}//:/\\:}:${line#*$'\t'}")
+    done
+    _describe jaka values
+}
+
+if [[ $funcstack[1] == _jaka ]]; then
+    _jaka "$@"
+else
+    compdef _jaka jaka
+fi

@@ -1,0 +1,158 @@
+//! What a word of a command line can become, from the same description as the parser's.
+
+mod line;
+mod values;
+
+use clap::{Arg, ArgAction, Command, CommandFactory, ValueHint};
+use jaka_spec::words::first_sentence;
+
+use self::line::{Line, Place};
+use crate::commands::{all_of_call, protocol_of};
+use crate::{Cli, output, packs};
+
+/// What the word at the cursor can become.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Completion {
+    /// A file; shells know how.
+    File,
+    Words(Vec<Candidate>),
+}
+
+/// What a word can become, and what that means.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Candidate {
+    pub(crate) word: String,
+    pub(crate) help: String,
+}
+
+impl Candidate {
+    fn new(word: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { word: word.into(), help: help.into() }
+    }
+}
+
+/// What the word at the cursor can become, after the words before it, without that of the program.
+pub(crate) fn complete(before: &[String], current: &str) -> Completion {
+    // A shell shows what is printed on its line.
+    output::be_quiet();
+    // Without packs if they cannot be read.
+    if let Ok(protocol) = protocol_of(before) {
+        protocol.read_status();
+    }
+    let spec = packs::of_status();
+    let mut tree = Cli::command().mut_subcommand("call", |_| all_of_call(spec));
+    tree.build();
+    let line = Line::of(&tree, spec, before);
+    match line.place(current) {
+        Place::Value(arg) => values(&line, arg, "", current),
+        Place::ValueInWord(arg, name, value) => values(&line, arg, &format!("{name}="), value),
+        Place::Option => Completion::Words(begun(options(&line), current)),
+        Place::Word => words(&line, current),
+    }
+}
+
+/// Subcommands, or what stands at this place without a name; options where there are neither.
+fn words(line: &Line<'_>, current: &str) -> Completion {
+    let subcommands = line.command.get_subcommands().filter(|command| !command.is_hide_set());
+    let subcommands: Vec<_> =
+        subcommands.filter(|_| line.positionals.is_empty()).map(|command| candidate_of(command)).collect();
+    match line.positional() {
+        _ if !subcommands.is_empty() => Completion::Words(begun(subcommands, current)),
+        Some(arg) => values(line, arg, "", current),
+        None => Completion::Words(begun(options(line), current)),
+    }
+}
+
+fn candidate_of(command: &Command) -> Candidate {
+    Candidate::new(command.get_name(), summary(command.get_about()))
+}
+
+/// The values of an argument, each with this before it. What only has a path as its value is completed by the shell.
+fn values(line: &Line<'_>, arg: &Arg, prefix: &str, current: &str) -> Completion {
+    let known = values::of(line, arg, current);
+    let is_path = matches!(arg.get_value_hint(), ValueHint::AnyPath | ValueHint::FilePath | ValueHint::DirPath);
+    if known.is_empty() && is_path {
+        return Completion::File;
+    }
+    let words = begun(known, current).into_iter();
+    Completion::Words(words.map(|value| Candidate { word: format!("{prefix}{}", value.word), ..value }).collect())
+}
+
+/// The options that can still be given, those of the command's own fields first.
+fn options(line: &Line<'_>) -> Vec<Candidate> {
+    let is_free = |arg: &&Arg| {
+        let again = matches!(arg.get_action(), ArgAction::Append | ArgAction::Count);
+        !arg.is_hide_set() && (again || !line.given.contains(&arg.get_id()))
+    };
+    let named = line.command.get_arguments().filter(is_free);
+    named.filter_map(|arg| Some(Candidate::new(format!("--{}", arg.get_long()?), summary(arg.get_help())))).collect()
+}
+
+fn begun(candidates: Vec<Candidate>, current: &str) -> Vec<Candidate> {
+    candidates.into_iter().filter(|candidate| candidate.word.starts_with(current)).collect()
+}
+
+/// The first sentence of a help, in one line.
+fn summary(help: Option<&clap::builder::StyledStr>) -> String {
+    let help = help.map(ToString::to_string).unwrap_or_default();
+    first_sentence(&help).0.replace('\n', " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn completed(line: &str) -> Completion {
+        let words: Vec<_> = line.split(' ').map(str::to_owned).collect();
+        let (current, before) = words.split_last().expect("there is a word, if an empty one");
+        complete(before, current)
+    }
+
+    fn words(line: &str) -> Vec<String> {
+        match completed(line) {
+            Completion::Words(words) => words.into_iter().map(|candidate| candidate.word).collect(),
+            Completion::File => vec!["a file".to_owned()],
+        }
+    }
+
+    #[test]
+    fn commands_are_completed_by_their_beginning() {
+        assert_eq!(words("st"), ["status", "stop"]);
+        assert_eq!(words("spec d"), ["diff", "doc"]);
+        assert_eq!(words("call joint_m"), ["joint_move"]);
+        assert_eq!(words("-v call -r 10.5.5.100 get_tcp"), ["get_tcp_pos"]);
+        assert_eq!(words("complete"), Vec::<String>::new(), "it is for scripts");
+    }
+
+    #[test]
+    fn fields_and_their_values_are_completed() {
+        assert_eq!(words("call joint_move --mo"), ["--mode"]);
+        assert_eq!(words("call joint_move --mode "), ["absolute", "relative"]);
+        assert_eq!(words("call joint_move --mode=r"), ["--mode=relative"]);
+        assert_eq!(words("call joint_move --joint-position -10,0,0,0,0,0 --mo"), ["--mode"]);
+        let left = words("call joint_move --mode relative ");
+        assert!(left.contains(&"--speed".to_owned()) && !left.contains(&"--mode".to_owned()), "{left:?}");
+        assert_eq!(words("call move_l --mode rel"), ["relative"], "by its name in Rust");
+    }
+
+    #[test]
+    fn values_that_are_named_elsewhere_are_completed() {
+        assert_eq!(words("status --fields enabled,joint_actual"), ["enabled,joint_actual_position"]);
+        assert_eq!(words("status --until !protective_s"), ["!protective_stop"]);
+        assert_eq!(words("check --model zu1"), ["zu12", "zu18"]);
+        assert_eq!(words("status --sim=zu1"), ["--sim=zu12", "--sim=zu18"]);
+        assert_eq!(words("status --format "), ["table", "json", "csv"]);
+        assert_eq!(words("call --list pay"), ["payload"]);
+        assert_eq!(words("sim --firmware "), ["document", "1.5.14", "newer"]);
+        assert_eq!(words("replay a.jsonl --show --command get_tcp"), ["get_tcp_pos", "get_tcp_force"]);
+    }
+
+    #[test]
+    fn files_are_left_to_the_shell() {
+        for line in ["replay ", "call --pack x", "follow way.csv --limits ", "report a.jsonl -o ", "status --config=x"]
+        {
+            assert_eq!(completed(line), Completion::File, "{line}");
+        }
+        assert_eq!(words("jog 1 5 --speed "), Vec::<String>::new());
+    }
+}

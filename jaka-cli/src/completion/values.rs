@@ -1,0 +1,84 @@
+//! The values that an argument can have, where they are known.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use clap::Arg;
+use jaka_sim::{Firmware, Model};
+use jaka_spec::words::first_sentence;
+use jaka_sync::recording::Recording;
+
+use super::Candidate;
+use super::line::Line;
+use crate::fields::Field;
+use crate::{recorded, target};
+
+/// How much of a recording is read for the fields of its packets, in bytes.
+const GLANCE: u64 = 1 << 20;
+
+/// The values of this argument; some depend on the rest of the line, or on how the word begins.
+pub(super) fn of(line: &Line<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
+    match arg.get_id().as_str() {
+        "robot" => target::robots(value(line, "config").map(Path::new))
+            .into_iter()
+            .map(|(name, address)| Candidate::new(name, address))
+            .collect(),
+        "model" | "sim" => {
+            Model::published().iter().map(|model| Candidate::new(short(model.name()), model.name())).collect()
+        }
+        "firmware" => Firmware::ALL.iter().map(|firmware| Candidate::new(firmware.name(), "")).collect(),
+        "fields" => after_others(current, ",", &fields(line)),
+        "until" => after_others(current, "!&|()<>= ", &fields(line)),
+        "list" => line
+            .spec
+            .topics
+            .iter()
+            .filter(|topic| !topic.commands.is_empty())
+            .map(|topic| Candidate::new(&topic.name, &topic.title))
+            .collect(),
+        "command" => {
+            line.spec.commands().map(|command| Candidate::new(&command.wire, first_sentence(&command.doc).0)).collect()
+        }
+        _ => possible(arg),
+    }
+}
+
+fn possible(arg: &Arg) -> Vec<Candidate> {
+    let values = arg.get_possible_values().into_iter().filter(|value| !value.is_hide_set());
+    values.map(|value| Candidate::new(value.get_name(), super::summary(value.get_help()))).collect()
+}
+
+/// A model as it is typed: `zu5`.
+fn short(model: &str) -> String {
+    model.replace(' ', "").to_lowercase()
+}
+
+/// The value of an option that is given.
+fn value<'c>(line: &Line<'c>, id: &str) -> Option<&'c str> {
+    line.options.iter().rev().find(|(option, _)| option.get_id().as_str() == id)?.1
+}
+
+/// Candidates for the part of a word after the last of these signs.
+fn after_others(current: &str, signs: &str, all: &[Candidate]) -> Vec<Candidate> {
+    let (before, _) = current.split_at(current.rfind(|c| signs.contains(c)).map_or(0, |at| at + 1));
+    all.iter().map(|one| Candidate { word: format!("{before}{}", one.word), ..one.clone() }).collect()
+}
+
+/// The fields of status packets; of a recording that the line names, those that its first packets have.
+fn fields(line: &Line<'_>) -> Vec<Candidate> {
+    let all = Field::all();
+    let recorded = line.positionals.first().and_then(|file| first_packets(Path::new(file))).unwrap_or_default();
+    let has = |field: &&Field| recorded.is_empty() || recorded.iter().any(|packet| field.value(packet).is_some());
+    let unit = |field: &Field| field.unit.clone().unwrap_or_default();
+    all.iter().filter(has).map(|field| Candidate::new(&field.name, unit(field))).collect()
+}
+
+/// The packets at the beginning of a recording, as JSON.
+fn first_packets(file: &Path) -> Option<Vec<serde_json::Value>> {
+    let mut text = Vec::new();
+    File::open(file).ok()?.take(GLANCE).read_to_end(&mut text).ok()?;
+    text.truncate(text.iter().rposition(|byte| *byte == b'\n')? + 1);
+    let recording = Recording::read(&text).ok()?;
+    Some(recorded::packets(&recording).filter_map(|packet| packet.status.ok()?.json().ok()).collect())
+}
