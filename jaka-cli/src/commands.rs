@@ -14,6 +14,7 @@ mod export;
 mod follow;
 mod jitter;
 mod jog;
+mod man;
 mod monitor;
 mod move_to;
 mod probe;
@@ -57,6 +58,7 @@ pub(crate) enum Command {
     Completions(completions::Completions),
     #[command(hide = true)]
     CompleteWords(completions::CompleteWords),
+    Man(man::Man),
 }
 
 impl Command {
@@ -84,6 +86,7 @@ impl Command {
             Self::Spec(command) => command.run(),
             Self::Completions(command) => command.run(),
             Self::CompleteWords(command) => command.run(),
+            Self::Man(command) => command.run(),
         }
     }
 }

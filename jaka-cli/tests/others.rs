@@ -168,6 +168,7 @@ fn the_help_explains_exit_codes() {
           export       Write the status packets of a recording as a table, a line for each packet
           spec         Check specs and packs, compare them, and make documents from them
           completions  Print the completion script of a shell
+          man          Write the pages of the manual, one for each command
           help         Print this message or the help of the given subcommand(s)
 
         Options:

@@ -12,6 +12,7 @@ mod guide;
 mod held_packets;
 mod hostile_text;
 mod jitter;
+mod manual;
 mod others;
 mod pages;
 mod plain_socket;

@@ -29,7 +29,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::packs::Protocol;
 
-pub(crate) use self::parser::all;
+pub(crate) use self::parser::{all, page};
 pub(crate) use self::reply::json as reply_json;
 
 /// Send one command of the protocol, and print the reply.

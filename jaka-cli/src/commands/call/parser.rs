@@ -49,13 +49,18 @@ fn with_options(parser: clap::Command) -> clap::Command {
     Options::augment_args(parser.disable_help_flag(true).next_help_heading("Options")).arg(help)
 }
 
+/// A description of `jaka call` without its commands, for the manual.
+pub(crate) fn page() -> clap::Command {
+    bare().name("call")
+}
+
 /// A description of all commands as subcommands, for the completions of shells.
 pub(crate) fn all(spec: &Spec) -> clap::Command {
     let commands = spec.commands().map(|command| {
         let parser = described(spec, command, &arguments(spec, command));
         parser.name(command.wire.clone())
     });
-    bare().name("call").disable_help_subcommand(true).subcommands(commands)
+    page().disable_help_subcommand(true).subcommands(commands)
 }
 
 impl<'s> Parser<'s> {
