@@ -8,7 +8,7 @@ use jaka_sim::{Controller, Delays};
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::program::{Run, address_of, command, jaka, result};
+use crate::program::{Run, address_of, command, jaka, result, scratch};
 
 /// What happens while the arm moves.
 #[cfg(unix)]
@@ -142,6 +142,37 @@ fn jog_goes_by_an_increment() {
 }
 
 #[test]
+fn a_jog_of_a_joint_is_compared_with_limits_and_runs() {
+    let limits = scratch("limits.toml");
+    std::fs::write(&limits, "model = \"Zu 5\"\n[joints]\nacceleration_deg_s2 = [60, 60, 60, 60, 60, 50]\n")
+        .expect("it can be written");
+    let own = format!("--limits {}", limits.display());
+    for (options, acceleration) in [("--model zu5", 72.0), (&own, 50.0), ("--model zu5 --acceleration 20", 20.0)] {
+        let controller = powered();
+        let before = controller.state().joint_position.0[0];
+        let run = run(&controller, &format!("jog 1 1 --speed 5 --yes {options}"));
+        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+        assert!((controller.state().joint_position.0[0] - before - 1.0).abs() < 0.05);
+        let sent =
+            changes(&controller).into_iter().find(|request| request.contains("joint_move")).expect("it was sent");
+        let sent: serde_json::Value = serde_json::from_str(&sent).expect("it is JSON");
+        assert_eq!(sent["accel"], acceleration, "{options}: {sent}");
+    }
+    let controller = powered();
+    let beyond = run(&controller, "jog 1 1 --speed 5 --acceleration 300 --model zu5 --yes");
+    assert_eq!(beyond.code, Some(20), "{beyond:?}");
+    assert!(beyond.err.contains("joint 1 would have 300 deg/s²"), "{beyond:?}");
+    assert!(changes(&controller).iter().all(|request| !request.contains("joint_move")));
+}
+
+#[test]
+fn a_move_of_joints_is_compared_with_limits_and_runs() {
+    let controller = powered();
+    let run = run(&controller, "move --joints -1,90,90,90,-90,0 --speed 20 --model zu5 --yes");
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+}
+
+#[test]
 fn what_is_beyond_a_limit_is_not_sent() {
     let controller = powered();
     let run = run(&controller, "move --joints 0,90,176,90,-90,0 --speed 10 --acceleration 50 --model zu5 --yes");
@@ -202,7 +233,6 @@ const README: &str = include_str!("../README.md");
 /// Runs the README's script with this patience, and says how it ended. `meanwhile` does what it does once the arm moves.
 #[cfg(unix)]
 fn script(controller: &Controller, patience: &str, meanwhile: impl FnOnce(&Controller)) -> Run {
-    use crate::program::scratch;
     let (_, rest) = README.split_once("#!/bin/sh\n").expect("the README has the script");
     let file = scratch("two-motions.sh");
     std::fs::write(&file, rest.split_once("```").expect("it ends").0).expect("it can be written");

@@ -7,13 +7,14 @@ use jaka_sync::motion::{JointMove, MoveL};
 
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;
-use crate::limits::LimitsArgs;
+use crate::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::motion::Form;
 
 const EXAMPLES: &str = "\
 Examples:
   jaka jog 6 5 --speed 5 -r cell1
-  jaka jog z -10 --speed 20 -r cell1";
+  jaka jog z -10 --speed 20 -r cell1
+  jaka jog 1 1 --speed 5 --model zu5 -r cell1";
 
 /// Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
 ///
@@ -30,6 +31,9 @@ pub(crate) struct Jog {
     /// Speed, in deg/s or mm/s
     #[arg(long, value_name = "SPEED")]
     speed: f64,
+    /// Acceleration, in deg/s² or mm/s² [default: the controller's; of a joint with --model or --limits, their lowest]
+    #[arg(long, value_name = "ACCELERATION")]
+    acceleration: Option<f64>,
     /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
     #[arg(long)]
     json: bool,
@@ -56,11 +60,13 @@ impl Jog {
         };
         match self.axis {
             Axis::Joint(at) => {
-                let motion = JointMove::relative(by(at), self.speed);
+                let mut motion = JointMove::relative(by(at), self.speed);
+                motion.acceleration = acceleration_deg_s2(self.acceleration, limits.as_ref());
                 self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
             Axis::Line(at) => {
-                let motion = MoveL::relative(by(at), self.speed);
+                let mut motion = MoveL::relative(by(at), self.speed);
+                motion.acceleration = self.acceleration;
                 self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
         }

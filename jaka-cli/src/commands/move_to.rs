@@ -5,7 +5,7 @@ use jaka_sync::motion::{JointMove, MoveL};
 
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;
-use crate::limits::LimitsArgs;
+use crate::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::motion::Form;
 
 const EXAMPLES: &str = "\
@@ -31,7 +31,7 @@ pub(crate) struct Move {
     /// Speed: in deg/s of the joint with the longest way, or in mm/s along the line
     #[arg(long, value_name = "SPEED")]
     speed: f64,
-    /// Acceleration: in deg/s² or mm/s² [default: the controller's]
+    /// Acceleration: in deg/s² or mm/s² [default: the controller's; of joints with --model or --limits, their lowest]
     #[arg(long, value_name = "ACCELERATION")]
     acceleration: Option<f64>,
     /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
@@ -49,7 +49,7 @@ impl Move {
         match (self.joints, self.pose) {
             (Some(joints), _) => {
                 let mut motion = JointMove::absolute(joints, self.speed);
-                motion.acceleration = self.acceleration;
+                motion.acceleration = acceleration_deg_s2(self.acceleration, limits.as_ref());
                 self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
             }
             (None, pose) => {
