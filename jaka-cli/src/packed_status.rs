@@ -17,7 +17,7 @@ pub(crate) struct PackedStatus {
     pub(crate) status: RobotStatus,
     /// The keys that packs add or change, with what came.
     pub(crate) own: Map<String, Value>,
-    /// What does not fit, beside what the reader tells.
+    /// What does not fit, in addition to what the reader tells.
     pub(crate) unfit: Vec<DecodeError>,
 }
 

@@ -103,7 +103,7 @@ fn clear_leaves_a_protective_stop() {
     let controller = powered();
     controller.collide();
     expect![[r"
-        the robot is in no protective stop
+        the robot is not in a protective stop
         exit code 0
     "]]
     .assert_eq(&run(&controller, "clear --yes").text());

@@ -30,6 +30,6 @@ impl Clear {
             robot.client().call_within(&ClearError::new(), patience)?;
             robot.monitor().wait_until(|status| status.protective_stop == Some(false), patience)
         })?;
-        output::line("the robot is in no protective stop")
+        output::line("the robot is not in a protective stop")
     }
 }
