@@ -21,6 +21,7 @@ mod program;
 mod record;
 mod replay;
 mod report;
+mod script;
 mod spec;
 mod status;
 mod target;

@@ -1,38 +1,19 @@
 //! The commands that do one thing to a robot: `up`, `down`, `stop`, `clear`, `move` and `jog`.
 
-use std::process::{Child, Stdio};
-use std::time::Duration;
-
 use expect_test::expect;
 use jaka_sim::{Controller, Delays};
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::program::{Run, address_of, command, jaka, result, scratch};
-
-/// What happens while the arm moves.
-#[cfg(unix)]
-type Happening = fn(&Controller);
+use crate::program::{Run, jaka, powered, result, scratch, started_at};
 
 /// A controller whose arm has no power.
 fn controller() -> Controller {
     Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
 }
 
-fn powered() -> Controller {
-    let controller = controller();
-    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-    controller
-}
-
-fn started(controller: &Controller, line: &str) -> Child {
-    let words = line.split(' ').map(str::to_owned).chain(address_of(controller));
-    let mut command = command(words);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
-}
-
 fn run(controller: &Controller, line: &str) -> Run {
-    result(started(controller, line))
+    result(started_at(controller, line))
 }
 
 /// The requests that were not queries.
@@ -212,11 +193,8 @@ fn what_is_wrong_on_the_line_is_told() {
 fn an_interrupt_stops_a_move_and_a_jog() {
     for line in ["move --joints 90,90,90,90,-90,0 --speed 10 --yes", "jog 1 90 --speed 10 --yes"] {
         let controller = powered();
-        let child = started(&controller, line);
-        let has_begun = || controller.requests().iter().any(|request| request.contains("joint_move"));
-        while !has_begun() {
-            controller.wait_for_requests(controller.requests().len() + 1, Duration::from_millis(100));
-        }
+        let child = started_at(&controller, line);
+        crate::program::wait_for_motion(&controller);
         interrupt(&child);
         expect![[r"
             note: interrupted: the controller has taken the stop (`stop_program`)
@@ -225,59 +203,5 @@ fn an_interrupt_stops_a_move_and_a_jog() {
         "]]
         .assert_eq(&result(child).text());
         assert!(controller.state().joint_position.0[0] < 60.0);
-    }
-}
-
-const README: &str = include_str!("../README.md");
-
-/// Runs the README's script with this patience, and says how it ended. `meanwhile` does what it does once the arm moves.
-#[cfg(unix)]
-fn script(controller: &Controller, patience: &str, meanwhile: impl FnOnce(&Controller)) -> Run {
-    let (_, rest) = README.split_once("#!/bin/sh\n").expect("the README has the script");
-    let file = scratch("two-motions.sh");
-    std::fs::write(&file, rest.split_once("```").expect("it ends").0).expect("it can be written");
-    let config = scratch("config.toml");
-    let (commands, status) = (controller.command_addr().port(), controller.status_addr().port());
-    let text = format!("[robots.cell1]\naddress = '127.0.0.1'\ncommand_port = {commands}\nstatus_port = {status}\n");
-    std::fs::write(&config, text).expect("it can be written");
-    let program = std::path::Path::new(env!("CARGO_BIN_EXE_jaka"));
-    let path = std::env::join_paths(
-        std::iter::once(program.parent().expect("it is in a folder").to_owned())
-            .chain(std::env::split_paths(&std::env::var_os("PATH").expect("there is one"))),
-    );
-    let mut shell = std::process::Command::new("sh");
-    shell.arg(file).args(["cell1", patience]).env("PATH", path.expect("it has no colon")).env("JAKA_CONFIG", config);
-    shell.env_remove("JAKA_ROBOT").stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let child = shell.spawn().expect("there is a shell");
-    while !controller.requests().iter().any(|request| request.contains("joint_move")) {
-        controller.wait_for_requests(controller.requests().len() + 1, Duration::from_millis(100));
-    }
-    meanwhile(controller);
-    result(child)
-}
-
-#[cfg(unix)]
-#[test]
-fn a_script_ends_at_the_first_motion_that_fails() {
-    let count = |controller: &Controller, name: &str| {
-        controller.requests().iter().filter(|request| request.contains(name)).count()
-    };
-    let quick = Controller::builder().delays(Delays::NONE).time_scale(5.0).start().expect("loopback has free ports");
-    let run = script(&quick, "60", |_| {});
-    assert_eq!(run.code, Some(0), "{run:?}");
-    assert_eq!((count(&quick, "joint_move"), count(&quick, "power_off")), (2, 1));
-    let ends: [(&str, Happening, i32); 5] = [
-        ("60", Controller::collide, 23),
-        ("60", Controller::press_emergency_stop, 24),
-        ("60", Controller::cut_power, 25),
-        ("60", |controller| controller.set_state(|state| "0x0f0030".clone_into(&mut state.error_code)), 26),
-        ("2", |_| {}, 27),
-    ];
-    for (patience, meanwhile, code) in ends {
-        let controller = controller();
-        let run = script(&controller, patience, meanwhile);
-        assert_eq!(run.code, Some(code), "{run:?}");
-        assert_eq!(count(&controller, "joint_move"), 1, "{run:?}");
-        assert_eq!(count(&controller, "stop_program"), 1, "{run:?}");
     }
 }

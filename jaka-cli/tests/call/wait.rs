@@ -4,30 +4,19 @@ use std::process::{Child, Stdio};
 use std::time::Duration;
 
 use expect_test::expect;
-use jaka_sim::{Controller, Delays, Fault, Port};
+use jaka_sim::{Controller, Fault, Port};
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::program::{Run, address_of, command, jaka, result};
+use crate::program::{Happening, Run, command, jaka, powered, result, started_at};
 
 const LONG: Duration = Duration::from_secs(30);
-
-/// What happens while the arm moves.
-type Happening = fn(&Controller);
 
 /// 90 deg of the first joint in 9 s.
 const SLOW: &str = "joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 10 --yes --wait";
 
-fn controller() -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
-    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-    controller
-}
-
 fn started(controller: &Controller, line: &str) -> Child {
-    let words = ["call"].into_iter().chain(line.split(' ')).map(str::to_owned).chain(address_of(controller));
-    let mut command = command(words);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+    started_at(controller, &format!("call {line}"))
 }
 
 /// Runs a line; `meanwhile` does what it does once the arm moves.
@@ -40,7 +29,7 @@ fn run(controller: &Controller, line: &str, meanwhile: impl FnOnce(&Controller))
 
 #[test]
 fn a_motion_that_reaches_its_target_is_a_success() {
-    let controller = controller();
+    let controller = powered();
     let fast = "joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait";
     let run = run(&controller, fast, |_| {});
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
@@ -61,19 +50,19 @@ fn each_outcome_has_its_exit_code() {
         ("", |controller| controller.link(Port::Status).cut(), 28, "the arm may still move"),
     ];
     for (options, meanwhile, code, text) in ends {
-        let run = run(&controller(), &format!("{SLOW}{options}"), meanwhile);
+        let run = run(&powered(), &format!("{SLOW}{options}"), meanwhile);
         assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{text}: {run:?}");
         assert!(run.err.starts_with("error: ") && run.err.contains(text), "{run:?}");
     }
     let turn = "moveL --mode relative --pose 0,0,1,0,0,1 --speed 100 --yes --wait";
-    let run = run(&controller(), turn, |_| {});
+    let run = run(&powered(), turn, |_| {});
     assert_eq!((run.code, run.out.as_str()), (Some(21), ""), "{run:?}");
 }
 
 #[test]
 fn json_says_how_it_ended_whatever_the_end_is() {
     let outcome = |line: &str, meanwhile: fn(&Controller)| {
-        let run = run(&controller(), line, meanwhile);
+        let run = run(&powered(), line, meanwhile);
         let json: serde_json::Value = serde_json::from_str(&run.out).expect("it is one object");
         assert!(json["waited_s"].as_f64().is_some() && json["text"].is_string(), "{json}");
         json["outcome"].as_str().expect("it is a text").to_owned()
@@ -85,7 +74,7 @@ fn json_says_how_it_ended_whatever_the_end_is() {
 
 #[test]
 fn a_motion_that_is_not_sent_is_told_apart() {
-    let controller = controller();
+    let controller = powered();
     controller.collide();
     let run = result(started(&controller, SLOW));
     assert_eq!((run.code, run.out.as_str()), (Some(20), ""), "{run:?}");
@@ -107,7 +96,7 @@ fn only_motions_are_waited_for() {
 
 #[test]
 fn an_explicit_timeout_is_not_exceeded() {
-    let controller = controller();
+    let controller = powered();
     controller.inject(Fault::Drop);
     let run = result(started(&controller, "power_on --yes --timeout 0.5"));
     assert_eq!(run.code, Some(4), "{run:?}");
@@ -117,7 +106,7 @@ fn an_explicit_timeout_is_not_exceeded() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_stops_the_arm() {
-    let controller = controller();
+    let controller = powered();
     let child = started(&controller, SLOW);
     assert!(controller.wait_for_requests(1, LONG), "the motion comes");
     interrupt(&child);
@@ -134,7 +123,7 @@ fn an_interrupt_stops_the_arm() {
 #[cfg(unix)]
 #[test]
 fn a_stop_that_is_not_taken_is_told() {
-    let controller = controller();
+    let controller = powered();
     let refusal = r#"{"errorCode":"1","errorMsg":"busy","cmdName":"stop_program"}"#;
     controller.inject_for("stop_program", Fault::Instead(refusal.into()));
     let child = started(&controller, SLOW);
@@ -148,7 +137,7 @@ fn a_stop_that_is_not_taken_is_told() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_after_a_command_went_out_says_that_it_may_have_run() {
-    let controller = controller();
+    let controller = powered();
     controller.inject(Fault::Drop);
     let child = started(&controller, "set_digital_output --kind cabinet --index 0 --value on --yes");
     assert!(controller.wait_for_requests(1, LONG), "the command comes");

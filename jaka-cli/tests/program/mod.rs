@@ -6,9 +6,10 @@ use std::ffi::OsStr;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
 use std::{fs, thread};
 
-use jaka_sim::Controller;
+use jaka_sim::{Controller, Delays};
 
 use crate::common;
 
@@ -63,6 +64,29 @@ pub(crate) fn address_of(controller: &Controller) -> Vec<String> {
     let (commands, status) = (controller.command_addr(), controller.status_addr());
     let words = format!("--robot {} --command-port {} --status-port {}", commands.ip(), commands.port(), status.port());
     words.split(' ').map(str::to_owned).collect()
+}
+
+/// What happens to a robot while the program is at work.
+pub(crate) type Happening = fn(&Controller);
+
+/// A controller whose arm is powered and enabled, and which switches at once.
+pub(crate) fn powered() -> Controller {
+    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    controller
+}
+
+/// The program at work on a controller, with a line of words; its output is piped.
+pub(crate) fn started_at(controller: &Controller, line: &str) -> Child {
+    let mut command = command(line.split(' ').map(str::to_owned).chain(address_of(controller)));
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+/// Waits until a motion of the joints comes.
+pub(crate) fn wait_for_motion(controller: &Controller) {
+    while !controller.requests().iter().any(|request| request.contains("joint_move")) {
+        controller.wait_for_requests(controller.requests().len() + 1, Duration::from_millis(100));
+    }
 }
 
 /// A pack of the workspace's tests.
