@@ -31,7 +31,7 @@ fn draw(area: &Area<'_>, end: f64, requests: &[(f64, Latency)]) -> Drawn {
     let times = requests.iter().filter_map(|(_, latency)| power(*latency));
     let (low, high) = times.fold((0.0_f64, 1.0_f64), |(low, high), power| (low.min(power), high.max(power)));
     let (low, high) = (low.floor(), high.ceil() + 0.5);
-    let mut chart = chart(area, end, (low, high), AXIS)?;
+    let mut chart = chart(area, end, (low, high), [1, AXIS])?;
     mesh(&mut chart, end, 9, &|power| powers(*power))?;
     let kinds: [fn(&Latency) -> bool; 3] = [
         |latency| matches!(latency, Latency::Accepted(_)),

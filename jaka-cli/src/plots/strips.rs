@@ -11,6 +11,8 @@ use super::series::{Point, Series};
 
 /// The time axis, in pixels.
 const AXIS: u32 = 26;
+/// How far apart the numbers of an axis are, in pixels.
+const NUMBER: u32 = 12;
 
 /// A strip: what a quantity does over time.
 #[derive(Debug)]
@@ -36,9 +38,23 @@ impl Trace {
     /// In pixels.
     fn height(&self) -> u32 {
         match self {
-            Self::Curve(_) => 64,
-            Self::Steps(_) => 44,
+            Self::Curve(_) => 72,
+            Self::Steps(_) => 48,
             Self::Level(_) | Self::Marks(_) => 20,
+        }
+    }
+
+    /// What is free above and below, in pixels: a number at an end of the axis keeps away from that of the next strip.
+    fn gap(&self) -> u32 {
+        if self.numbers() == 0 { 1 } else { NUMBER / 2 }
+    }
+
+    /// How many numbers the axis has at most, so that they do not touch each other.
+    fn numbers(&self) -> usize {
+        match self {
+            Self::Curve(_) => 4,
+            Self::Steps(_) => 2,
+            Self::Level(_) | Self::Marks(_) => 0,
         }
     }
 
@@ -82,25 +98,25 @@ pub(crate) fn strips(end: f64, strips: &[Strip]) -> Picture {
 
 fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
     let (low, high) = strip.trace.range();
-    let mut chart = chart(area, end, (low, high), axis)?;
-    let numbers = if matches!(strip.trace, Trace::Level(_) | Trace::Marks(_)) { 0 } else { 4 };
-    mesh(&mut chart, end, numbers, &|value| label(*value, high - low))?;
+    let mut chart = chart(area, end, (low, high), [strip.trace.gap(), axis])?;
+    mesh(&mut chart, end, strip.trace.numbers(), &|value| label(*value, high - low))?;
     for curve in strip.trace.curves(end) {
         line(&mut chart, curve)?;
     }
     title(area, &strip.title, strip.trace.height())
 }
 
-/// A chart whose time axis is where that of all others is.
+/// A chart whose time axis is where that of all others is, with what is free above and below it, and the height of the axis.
 pub(super) fn chart<'a, 'b>(
     area: &'a Area<'b>,
     end: f64,
     (low, high): (f64, f64),
-    axis: u32,
+    [gap, axis]: [u32; 2],
 ) -> Result<Chart<'a, 'b>, DrawingAreaErrorKind<std::io::Error>> {
     ChartBuilder::on(area)
         .margin_right(px(RIGHT))
-        .margin_top(px(1))
+        .margin_top(px(gap))
+        .margin_bottom(px(gap))
         .x_label_area_size(px(axis))
         .y_label_area_size(px(LEFT))
         .build_cartesian_2d(0.0..end, low..high)
@@ -161,4 +177,46 @@ fn spikes(moments: &[f64], end: f64) -> Vec<Point> {
     }
     line.push((end, 0.0));
     line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The places of texts that are left of the axis, in pixels from the top; titles are elsewhere.
+    fn numbers(picture: &str) -> Vec<f64> {
+        let attribute = |text: &str, name: &str| {
+            let (_, rest) = text.split_once(&format!(" {name}=\"")).expect("it has it");
+            rest.split_once('"').and_then(|(number, _)| number.parse::<f64>().ok()).expect("it is a number")
+        };
+        let texts = picture.split("<text").skip(1).filter_map(|text| text.split_once('>').map(|(text, _)| text));
+        let left = |text: &&str| {
+            (f64::from(px(20))..f64::from(px(LEFT))).contains(&attribute(text, "x"))
+                && text.contains("text-anchor=\"end\"")
+        };
+        texts.filter(left).map(|text| attribute(text, "y") / f64::from(FINE)).collect()
+    }
+
+    fn strip(low: f64, high: f64, trace: fn(Series) -> Trace) -> Strip {
+        let mut series = Series::default();
+        for (time, value) in [(0.0, low), (5.0, high), (10.0, low)] {
+            series.push(time, Some(value));
+        }
+        Strip { title: "joint 1 (deg/s)".to_owned(), trace: trace(series) }
+    }
+
+    #[test]
+    fn numbers_do_not_touch_each_other() {
+        let mut all: Vec<_> = (0..60)
+            .flat_map(|at| {
+                [strip(-f64::from(at), f64::from(at * at) / 7.0, Trace::Curve), strip(0.0, f64::from(at), Trace::Steps)]
+            })
+            .collect();
+        all.extend([strip(-5.0, 5.0, Trace::Curve), strip(-10.0, 10.0, Trace::Curve), strip(-5.0, 5.0, Trace::Curve)]);
+        let mut places = numbers(&strips(10.0, &all).expect("it can be drawn"));
+        assert!(places.len() > 2 * all.len(), "{}", places.len());
+        places.sort_by(f64::total_cmp);
+        let nearest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::MAX, f64::min);
+        assert!(nearest >= 11.0, "{nearest} px of 11 px");
+    }
 }
