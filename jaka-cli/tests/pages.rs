@@ -21,22 +21,30 @@ use crate::program::{jaka, scratch};
 const LONG: Duration = Duration::from_secs(60);
 
 /// Lines that may end otherwise than with 0, and how.
-const OTHER_CODES: [(&str, &[i32]); 2] = [
+const OTHER_CODES: [(&str, &[i32]); 4] = [
     // The controller does not know it.
     ("jaka call new_command --raw", &[1]),
     // There may be something to look at: an arm without power, a machine that is slow.
     ("jaka check", &[0, 8]),
+    // A machine that is busy sends set-points too late.
+    ("jaka follow weld.csv --model zu5 --sim", &[0, 30]),
+    ("jaka follow weld.csv -r", &[0, 30]),
 ];
 
 const PACK: &str = include_str!("guide/newer.toml");
 
-/// A recording that can be replayed.
+/// A recording that can be replayed, with status packets.
 const SESSION: &str = r#"{"jaka_recording":1,"started":1763726000.5,"software":"a test"}
 {"time":0.001,"port":"command","connection":1,"event":"connected","address":"10.5.5.100:10001"}
 {"time":0.002,"port":"command","connection":1,"event":"sent","text":"{\"cmdName\":\"get_version\"}"}
 {"time":0.004,"port":"command","connection":1,"event":"received","text":"{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"get_version\",\"version\":\"1.7\"}"}
 {"time":0.005,"port":"command","connection":1,"event":"closed","by":"client","why":"the program has closed it"}
+{"time":0.006,"port":"status","connection":2,"event":"connected","address":"10.5.5.100:10000"}
+{"time":0.007,"port":"status","connection":2,"event":"received","text":"{\"enabled\":true,\"joint_actual_position\":[0,90,90,90,-90,0]}"}
+{"time":0.107,"port":"status","connection":2,"event":"received","text":"{\"enabled\":true,\"joint_actual_position\":[1,90,90,90,-90,0]}"}
 "#;
+
+const README: &str = include_str!("../README.md");
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -74,8 +82,8 @@ fn not_run(page: &str) -> Vec<&str> {
     marks.flat_map(|mark| mark.split(", ")).collect()
 }
 
-/// A folder with the files that the pages name, and a config file with their robots.
-fn folder(controller: &Controller) -> PathBuf {
+/// A folder with the files that the pages name.
+fn folder() -> PathBuf {
     let folder = scratch("pages");
     fs::remove_dir_all(&folder).ok();
     fs::create_dir_all(folder.join("spec")).expect("it can be made");
@@ -84,15 +92,28 @@ fn folder(controller: &Controller) -> PathBuf {
         let name = Path::new(source.path).file_name().expect("it is a file");
         fs::write(folder.join("spec").join(name), source.text).expect("it can be written");
     }
-    write("limits.toml", include_str!("../../jaka-sync/examples/limits.toml"));
+    let limits = include_str!("../../jaka-sync/examples/limits.toml");
+    let way = README
+        .split_once("\n```csv\n")
+        .and_then(|(_, rest)| rest.split_once("```"))
+        .expect("the README has a trajectory")
+        .0;
+    for (name, text) in [("limits.toml", limits), ("cell1.toml", limits), ("weld.csv", way), ("way.csv", way)] {
+        write(name, text);
+    }
     let line = r#"{"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,1,0,0,0],"speed":20,"accel":100,"tol":0}"#;
     write("request.json", line);
+    folder
+}
+
+/// Makes the robots of the pages lead to a controller.
+fn write_config(folder: &Path, controller: &Controller) {
     let robot = |name: &str| {
         let (commands, status) = (controller.command_addr().port(), controller.status_addr().port());
         format!("[robots.\"{name}\"]\naddress = '127.0.0.1'\ncommand_port = {commands}\nstatus_port = {status}\n")
     };
-    write("config.toml", &format!("robot = 'cell1'\n{}{}", robot("cell1"), robot("10.5.5.100")));
-    folder
+    let text = format!("robot = 'cell1'\n{}{}", robot("cell1"), robot("10.5.5.100"));
+    fs::write(folder.join("config.toml"), text).expect("it can be written");
 }
 
 /// The line as it is run: on free ports, and with a yes if that is asked for.
@@ -163,14 +184,19 @@ fn run(folder: &Path, line: &str, yes: &str) -> (Option<i32>, String) {
 
 /// Runs the lines of a page in order, each on an arm that is powered and enabled.
 fn assert_runs(page: &str, text: &str) {
-    let controller =
-        Controller::builder().delays(Delays::NONE).time_scale(5.0).start().expect("loopback has free ports");
-    let folder = folder(&controller);
+    let controller = |time_scale: f64| {
+        Controller::builder().delays(Delays::NONE).time_scale(time_scale).start().expect("loopback has free ports")
+    };
+    // Set-points come in real time.
+    let (quick, steady) = (controller(5.0), controller(1.0));
+    let folder = folder();
     let not_run = not_run(text);
     for line in lines(text).into_iter().filter(|line| line.starts_with("jaka ")) {
         if not_run.iter().any(|begin| line.starts_with(begin)) {
             continue;
         }
+        let controller = if line.starts_with("jaka follow") { &steady } else { &quick };
+        write_config(&folder, controller);
         controller.set_state(|state| (state.powered, state.enabled) = (true, true));
         // What a line reads is there, whatever the lines before have written in its place; what it writes is not.
         for (name, text) in [("session.jsonl", SESSION), ("newer.toml", PACK)] {
