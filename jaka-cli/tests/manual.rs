@@ -50,7 +50,7 @@ fn each_command_has_a_page() {
 fn the_page_of_the_program_goes_to_standard_output() {
     let page = jaka(["man"]);
     assert_eq!((page.code, page.err.as_str()), (Some(0), ""));
-    for part in [".TH jaka 1", "jaka\\-status(1)", "Exit codes:", "the command may have run"] {
+    for part in [".TH jaka 1", "jaka\\-status(1)", ".SH NOTES\n.in 0", "Exit codes:", "the command may have run"] {
         assert!(page.out.contains(part), "{part} in {}", page.out);
     }
     assert!(!page.out.contains("complete\\-words"), "{}", page.out);

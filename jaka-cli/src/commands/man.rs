@@ -1,9 +1,9 @@
 //! `jaka man`: pages of the manual.
 
-use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man as Page;
 
 use super::call;
@@ -22,14 +22,28 @@ pub(crate) struct Man {
 impl Man {
     pub(crate) fn run(self) -> Result<(), Failure> {
         // The commands of the protocol are in the reference, and in `jaka call COMMAND --help`.
-        let mut command = crate::Cli::command().mut_subcommand("call", |_| call::page());
+        let command = crate::Cli::command().mut_subcommand("call", |_| call::page());
+        let mut command = command.disable_help_subcommand(true);
+        command.build();
         let Some(folder) = self.folder else {
-            command.build();
-            let mut page = Vec::new();
-            Page::new(command).render(&mut page).map_err(Failure::output)?;
-            return output::write(&page);
+            return output::write(text(&Page::new(command)).map_err(Failure::output)?.as_bytes());
         };
-        let written = fs::create_dir_all(&folder).and_then(|()| clap_mangen::generate_to(command, &folder));
+        let written = fs::create_dir_all(&folder).and_then(|()| write(&command, &folder));
         written.map_err(|error| Failure::local(format!("cannot write pages to {}", folder.display()), error))
     }
+}
+
+/// Writes the page of a command, and those of its commands.
+fn write(command: &Command, folder: &Path) -> io::Result<()> {
+    let page = Page::new(command.clone());
+    fs::write(folder.join(page.get_filename()), text(&page)?)?;
+    command.get_subcommands().filter(|command| !command.is_hide_set()).try_for_each(|command| write(command, folder))
+}
+
+/// A page. What follows the options has lines of its own, which need the whole width.
+fn text(page: &Page) -> io::Result<String> {
+    let mut text = Vec::new();
+    page.render(&mut text)?;
+    let text = String::from_utf8(text).map_err(io::Error::other)?;
+    Ok(text.replace(".SH EXTRA\n", ".SH NOTES\n.in 0\n.ad l\n"))
 }
