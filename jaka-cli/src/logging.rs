@@ -40,9 +40,12 @@ pub(crate) fn print(targets: &'static str) {
     log::set_max_level(LevelFilter::Trace);
 }
 
-/// From now on tells connections, requests and replies on standard error, and more if `-v` is given more often.
+/// From now on tells connections, requests and replies on standard error, and more if `-v` is given more often; not where that is to be quiet.
 pub(crate) fn tell(verbose: u8) {
-    if VERBOSE.fetch_max(verbose, Ordering::Relaxed) == 0 && !output::is_quiet() {
+    if output::is_quiet() {
+        return;
+    }
+    if VERBOSE.fetch_max(verbose, Ordering::Relaxed) == 0 {
         backlog::begin();
         log::set_max_level(LevelFilter::Trace);
     }
