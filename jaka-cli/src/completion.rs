@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(words("call joint_move --joint-position -10,0,0,0,0,0 --mo"), ["--mode"]);
         let left = words("call joint_move --mode relative ");
         assert!(left.contains(&"--speed".to_owned()) && !left.contains(&"--mode".to_owned()), "{left:?}");
-        assert_eq!(words("call move_l --mode rel"), ["relative"], "by its name in Rust");
+        assert_eq!(words("call move_l --mode rel"), ["relative", "relative-to-tool"], "by its name in Rust");
     }
 
     #[test]
@@ -143,8 +143,8 @@ mod tests {
         assert_eq!(words("status --sim=zu1"), ["--sim=zu12", "--sim=zu18"]);
         assert_eq!(words("status --format "), ["table", "json", "csv"]);
         assert_eq!(words("call --list pay"), ["payload"]);
-        assert_eq!(words("sim --firmware "), ["document", "1.5.14", "newer"]);
-        assert_eq!(words("replay a.jsonl --show --command get_tcp"), ["get_tcp_pos", "get_tcp_force"]);
+        assert_eq!(words("sim --firmware "), ["1.5.14", "newer", "document"]);
+        assert_eq!(words("replay a.jsonl --show --command get_tcp"), ["get_tcp_pos"]);
     }
 
     #[test]
