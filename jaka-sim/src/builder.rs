@@ -17,7 +17,8 @@ use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
 use crate::time::Time;
 use crate::{
-    Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip, Underrun,
+    ArmFault, Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip,
+    Underrun,
 };
 
 /// Options for a [`Controller`](crate::Controller), which are set before it starts.
@@ -33,6 +34,7 @@ pub struct Builder {
     pub(crate) trips: Vec<Trip>,
     pub(crate) underrun: Underrun,
     pub(crate) inputs: Vec<InputScript>,
+    pub(crate) faults_at: Vec<(Duration, ArmFault)>,
     pub(crate) contact: Option<Contact>,
     pub(crate) stepped: bool,
     pub(crate) time_scale: f64,
@@ -62,6 +64,7 @@ impl Builder {
             trips: Vec::new(),
             underrun: Underrun::Hold,
             inputs: Vec::new(),
+            faults_at: Vec::new(),
             contact: None,
             stepped: false,
             time_scale: 1.0,
@@ -157,6 +160,28 @@ impl Builder {
     #[must_use]
     pub fn input(mut self, script: impl Into<InputScript>) -> Self {
         self.inputs.push(script.into());
+        self
+    }
+
+    /// Has something happen to the arm or to an input at a time of the controller since its start, in the first controller cycle that is not before it.
+    ///
+    /// An input that the controller does not have keeps it from starting.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    ///
+    /// use jaka_sim::{ArmFault, Controller};
+    ///
+    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), ArmFault::Collide).start()?;
+    /// controller.advance(Duration::from_secs(1));
+    /// assert!(!controller.state().protective_stop);
+    /// controller.advance(Duration::from_secs(1));
+    /// assert!(controller.state().protective_stop);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    #[must_use]
+    pub fn at(mut self, time: Duration, fault: ArmFault) -> Self {
+        self.faults_at.push((time, fault));
         self
     }
 

@@ -17,7 +17,7 @@ pub use self::links::Link;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
 use crate::shared::Shared;
-use crate::{Builder, Contact, Deviation, InputScript, State, command_port, status_port, world};
+use crate::{ArmFault, Builder, Contact, Deviation, InputScript, State, command_port, status_port};
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///
@@ -101,6 +101,15 @@ impl Controller {
         self.shared.world().schedule_inputs(&script.into())
     }
 
+    /// Has something happen to the arm or to an input at a time of the controller since its start, which is that of
+    /// [`elapsed`](Self::elapsed): in the first controller cycle that is not before it, or at once where it has passed.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if the controller does not have the input.
+    pub fn at(&self, time: Duration, fault: ArmFault) -> io::Result<()> {
+        self.shared.world().schedule_fault(time, fault)
+    }
+
     /// Puts a plane into the way of the tool centre point, or takes it away, and forgets how deep the tool has been.
     ///
     /// # Errors
@@ -120,22 +129,22 @@ impl Controller {
 
     /// Simulates a collision: a protective stop and the error `0xf0034`, until `clear_error`.
     pub fn collide(&self) {
-        self.set_state(world::collide);
+        self.set_state(|state| ArmFault::Collide.make(state));
     }
 
     /// Presses the emergency stop: the arm is not enabled, and cannot be, until it is released.
     pub fn press_emergency_stop(&self) {
-        self.set_state(|state| state.emergency_stop = true);
+        self.set_state(|state| ArmFault::PressEmergencyStop.make(state));
     }
 
     /// Releases the emergency stop. The arm stays disabled until it is enabled again.
     pub fn release_emergency_stop(&self) {
-        self.set_state(|state| state.emergency_stop = false);
+        self.set_state(|state| ArmFault::ReleaseEmergencyStop.make(state));
     }
 
     /// Cuts the arm's power.
     pub fn cut_power(&self) {
-        self.set_state(|state| state.powered = false);
+        self.set_state(|state| ArmFault::CutPower.make(state));
     }
 
     /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack adds, and

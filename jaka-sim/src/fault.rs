@@ -1,5 +1,6 @@
-//! What can be wrong with replies, status packets and links.
+//! What can be wrong with replies, status packets and links, and what can happen to the arm.
 
+mod arm;
 mod kinds;
 mod link;
 mod plan;
@@ -11,6 +12,7 @@ mod status;
 mod token_reader;
 mod tokens;
 
+pub use self::arm::{ArmEvent, ArmEventError, ArmFault};
 pub(crate) use self::link::Passage;
 pub use self::link::{LinkEvent, LinkFault};
 pub use self::plan::FaultPlan;

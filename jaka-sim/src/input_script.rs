@@ -117,36 +117,8 @@ impl From<AnalogInput> for InputScript {
     }
 }
 
-/// The changes of inputs that are to come.
-#[derive(Debug, Default)]
-pub(crate) struct Schedule(Vec<(Duration, InputChange)>);
-
-impl Schedule {
-    /// Adds a script whose time begins at `start`. An input that the controller does not have is an error.
-    pub(crate) fn add(&mut self, start: Duration, script: &InputScript, state: &State) -> io::Result<()> {
-        for (_, change) in &script.0 {
-            change.check(state)?;
-        }
-        self.0.extend(script.0.iter().map(|(at, change)| (start.saturating_add(*at), *change)));
-        // Changes at the same time stay in their order.
-        self.0.sort_by_key(|(at, _)| *at);
-        Ok(())
-    }
-
-    /// When the next change is due.
-    pub(crate) fn next_due(&self) -> Option<Duration> {
-        self.0.first().map(|(at, _)| *at)
-    }
-
-    /// Makes the changes that are due.
-    pub(crate) fn run(&mut self, now: Duration, state: &mut State) {
-        let due = self.0.partition_point(|(at, _)| *at <= now);
-        self.0.drain(..due).for_each(|(_, change)| change.make(state));
-    }
-}
-
 impl InputChange {
-    fn check(self, state: &State) -> io::Result<()> {
+    pub(crate) fn check(self, state: &State) -> io::Result<()> {
         let (kind, side, index, count) = match self {
             Self::Digital(Side::Cabinet, index, _) => ("digital", "cabinet", index, state.digital_inputs.len()),
             Self::Digital(Side::Tool, index, _) => ("digital", "tool", index, state.tool_digital_inputs.len()),
@@ -160,7 +132,7 @@ impl InputChange {
         Err(io::Error::new(io::ErrorKind::InvalidInput, text))
     }
 
-    fn make(self, state: &mut State) {
+    pub(crate) fn make(self, state: &mut State) {
         match self {
             Self::Digital(side, index, is_high) => {
                 let inputs = match side {

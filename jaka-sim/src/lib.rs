@@ -37,7 +37,7 @@ pub use builder::{Builder, Takeover};
 pub use contact::Contact;
 pub use controller::{Controller, Link};
 pub use delays::Delays;
-pub use fault::{Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
+pub use fault::{ArmEvent, ArmEventError, ArmFault, Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
 pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub use habits::{Habit, HabitError, Habits};
 pub use input_script::{AnalogInput, DigitalInput, InputScript};

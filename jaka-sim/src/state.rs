@@ -5,6 +5,7 @@ mod parts;
 
 use std::collections::HashMap;
 
+use jaka_proto::ControllerEvent;
 use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, ExtioStatus, FunctionInput};
 use jaka_proto::messages::kinematics::GetDhParamReply;
 use jaka_proto::messages::program::ProgramState;
@@ -22,6 +23,9 @@ pub(crate) const FRAMES: usize = 11;
 
 /// The error code that says that there is none.
 pub(crate) const NO_ERROR: &str = "0x0";
+
+/// The event of a collision, in the vendor's table of controller events.
+const COLLISION: u32 = 0x0f_0034;
 
 /// State of the robot and its controller.
 ///
@@ -139,6 +143,19 @@ impl State {
     /// True where nothing keeps the arm from moving.
     pub(crate) fn can_move(&self) -> bool {
         self.enabled && !self.protective_stop && !self.emergency_stop
+    }
+
+    /// Collides: a protective stop, which the error code shows.
+    pub(crate) fn collide(&mut self) {
+        self.protective_stop = true;
+        self.report(COLLISION);
+    }
+
+    /// Puts an event into the error code.
+    pub(crate) fn report(&mut self, code: u32) {
+        self.error_code = format!("{code:#x}");
+        let meaning = ControllerEvent::new(code).and_then(ControllerEvent::meaning);
+        meaning.unwrap_or_default().clone_into(&mut self.error_message);
     }
 
     /// Leaves the error, if there is one.

@@ -3,6 +3,7 @@
 mod events;
 mod planning;
 mod program;
+mod schedule;
 mod servo;
 mod touch;
 
@@ -16,10 +17,9 @@ use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use self::events::Reported;
-pub(crate) use self::events::collide;
+use self::schedule::Schedule;
 use self::touch::Touch;
 use crate::clock::CYCLE;
-use crate::input_script::{InputScript, Schedule};
 use crate::motion::{Drives, Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
@@ -36,7 +36,7 @@ pub(crate) struct World {
     pub(crate) drives: Drives,
     trips: Vec<Trip>,
     underrun: Underrun,
-    inputs: Schedule,
+    schedule: Schedule,
     touch: Touch,
     /// For how long the arm has been moving without a rest.
     busy: Duration,
@@ -87,7 +87,7 @@ impl World {
             drives: Drives::new(options.lag, state.joint_position.0),
             trips: options.trips.clone(),
             underrun: options.underrun,
-            inputs: Schedule::default(),
+            schedule: Schedule::default(),
             touch: Touch::new(options.contact),
             busy: Duration::ZERO,
             state,
@@ -106,6 +106,7 @@ impl World {
         };
         options.firmware.fit(&mut world.state);
         options.inputs.iter().try_for_each(|script| world.schedule_inputs(script))?;
+        options.faults_at.iter().try_for_each(|(at, fault)| world.schedule_fault(*at, *fault))?;
         world.make_consistent();
         Ok(world)
     }
@@ -124,23 +125,18 @@ impl World {
             let cycles = if is_idle { self.idle_cycles(left) } else { 1 };
             self.now += CYCLE * cycles;
             left -= u128::from(cycles);
-            self.inputs.run(self.now, &mut self.state);
+            self.run_schedule();
             if !is_idle {
                 self.cycle();
             }
         }
     }
 
-    /// How many of these cycles can be passed at once where nothing goes on: up to the next change of an input.
+    /// How many of these cycles can be passed at once where nothing goes on: up to the next of what is scheduled.
     fn idle_cycles(&self, left: u128) -> u32 {
         let until = |due: Duration| due.saturating_sub(self.now).as_nanos().div_ceil(CYCLE.as_nanos()).max(1);
-        let cycles = self.inputs.next_due().map_or(left, |due| left.min(until(due)));
+        let cycles = self.schedule.next_due().map_or(left, |due| left.min(until(due)));
         u32::try_from(cycles).unwrap_or(u32::MAX)
-    }
-
-    /// Has inputs change from now on.
-    pub(crate) fn schedule_inputs(&mut self, script: &InputScript) -> io::Result<()> {
-        self.inputs.add(self.now, script, &self.state)
     }
 
     fn is_idle(&self) -> bool {

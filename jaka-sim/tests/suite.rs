@@ -1,5 +1,6 @@
 //! All tests through sockets that need no process of their own.
 
+mod arm_faults;
 mod commands;
 mod common;
 mod contact;

@@ -10,9 +10,8 @@ use std::thread;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
-use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
+use jaka_sim::{ArmEvent, Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
 
-use self::schedule::Scheduled;
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
@@ -71,12 +70,9 @@ pub(crate) struct Sim {
     /// The arm has power and is enabled from the start
     #[arg(long)]
     powered: bool,
-    /// What happens, and when, such as `collide at 2s, input 3 high at 5s`, in the controller's time since its start
-    ///
-    /// `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, and `input` or `tool-input` with a place from 0 and `high` or
-    /// `low`.
+    /// What happens to the arm and to its inputs, and when, such as `collide at 2s, input 3 high at 5s`, in the controller's time since its start
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    schedule: Vec<Scheduled>,
+    schedule: Vec<ArmEvent>,
     /// Read from standard input what happens, a line each: as in --schedule, and without a time at once
     #[arg(long)]
     stdin: bool,

@@ -13,7 +13,6 @@ const PROTECTIVE_STOP: u32 = 0x10f_000b;
 const SERVO_ON: u32 = 0x10f_0015;
 const SERVO_OFF: u32 = 0x10f_0016;
 const PROGRAM_STARTS: u32 = 0x10f_001b;
-const COLLISION: u32 = 0x0f_0034;
 
 /// What was so when events were last reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,23 +43,10 @@ impl World {
         for (before, now, begins, ends) in happened {
             let event = if now { Some(begins) } else { ends };
             if let Some(event) = event.filter(|_| before != now && self.habits.events && !has_error(&self.state)) {
-                report(&mut self.state, event);
+                self.state.report(event);
             }
         }
     }
-}
-
-/// Puts a collision into the error code, with the protective stop that follows it.
-pub(crate) fn collide(state: &mut State) {
-    state.protective_stop = true;
-    report(state, COLLISION);
-}
-
-/// Puts an event into the error code.
-pub(super) fn report(state: &mut State, code: u32) {
-    state.error_code = format!("{code:#x}");
-    let meaning = ControllerEvent::new(code).and_then(ControllerEvent::meaning);
-    meaning.unwrap_or_default().clone_into(&mut state.error_message);
 }
 
 /// True where the error code has something else than information.

@@ -1,6 +1,6 @@
 //! Servo mode, and the errors that end it.
 
-use super::{World, events};
+use super::World;
 use crate::motion::{Servo, ServoOptions};
 use crate::trips::{self, Observed};
 
@@ -26,7 +26,7 @@ impl World {
 
     /// Stops with an error, as the drives do.
     pub(super) fn trip(&mut self, code: u32) {
-        events::report(&mut self.state, code);
+        self.state.report(code);
         self.state.servo_mode = false;
         self.halt();
         self.make_consistent();

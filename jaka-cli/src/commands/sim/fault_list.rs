@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use jaka_sim::{Fault, LinkFault, StatusFault};
+use jaka_sim::{ArmFault, Fault, LinkFault, StatusFault};
 
 /// All kinds, an example of each, by what they are for.
 pub(super) fn text() -> String {
@@ -11,10 +11,11 @@ pub(super) fn text() -> String {
          A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and \
          `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status to-client hold after 10s for 5s` has a port \
          (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim \
-         explains them.",
+         explains them.\n\nWhat `--schedule` and `--stdin` can have happen, inputs by their place from 0:\n  {}",
         list(&Fault::one_of_each()),
         list(&StatusFault::one_of_each()),
         list(&LinkFault::one_of_each()),
+        list(&ArmFault::one_of_each(3)),
     )
 }
 
