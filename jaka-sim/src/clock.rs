@@ -29,7 +29,18 @@ impl Clock {
             Self::Stepped => None,
         }
     }
+
+    /// How long the next cycle is away, in the time that passes; for ever where it does not come by itself.
+    pub(crate) fn until_next_cycle(&self) -> Duration {
+        let Self::Running { time, start, scale } = self else { return Duration::MAX };
+        let passed = scaled(time.since(*start), *scale).as_nanos() % CYCLE.as_nanos();
+        let left = CYCLE - Duration::from_nanos(u64::try_from(passed).unwrap_or_default());
+        scaled(left, scale.recip()).max(SHORTEST)
+    }
 }
+
+/// The shortest wait for the next cycle, so that rounding does not make it none.
+const SHORTEST: Duration = Duration::from_micros(100);
 
 /// A time that is so many times as long, [`Duration::MAX`] where it is longer.
 pub(crate) fn scaled(time: Duration, factor: f64) -> Duration {

@@ -2,6 +2,8 @@
 
 mod faults;
 mod links;
+mod run_while;
+mod when;
 
 use std::fmt;
 use std::io::{self, ErrorKind};
@@ -27,6 +29,8 @@ pub struct Controller {
     shared: Arc<Shared>,
     commands: Option<JoinHandle<()>>,
     status: Option<JoinHandle<()>>,
+    /// Lent to an action, which does not end it.
+    is_lent: bool,
 }
 
 impl Controller {
@@ -77,8 +81,11 @@ impl Controller {
     /// Lets time go on, on a controller with a [stepped clock](Builder::stepped_clock): motions move, delays pass, and status
     /// packets go out on the way. Time goes on in controller cycles of 8 ms; what is less is kept for the next call.
     ///
-    /// On a controller with a real clock this does nothing.
+    /// On a controller with a real clock this does nothing, nor within an action of [`when`](Self::when).
     pub fn advance(&self, time: Duration) {
+        if self.is_lent {
+            return;
+        }
         wait_until_accepted(&self.shared.status_listener);
         self.shared.step(time);
     }
@@ -252,7 +259,7 @@ impl Builder {
     pub fn start(self) -> io::Result<Controller> {
         let shared = Arc::new(Shared::new(self)?);
         // If the second thread cannot be started, dropping this ends the first.
-        let mut controller = Controller { shared, commands: None, status: None };
+        let mut controller = Controller { shared, commands: None, status: None, is_lent: false };
         controller.commands = Some(controller.spawn(command_port::run)?);
         controller.status = Some(controller.spawn(status_port::run)?);
         Ok(controller)
@@ -261,6 +268,10 @@ impl Builder {
 
 impl Drop for Controller {
     fn drop(&mut self) {
+        if self.is_lent {
+            return;
+        }
+        self.shared.triggers.close();
         close(&self.shared.command_listener, self.commands.take());
         close(&self.shared.status_listener, self.status.take());
         self.shared.links.abort();

@@ -29,6 +29,7 @@ mod state;
 mod status_packet;
 mod status_port;
 mod time;
+mod trigger;
 mod trips;
 mod underrun;
 mod world;
@@ -57,5 +58,6 @@ pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };
+pub use trigger::Trigger;
 pub use trips::{Trip, TripError};
 pub use underrun::{Underrun, UnderrunError};

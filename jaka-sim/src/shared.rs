@@ -17,11 +17,12 @@ use crate::replay::ReplaySession;
 use crate::request_log::RequestLog;
 use crate::spec_index::SpecIndex;
 use crate::time::Time;
+use crate::trigger::Triggers;
 use crate::world::World;
 use crate::{Builder, FaultPlan, State, status_packet};
 
 /// What the threads of one controller share. No lock is held while waiting for another of these, except `world`,
-/// which is taken last.
+/// which is taken last but for what has become of a trigger.
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) options: Builder,
@@ -33,6 +34,7 @@ pub(crate) struct Shared {
     pub(crate) readers: Readers,
     pub(crate) request_log: RequestLog,
     pub(crate) links: Arc<Links>,
+    pub(crate) triggers: Triggers,
     /// The replay, in place of the simulated arm.
     pub(crate) replay: Option<ReplaySession>,
     world: Mutex<World>,
@@ -62,6 +64,7 @@ impl Shared {
             takeover_client: TakeoverClient::default(),
             readers: Readers::new(options.faults.status_fault().clone()),
             request_log: RequestLog::new(time),
+            triggers: Triggers::default(),
             links: Arc::new(Links::new(options.faults.links(), time)),
             replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing, time)),
             world: Mutex::new(World::new(&options, &spec_index)?),
@@ -122,12 +125,25 @@ impl Shared {
         while let Some(due) = steps.packet.checked_add(period).filter(|due| *due <= end) {
             // A packet that was not due at the period before goes out now.
             let due = due.max(steps.now);
-            lock(&self.world).advance_to(due);
+            self.pass_to(due);
             self.publish();
             steps.packet = due;
         }
-        lock(&self.world).advance_to(end);
+        self.pass_to(end);
         steps.now = end;
+    }
+
+    /// Lets a stepped time pass, and waits for the actions of conditions that hold on the way.
+    fn pass_to(&self, time: Duration) {
+        self.triggers.wait_for_actions();
+        while !lock(&self.world).advance_until_fired(time) {
+            self.triggers.wait_for_actions();
+        }
+    }
+
+    /// How long the next controller cycle is away.
+    pub(crate) fn until_next_cycle(&self) -> Duration {
+        self.clock.until_next_cycle()
     }
 
     /// What is wrong with the replies to come.

@@ -35,7 +35,20 @@ impl Time {
         then.saturating_duration_since(self.now())
     }
 
-    /// The place of a thread that will be started.
+    /// The place of a thread for whose waits time goes on.
+    pub(crate) fn participant(&self) -> Place {
+        Place(self.0.as_ref().map(SimulatedClock::participant))
+    }
+
+    /// Waits for what knows nothing of a simulated clock.
+    pub(crate) fn outside<T>(&self, wait: impl FnOnce() -> T) -> T {
+        match &self.0 {
+            None => wait(),
+            Some(clock) => clock.outside(wait),
+        }
+    }
+
+    /// The place of a thread that will be started, and serves others.
     pub(crate) fn servant(&self) -> Place {
         Place(self.0.as_ref().map(SimulatedClock::servant))
     }

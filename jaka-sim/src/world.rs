@@ -23,6 +23,7 @@ use crate::clock::CYCLE;
 use crate::motion::{Drives, Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
+use crate::trigger::Condition;
 use crate::trips::Trip;
 use crate::underrun::Underrun;
 use crate::{Builder, Delays, Habits, State};
@@ -37,6 +38,7 @@ pub(crate) struct World {
     trips: Vec<Trip>,
     underrun: Underrun,
     schedule: Schedule,
+    conditions: Vec<Condition>,
     touch: Touch,
     /// For how long the arm has been moving without a rest.
     busy: Duration,
@@ -88,6 +90,7 @@ impl World {
             trips: options.trips.clone(),
             underrun: options.underrun,
             schedule: Schedule::default(),
+            conditions: Vec::new(),
             touch: Touch::new(options.contact),
             busy: Duration::ZERO,
             state,
@@ -118,6 +121,12 @@ impl World {
 
     /// Lets time pass, cycle by cycle.
     pub(crate) fn advance_to(&mut self, now: Duration) {
+        while !self.advance_until_fired(now) {}
+    }
+
+    /// Lets time pass, cycle by cycle, up to one in which a condition is settled; true if there is none before this time.
+    pub(crate) fn advance_until_fired(&mut self, now: Duration) -> bool {
+        let conditions = self.conditions.len();
         let mut left = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();
         while left > 0 {
             // Where nothing goes on, all cycles are passed at once.
@@ -129,7 +138,22 @@ impl World {
             if !is_idle {
                 self.cycle();
             }
+            self.ask_conditions();
+            if self.conditions.len() < conditions {
+                return false;
+            }
         }
+        true
+    }
+
+    /// Waits for a condition, which may hold already.
+    pub(crate) fn watch(&mut self, condition: Condition) {
+        self.conditions.push(condition);
+        self.ask_conditions();
+    }
+
+    fn ask_conditions(&mut self) {
+        self.conditions.retain_mut(|condition| !condition.is_settled(&self.state, self.now));
     }
 
     /// How many of these cycles can be passed at once where nothing goes on: up to the next of what is scheduled.
@@ -242,6 +266,7 @@ impl World {
             self.engine.servo = Some(self.servo());
         }
         self.update();
+        self.ask_conditions();
     }
 
     /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.

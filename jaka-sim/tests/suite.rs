@@ -23,3 +23,4 @@ mod status_faults;
 mod stops;
 mod stream;
 mod time_scale;
+mod triggers;

@@ -28,6 +28,9 @@ fn no_thread_is_left() {
         controller.send(b"{}").expect("a client is connected");
         peers[1] = Peer::commands(&controller);
         assert!(threads() > before);
+        // One that is waited for, and one whose action has ended.
+        controller.when(|_| false, |_| {}).expect("a thread starts");
+        assert!(controller.when(|_| true, |_| {}).expect("a thread starts").wait(LIMIT));
         drop(controller);
         // The kernel may list a thread for a moment after it was joined.
         let start = Instant::now();

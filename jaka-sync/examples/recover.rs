@@ -8,14 +8,12 @@ mod common;
 
 use std::error::Error;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::thread;
 use std::time::Duration;
 
 use common::Target;
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Monitor, MotionEnd, Outcome, Robot};
+use jaka_sync::{MotionEnd, Outcome, Robot};
 
 const MOTION: Duration = Duration::from_secs(20);
 
@@ -66,21 +64,11 @@ fn run_into_something(
     start: JointPosition,
     away: JointPosition,
 ) -> Result<MotionEnd, Box<dyn Error>> {
-    let monitor: Arc<Monitor> = Arc::clone(robot.monitor());
-    let end = thread::scope(|scope| {
-        if let Some(controller) = &target.controller {
-            scope.spawn(move || {
-                let far = |joints: JointPosition| joints.0[0] > start.0[0] + 3.0;
-                let moved = monitor.wait_until(|status| status.joint_actual_position.is_some_and(far), MOTION);
-                match moved {
-                    Ok(_) => controller.collide(),
-                    Err(error) => eprintln!("  the arm does not move: {error}"),
-                }
-            });
-        }
-        robot.run(&to(away), MOTION)
-    });
-    Ok(end?)
+    if let Some(controller) = &target.controller {
+        let far = start.0[0] + 3.0;
+        controller.when(move |state| state.joint_position.0[0] > far, |controller| controller.collide())?;
+    }
+    Ok(robot.run(&to(away), MOTION)?)
 }
 
 /// What the end of a motion tells.

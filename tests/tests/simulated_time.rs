@@ -158,6 +158,22 @@ fn a_slow_status_that_falls_silent_for_a_while_ends_no_motion() {
 }
 
 #[test]
+fn a_collision_on_the_way_is_told_with_the_next_packet() {
+    let period = Duration::from_millis(30);
+    let controller = arm(period);
+    let clock = clock_of(&controller);
+    let mut robot = robot_of(&controller, &config(&controller));
+    let collide = controller.when(|state| state.joint_position.0[0] > 20.0, |controller| controller.collide());
+    let end = robot.run(&to(40.0, 10.0), LONG).expect("it is reachable");
+    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{:?}", end.outcome);
+    let collided = collide.expect("a thread starts").fired_at().expect("the arm was there");
+    let told = clock.elapsed().saturating_sub(collided);
+    let joint = controller.state().joint_position.0[0];
+    // It stands where it was in that cycle, at 10 deg/s.
+    assert!(told <= period && joint > 20.0 && joint <= 20.0 + 0.08 + 1e-9, "after {told:?}, at {joint} deg");
+}
+
+#[test]
 fn replies_and_timeouts_come_at_their_times() {
     let controller = arm(Duration::from_millis(30));
     let clock = clock_of(&controller);

@@ -1,0 +1,155 @@
+//! What follows once the state is as a condition says.
+
+use std::any::Any;
+use std::fmt;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::{Arc, Mutex};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use crate::State;
+use crate::lock::lock;
+use crate::time::{Signal, Time};
+
+/// What has become of a condition of [`Controller::when`](crate::Controller::when). Dropping it changes nothing.
+#[derive(Debug, Clone)]
+pub struct Trigger(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    progress: Mutex<Progress>,
+    changed: Signal,
+}
+
+#[derive(Debug, Default)]
+struct Progress {
+    fired_at: Option<Duration>,
+    /// The action has returned, or there is none to come.
+    is_over: bool,
+    panic: Option<Box<dyn Any + Send>>,
+}
+
+impl Trigger {
+    pub(crate) fn new(time: &Time) -> Self {
+        Self(Arc::new(Inner { progress: Mutex::default(), changed: Signal::new(time) }))
+    }
+
+    /// When the condition held first, in the controller's time since its start; `None` if it has not held yet.
+    pub fn fired_at(&self) -> Option<Duration> {
+        lock(&self.0.progress).fired_at
+    }
+
+    /// Waits until the action has returned; false if it has not after `timeout`, or the controller is gone before the condition held.
+    ///
+    /// # Panics
+    /// The condition or the action has panicked: with the same payload, once.
+    pub fn wait(&self, timeout: Duration) -> bool {
+        let mut progress = self.0.changed.wait(&self.0.progress, timeout, |progress| progress.is_over);
+        if let Some(payload) = progress.panic.take() {
+            drop(progress);
+            panic::resume_unwind(payload);
+        }
+        progress.is_over && progress.fired_at.is_some()
+    }
+
+    /// Waits for the condition, or so long; true if it is still waited for.
+    pub(crate) fn waits(&self, time: Duration) -> bool {
+        let is_settled = |progress: &Progress| progress.fired_at.is_some() || progress.is_over;
+        !is_settled(&self.0.changed.wait(&self.0.progress, time, is_settled))
+    }
+
+    /// Waits until the action has returned, if the condition holds.
+    pub(crate) fn wait_for_action(&self) {
+        let is_done = |progress: &Progress| progress.fired_at.is_none() || progress.is_over;
+        drop(self.0.changed.wait(&self.0.progress, Duration::MAX, is_done));
+    }
+
+    /// Waits for the condition no longer.
+    pub(crate) fn give_up(&self) {
+        self.change(|progress| progress.is_over |= progress.fired_at.is_none());
+    }
+
+    /// Runs the action if the condition holds.
+    pub(crate) fn run(&self, action: impl FnOnce()) {
+        if lock(&self.0.progress).is_over {
+            return;
+        }
+        self.end(panic::catch_unwind(AssertUnwindSafe(action)));
+    }
+
+    fn end(&self, ended: thread::Result<()>) {
+        self.change(|progress| {
+            progress.is_over = true;
+            progress.panic = ended.err();
+        });
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Progress)) {
+        change(&mut lock(&self.0.progress));
+        self.0.changed.notify_all();
+    }
+}
+
+/// A condition that is waited for.
+pub(crate) struct Condition {
+    holds: Box<dyn FnMut(&State) -> bool + Send>,
+    trigger: Trigger,
+}
+
+impl Condition {
+    pub(crate) fn new(holds: impl FnMut(&State) -> bool + Send + 'static, trigger: &Trigger) -> Self {
+        Self { holds: Box::new(holds), trigger: trigger.clone() }
+    }
+
+    /// True if it need not be asked again, since it holds in this state or has panicked.
+    pub(crate) fn is_settled(&mut self, state: &State, now: Duration) -> bool {
+        match panic::catch_unwind(AssertUnwindSafe(|| (self.holds)(state))) {
+            Ok(false) => return false,
+            Ok(true) => self.trigger.change(|progress| progress.fired_at = Some(now)),
+            Err(payload) => self.trigger.end(Err(payload)),
+        }
+        true
+    }
+}
+
+impl fmt::Debug for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Condition").finish_non_exhaustive()
+    }
+}
+
+/// The conditions of a controller, each with the thread that waits for it.
+#[derive(Debug, Default)]
+pub(crate) struct Triggers(Mutex<Vec<(Trigger, JoinHandle<()>)>>);
+
+impl Triggers {
+    pub(crate) fn add(&self, trigger: &Trigger, thread: JoinHandle<()>) {
+        let mut list = lock(&self.0);
+        list.retain(|(_, thread)| !thread.is_finished());
+        list.push((trigger.clone(), thread));
+    }
+
+    /// Waits until the actions of all conditions that hold have returned.
+    pub(crate) fn wait_for_actions(&self) {
+        let all: Vec<_> = lock(&self.0).iter().map(|(trigger, _)| trigger.clone()).collect();
+        all.iter().for_each(Trigger::wait_for_action);
+    }
+
+    /// Gives up all conditions that do not hold yet, and waits for the actions of the others and for the threads.
+    pub(crate) fn close(&self) {
+        loop {
+            let all = std::mem::take(&mut *lock(&self.0));
+            if all.is_empty() {
+                return;
+            }
+            all.iter().for_each(|(trigger, _)| trigger.give_up());
+            // An action may drop the controller.
+            let is_other = |thread: &JoinHandle<()>| thread.thread().id() != thread::current().id();
+            for (trigger, thread) in all.into_iter().filter(|(_, thread)| is_other(thread)) {
+                // By a simulated clock, time goes on only for a wait that it knows.
+                trigger.wait_for_action();
+                drop(thread.join());
+            }
+        }
+    }
+}
