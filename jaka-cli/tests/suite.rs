@@ -1,5 +1,6 @@
 //! All tests of the program, which is run as its users run it.
 
+mod any_language;
 mod call;
 mod check;
 mod common;
@@ -15,7 +16,6 @@ mod jitter;
 mod manual;
 mod others;
 mod pages;
-mod plain_socket;
 mod probe;
 mod program;
 mod record;
