@@ -3,6 +3,7 @@
 mod amounts;
 #[cfg(feature = "generator")]
 mod branch;
+mod clear;
 mod end_move;
 mod follow;
 mod joint_way;
@@ -10,6 +11,7 @@ mod landing;
 mod led;
 mod pace;
 mod path;
+mod piece_end;
 mod pieces;
 mod points;
 mod set_point;
@@ -25,6 +27,8 @@ use nalgebra::Isometry3;
 
 pub(crate) use self::led::Led;
 pub use self::pace::{JointPace, TcpPace};
+use self::points::{POINTS, radii};
+pub(crate) use self::solve::Solved;
 #[cfg(feature = "generator")]
 pub(crate) use self::stops::longest;
 use crate::beyond::{Beyond, Exceeded, Found, Way};
@@ -67,12 +71,16 @@ pub struct Checker {
     base: Isometry3<f64>,
     /// The tool, seen from the flange.
     tool: Isometry3<f64>,
+    /// The most that each of [`POINTS`] can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
+    radii: [[f64; 6]; 3],
 }
 
 impl Checker {
     /// For an arm with these limits, and this tool, user frame and mounting.
     pub fn new(limits: Limits, frames: Frames) -> Self {
-        Self { limits, frames, base: frames.base().0, tool: frames.tool().0 }
+        let tool = frames.tool().0;
+        let radii = POINTS.map(|point| radii(&limits.model().links, point, &tool.translation.vector));
+        Self { limits, frames, base: frames.base().0, tool, radii }
     }
 
     /// With another tool, user frame or mounting.

@@ -7,6 +7,7 @@ mod braking;
 mod branches;
 mod checker;
 mod closed_form;
+mod damped;
 mod fit;
 mod follower;
 mod frames;

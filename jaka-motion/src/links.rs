@@ -84,16 +84,17 @@ pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Ma
 pub(crate) fn bend(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>, rates: &[f64; 6]) -> Vector6<f64> {
     let axes = frames.map(|frame| frame.rotation * Vector3::z());
     let origins = frames.map(|frame| frame.translation.vector);
-    let velocity = |point: &Vector3<f64>, joints: usize| -> Vector3<f64> {
-        (0..joints).map(|joint| axes[joint].cross(&(point - origins[joint])) * rates[joint]).sum()
-    };
+    let whole: Vector3<f64> = (0..6).map(|joint| axes[joint].cross(&(point - origins[joint])) * rates[joint]).sum();
     let (mut moved, mut turned, mut turning) = (Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
-    let whole = velocity(point, 6);
+    // How the origin of each joint moves with the joints before it.
+    let (mut before, mut carried) = (origins[0], Vector3::zeros());
     for joint in 0..6 {
+        carried += turning.cross(&(origins[joint] - before));
+        before = origins[joint];
         // The axis of a joint turns with the joints before it.
         let swing = turning.cross(&axes[joint]);
         let lever = point - origins[joint];
-        moved += (swing.cross(&lever) + axes[joint].cross(&(whole - velocity(&origins[joint], joint)))) * rates[joint];
+        moved += (swing.cross(&lever) + axes[joint].cross(&(whole - carried))) * rates[joint];
         turned += swing * rates[joint];
         turning += axes[joint] * rates[joint];
     }

@@ -4,7 +4,7 @@ pub(crate) mod bernstein;
 
 use jaka_proto::messages::types::JointPosition;
 
-use self::bernstein::{differences, largest, peak, value};
+use self::bernstein::{differences, largest, peak, sum, weights};
 
 /// Where the joints are at one moment, and how they move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +25,29 @@ pub(crate) struct Piece {
     from: [f64; 6],
     /// The Bernstein coefficients of each joint, as degrees from where it starts; the first, which is 0, is left out.
     way: [[f64; 5]; 6],
+}
+
+/// Between what a piece stays.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hull {
+    /// The lowest and the highest position of each joint, in degrees.
+    positions: [[f64; 2]; 6],
+    /// What no joint's speed is above, in deg/s.
+    pub(crate) speeds: [f64; 6],
+    /// What no joint's acceleration is above, in deg/s².
+    pub(crate) accelerations: [f64; 6],
+}
+
+impl Hull {
+    /// Whether all positions are between these; not where one is not a number.
+    pub(crate) fn is_between(&self, least: &[f64; 6], most: &[f64; 6]) -> bool {
+        let between = |joint: usize| {
+            let [lowest, highest] = self.positions[joint];
+            // Without a number there is neither.
+            least[joint] <= lowest && lowest <= highest && highest <= most[joint]
+        };
+        (0..6).all(between)
+    }
 }
 
 impl Piece {
@@ -58,27 +81,32 @@ impl Piece {
         Self::between(start_s, seconds, &from, &to)
     }
 
-    /// The same at another time.
-    pub(crate) fn starting_at(&self, start_s: f64) -> Self {
-        Self { start_s, ..self.clone() }
-    }
-
     pub(crate) fn end_s(&self) -> f64 {
         self.start_s + self.seconds
     }
 
     /// At a share of its time.
     pub(crate) fn at(&self, share: f64) -> Sample {
-        Sample {
-            joints: JointPosition(std::array::from_fn(|joint| self.from[joint] + value(&self.way(joint), share))),
-            velocity: std::array::from_fn(|joint| value(&self.speeds(joint), share)),
-            acceleration: std::array::from_fn(|joint| value(&self.accelerations(joint), share)),
+        let (first, second) = (weights::<5>(share), weights::<4>(share));
+        let (by_speed, by_acceleration) = (5.0 / self.seconds, 20.0 / self.seconds / self.seconds);
+        let (mut velocity, mut acceleration) = ([0.0; 6], [0.0; 6]);
+        for (joint, [one, two, three, four, five]) in self.way.iter().enumerate() {
+            let steps = [*one, two - one, three - two, four - three, five - four];
+            velocity[joint] = by_speed * sum(&first, &steps);
+            acceleration[joint] = by_acceleration * sum(&second, &differences::<5, 4>(&steps, 1.0));
         }
+        Sample { joints: JointPosition(self.joints(share)), velocity, acceleration }
     }
 
     /// The joint positions at a share of its time.
     pub(crate) fn joints(&self, share: f64) -> [f64; 6] {
-        std::array::from_fn(|joint| self.from[joint] + value(&self.way(joint), share))
+        let [_, weights @ ..] = weights::<6>(share);
+        std::array::from_fn(|joint| self.from[joint] + sum(&weights, &self.way[joint]))
+    }
+
+    /// The joint positions at its start and its end.
+    pub(crate) fn ends(&self) -> [[f64; 6]; 2] {
+        [self.from, std::array::from_fn(|joint| self.from[joint] + self.way[joint][4])]
     }
 
     /// The Bernstein coefficients of a joint's position.
@@ -96,14 +124,19 @@ impl Piece {
         differences(&self.speeds(joint), 4.0 / self.seconds)
     }
 
-    /// What no joint's speed is above, found at once.
-    pub(crate) fn speeds_at_most(&self) -> [f64; 6] {
-        std::array::from_fn(|joint| largest(&self.speeds(joint)))
-    }
-
-    /// What no joint's acceleration is above, found at once.
-    pub(crate) fn accelerations_at_most(&self) -> [f64; 6] {
-        std::array::from_fn(|joint| largest(&self.accelerations(joint)))
+    /// Between what it stays, found at once.
+    pub(crate) fn hull(&self) -> Hull {
+        let mut hull = Hull { positions: [[0.0; 2]; 6], speeds: [0.0; 6], accelerations: [0.0; 6] };
+        for joint in 0..6 {
+            let (positions, speeds) = (self.positions(joint), self.speeds(joint));
+            hull.positions[joint] = [
+                positions.into_iter().fold(f64::INFINITY, f64::min),
+                positions.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            ];
+            hull.speeds[joint] = largest(&speeds);
+            hull.accelerations[joint] = largest(&differences::<5, 4>(&speeds, 4.0 / self.seconds));
+        }
+        hull
     }
 
     /// The highest speed of each joint, or a little more.
@@ -118,13 +151,22 @@ impl Piece {
 
     /// The largest jerk of each joint, or a little more.
     pub(crate) fn top_jerks(&self) -> [f64; 6] {
-        std::array::from_fn(|joint| peak(&differences::<4, 3>(&self.accelerations(joint), 3.0 / self.seconds)))
+        std::array::from_fn(|joint| peak(&self.jerks(joint)))
+    }
+
+    /// What no joint's jerk is above, found at once.
+    pub(crate) fn jerks_at_most(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| largest(&self.jerks(joint)))
     }
 
     /// Whether all its numbers are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let moves = (0..6).all(|joint| self.accelerations(joint).iter().all(|number| number.is_finite()));
         moves && self.from.iter().all(|joint| joint.is_finite())
+    }
+
+    fn jerks(&self, joint: usize) -> [f64; 3] {
+        differences(&self.accelerations(joint), 3.0 / self.seconds)
     }
 
     fn way(&self, joint: usize) -> [f64; 6] {

@@ -4,6 +4,7 @@ mod error;
 #[cfg(feature = "trajectory-files")]
 mod file;
 mod leg;
+mod line;
 mod plan;
 mod reserve;
 mod spline;
@@ -25,7 +26,7 @@ pub use self::file::TrajectoryFileError;
 pub use self::through::{Through, Via};
 pub use self::timed::TimedPoint;
 pub use self::way_point::{Passing, WayPoint};
-use crate::beyond::{Beyond, Way};
+use crate::beyond::Way;
 use crate::checker::Checker;
 use crate::piece::{Piece, Sample};
 
@@ -47,10 +48,14 @@ use crate::piece::{Piece, Sample};
 /// many on lines 0.5 to 1 s. A piece has some 300 bytes: there is one between two points with times, three or four for a point without, and one more for each 50 mm or
 /// less of a line. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
 #[derive(Clone, PartialEq)]
-pub struct Trajectory {
-    pieces: Arc<[Piece]>,
-    way_points: Arc<[WayPoint]>,
-    accelerations: [f64; 6],
+pub struct Trajectory(Arc<Made>);
+
+/// What clones share.
+#[derive(PartialEq)]
+struct Made {
+    pieces: Vec<Piece>,
+    way_points: Vec<WayPoint>,
+    checker: Checker,
 }
 
 impl Trajectory {
@@ -61,7 +66,7 @@ impl Trajectory {
 
     /// How long it takes, in seconds.
     pub fn duration_s(&self) -> f64 {
-        self.pieces.last().map_or(0.0, Piece::end_s)
+        self.0.pieces.last().map_or(0.0, Piece::end_s)
     }
 
     /// Where the arm is at the start.
@@ -80,43 +85,52 @@ impl Trajectory {
     pub fn at(&self, time_s: f64) -> Sample {
         // What is not a number counts as the start.
         let time_s = time_s.max(0.0);
-        let piece = &self.pieces[self.piece_at(time_s)];
+        let piece = &self.0.pieces[self.piece_at(time_s)];
         piece.at(((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0))
     }
 
     /// The way-points in their order.
     pub fn way_points(&self) -> &[WayPoint] {
-        &self.way_points
+        &self.0.way_points
     }
 
-    /// Compares it with the limits of an arm, as was done where it was made.
+    /// Compares it with the limits of an arm, as was done where it was made: with the same limits and frames, that is the answer.
     ///
     /// # Errors
     /// The first place, in time, that is beyond a limit.
     pub fn check(&self, checker: &Checker) -> Result<(), TrajectoryError> {
-        self.pieces.iter().try_for_each(|piece| {
-            checker.check_piece(piece).map_err(|(exceeded, share)| {
-                let time_s = piece.start_s + share * piece.seconds;
-                self.beyond(time_s, checker.beyond_of(Way::Trajectory, exceeded))
-            })
-        })
+        if *checker == self.0.checker { Ok(()) } else { self.0.check(checker) }
     }
 
     /// One that was checked; `pieces` are at least one.
-    fn checked(pieces: Vec<Piece>, way_points: Vec<WayPoint>, checker: &Checker) -> Result<Self, TrajectoryError> {
-        let accelerations = *checker.limits().joint_accelerations();
-        let made = Self { pieces: pieces.into(), way_points: way_points.into(), accelerations };
-        made.check(checker).map(|()| made)
-    }
-
-    fn beyond(&self, time_s: f64, beyond: Beyond) -> TrajectoryError {
-        let after = self.way_points.partition_point(|way_point| way_point.time_s <= time_s);
-        TrajectoryError::Beyond { after, time_s: Some(time_s), beyond: Box::new(beyond) }
+    fn checked(
+        mut pieces: Vec<Piece>,
+        mut way_points: Vec<WayPoint>,
+        checker: &Checker,
+    ) -> Result<Self, TrajectoryError> {
+        pieces.shrink_to_fit();
+        way_points.shrink_to_fit();
+        let made = Made { pieces, way_points, checker: checker.clone() };
+        made.check(checker).map(|()| Self(Arc::new(made)))
     }
 
     /// Which piece has a time.
     fn piece_at(&self, time_s: f64) -> usize {
-        self.pieces.partition_point(|piece| piece.start_s <= time_s).saturating_sub(1)
+        self.0.pieces.partition_point(|piece| piece.start_s <= time_s).saturating_sub(1)
+    }
+}
+
+impl Made {
+    fn check(&self, checker: &Checker) -> Result<(), TrajectoryError> {
+        let mut end = None;
+        self.pieces.iter().try_for_each(|piece| {
+            checker.check_piece(piece, &mut end).map_err(|(exceeded, share)| {
+                let time_s = piece.start_s + share * piece.seconds;
+                let after = self.way_points.partition_point(|way_point| way_point.time_s <= time_s);
+                let beyond = Box::new(checker.beyond_of(Way::Trajectory, exceeded));
+                TrajectoryError::Beyond { after, time_s: Some(time_s), beyond }
+            })
+        })
     }
 }
 
@@ -124,7 +138,7 @@ impl Trajectory {
 impl fmt::Debug for Trajectory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut parts = f.debug_struct("Trajectory");
-        parts.field("duration_s", &self.duration_s()).field("way_points", &self.way_points.len());
-        parts.field("pieces", &self.pieces.len()).finish_non_exhaustive()
+        parts.field("duration_s", &self.duration_s()).field("way_points", &self.0.way_points.len());
+        parts.field("pieces", &self.0.pieces.len()).finish_non_exhaustive()
     }
 }

@@ -44,8 +44,6 @@ struct Following<'a> {
     start_points: [Point3<f64>; 2],
     /// The least distance from each singularity.
     least: [f64; 3],
-    /// The most that the wrist can be away from the axis of each joint.
-    wrist_radii: [f64; 6],
 }
 
 /// Where the joints are at a share of the path.
@@ -102,7 +100,6 @@ impl<'a> Following<'a> {
             start: *from,
             start_points: [2, 4].map(|frame: usize| frames[frame].translation.vector.into()),
             least: model.distances(&frames).map(|distance| distance.min(least)),
-            wrist_radii: checker.radii(Point::Wrist),
             path,
         }
     }
@@ -215,8 +212,7 @@ impl<'a> Following<'a> {
             let moved = (next.joints[index] - here.joints[index]).abs();
             (moved + 2.0 * bend(here, next, index)).to_radians()
         };
-        let (radii, reach) = (self.wrist_radii, self.checker.limits.model().reach_mm());
-        let changes = [(1..4).map(|index| turned(index) * radii[index]).sum::<f64>() / reach, turned(2), turned(4)];
+        let changes = self.checker.distances_change(&std::array::from_fn(turned));
         (0..3).all(|index| {
             let least = 0.5 * (here.distances[index] + next.distances[index] - changes[index]);
             self.least[index] <= 0.0 || least >= self.least[index] - Checker::AMOUNT_SINGULARITY

@@ -102,28 +102,14 @@ impl Checker {
 
     /// How a point goes while the joints turn by at most these radians.
     pub(super) fn course_of_turns(&self, point: Point, turned: &[f64; 6]) -> Course {
-        let radii = self.radii(point);
-        let rate_mm = (0..6).map(|index| turned[index] * radii[index]).sum();
-        // The turn of one joint changes how another moves the point: at most by the turns' product times the outer one's distance.
-        let pairs = (0..6).flat_map(|one| (0..6).map(move |other| (one, other)));
-        let bend_mm = pairs.map(|(one, other)| turned[one] * turned[other] * radii[one.max(other)]).sum();
+        let (mut rate_mm, mut bend_mm, mut sum) = (0.0, 0.0, 0.0);
+        for (radius, turned) in self.radii(point).iter().zip(turned) {
+            rate_mm += turned * radius;
+            // The turn of one joint changes how another moves the point: at most by the turns' product times the outer one's distance.
+            bend_mm += (2.0 * sum + turned) * turned * radius;
+            sum += turned;
+        }
         Course { rate_mm, bend_mm }
-    }
-
-    /// The most that a point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
-    pub(super) fn radii(&self, point: Point) -> [f64; 6] {
-        let links = &self.limits.model().links;
-        let last = match point {
-            Point::Elbow => 2,
-            Point::Wrist => 4,
-            Point::Tcp => 5,
-        };
-        let tool = if point == Point::Tcp { self.tool.translation.vector } else { Vector3::zeros() };
-        std::array::from_fn(|joint| {
-            let bars = (joint + 1..=last).map(|link| links.a[link].hypot(links.d[link])).sum::<f64>();
-            // The last axis is the tool's z axis.
-            bars + if joint == 5 { tool.x.hypot(tool.y) } else { tool.norm() }
-        })
     }
 }
 

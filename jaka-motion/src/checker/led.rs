@@ -1,10 +1,9 @@
 //! The joints where the tool is led.
 
-use nalgebra::{Isometry3, Vector3, Vector6};
+use nalgebra::{Isometry3, Vector6};
 
 use super::Checker;
 use crate::beyond::Exceeded;
-use crate::links::bend;
 use crate::piece::Sample;
 
 /// How a tool moves: where it is in the arm's base, its velocity and the change of it, in mm and radians a second.
@@ -23,12 +22,7 @@ impl Checker {
 
     /// How the joints near others move for a tool that moves so; none where they are not found, or cannot.
     pub(crate) fn led(&self, led: &Led, near: &[f64; 6]) -> Option<Sample> {
-        let solved = self.solved(&led.tool, near)?;
-        let velocity = solved.rates(&led.velocity)?;
-        let tcp: Vector3<f64> = led.tool.translation.vector;
-        let bent = bend(&solved.frames, &tcp, &velocity.map(f64::to_radians));
-        let acceleration = solved.rates(&(led.acceleration - bent))?;
-        Some(Sample { joints: solved.joints.into(), velocity, acceleration })
+        self.solved(&led.tool, near)?.moving(&led.velocity, &led.acceleration)
     }
 
     /// Whether joint positions between two others are not nearer to a singularity than both of these and the least distance, but for the stated

@@ -1,12 +1,13 @@
 //! Parts of trajectories.
 
 use super::amounts::ROUNDING;
+use super::piece_end::PieceEnd;
 use super::points::{Course, POINTS};
 use super::{Checker, rounded_up};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::Point;
-use crate::piece::Piece;
 use crate::piece::bernstein::{furthest, is_within};
+use crate::piece::{Hull, Piece};
 
 /// By what share of itself the speed of the tool centre point may change between two places at which it is compared, where it is near its limit.
 const SPEED_STEP: f64 = 1e-3;
@@ -18,23 +19,47 @@ const LANDINGS: f64 = 0.008;
 const ACCELERATION_ROUNDING: f64 = 1e-7;
 
 impl Checker {
-    /// Compares a piece with all limits; the share is that of its time.
-    pub(crate) fn check_piece(&self, piece: &Piece) -> Result<(), Found> {
-        if !piece.is_finite() {
-            return Err((Exceeded::NotFinite, 0.0));
+    /// Compares a piece with all limits; the share is that of its time. `end` is where the piece before ended, if that is known, and then where this one
+    /// does.
+    pub(crate) fn check_piece(&self, piece: &Piece, end: &mut Option<PieceEnd>) -> Result<(), Found> {
+        let hull = piece.hull();
+        if !self.is_hull_within(&hull) {
+            if !piece.is_finite() {
+                return Err((Exceeded::NotFinite, 0.0));
+            }
+            self.piece_in_ranges(piece)?;
+            self.piece_in_speeds(piece)?;
+            self.piece_in_accelerations(piece)?;
         }
-        self.piece_in_ranges(piece)?;
-        self.piece_in_speeds(piece)?;
-        self.piece_in_accelerations(piece)?;
-        self.piece_in_tcp_speed(piece)?;
-        let is_near = !self.is_far_from_regions(piece);
-        if is_near {
-            self.piece_in_regions(piece)?;
+        let has_regions = !self.limits.regions().is_empty();
+        let mut is_near = false;
+        if has_regions || self.limits.tcp_speed().is_some() {
+            let [from, to] = piece.ends();
+            let ends = [end.take().unwrap_or_else(|| self.piece_end(&from)), self.piece_end(&to)];
+            self.piece_in_tcp_speed(piece, &hull, &ends)?;
+            is_near = has_regions && !self.is_far_from_regions(piece, &hull, &ends[0]);
+            if is_near {
+                self.piece_in_regions(piece, &hull)?;
+            }
+            let [_, last] = ends;
+            *end = Some(last);
         }
-        if is_near || !self.is_far_from_range_ends(piece) {
+        if is_near || !self.is_far_from_range_ends(&hull) {
             self.piece_can_land(piece)?;
         }
         Ok(())
+    }
+
+    /// Whether bounds alone show that joint ranges, speeds and accelerations are kept.
+    fn is_hull_within(&self, hull: &Hull) -> bool {
+        let limits = &self.limits;
+        let (min, max) = (limits.joint_min(), limits.joint_max());
+        let at_most = |found: &[f64; 6], limits: &[f64; 6]| {
+            found.iter().zip(limits).all(|(found, limit)| *found <= rounded_up(*limit))
+        };
+        hull.is_between(min, max)
+            && at_most(&hull.speeds, limits.joint_speeds())
+            && at_most(&hull.accelerations, limits.joint_accelerations())
     }
 
     fn piece_in_ranges(&self, piece: &Piece) -> Result<(), Found> {
@@ -77,10 +102,10 @@ impl Checker {
         Ok(())
     }
 
-    fn piece_in_tcp_speed(&self, piece: &Piece) -> Result<(), Found> {
+    fn piece_in_tcp_speed(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> Result<(), Found> {
         let Some(limit_mm_s) = self.limits.tcp_speed() else { return Ok(()) };
-        let Course { rate_mm, bend_mm } = self.course_of_piece(Point::Tcp, piece);
-        if rate_mm <= limit_mm_s * piece.seconds {
+        let Course { rate_mm, bend_mm } = self.course_of_piece(Point::Tcp, piece, hull);
+        if rate_mm <= limit_mm_s * piece.seconds || self.tcp_speed_at_most(piece, hull, ends) <= limit_mm_s {
             return Ok(());
         }
         // How fast the speed can change for the whole of the piece.
@@ -100,47 +125,43 @@ impl Checker {
         Err((Exceeded::TooLong, share))
     }
 
-    fn piece_in_regions(&self, piece: &Piece) -> Result<(), Found> {
+    fn piece_in_regions(&self, piece: &Piece, hull: &Hull) -> Result<(), Found> {
         POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some()).try_for_each(|point| {
             let at = |share: f64| self.point(point, &piece.joints(share));
-            self.along_from(point, None, 0.0, self.course_of_piece(point, piece), at)
+            self.along_from(point, None, 0.0, self.course_of_piece(point, piece, hull), at)
         })
     }
 
     /// How a point goes on a piece.
-    fn course_of_piece(&self, point: Point, piece: &Piece) -> Course {
-        let seconds = piece.seconds;
-        let turned = piece.speeds_at_most().map(|speed| speed.to_radians() * seconds);
-        let swung = piece.accelerations_at_most().map(|acceleration| acceleration.to_radians() * seconds * seconds);
+    fn course_of_piece(&self, point: Point, piece: &Piece, hull: &Hull) -> Course {
+        let turned = hull.turned(piece.seconds);
         let (radii, course) = (self.radii(point), self.course_of_turns(point, &turned));
+        let swung = hull.swung(piece.seconds);
         let bend_mm = course.bend_mm + (0..6).map(|index| swung[index] * radii[index]).sum::<f64>();
         Course { bend_mm, ..course }
     }
 
     /// Whether no point gets to a region on a piece or where the arm lands from it, wherever it goes.
-    fn is_far_from_regions(&self, piece: &Piece) -> bool {
-        let seconds = piece.seconds + self.room_s(piece);
-        let turned = piece.speeds_at_most().map(|speed| speed.to_radians() * seconds);
+    fn is_far_from_regions(&self, piece: &Piece, hull: &Hull, start: &PieceEnd) -> bool {
+        let turned = hull.turned(piece.seconds + self.room_s(hull));
         POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some()).all(|point| {
-            let clear = self.beyond_regions(point, None, &self.point(point, &piece.joints(0.0)), 0.0);
-            let rate_mm: f64 = self.radii(point).iter().zip(turned).map(|(radius, turned)| radius * turned).sum();
+            let clear = self.beyond_regions(point, None, start.point(point), 0.0);
+            let Course { rate_mm, .. } = self.course_of_turns(point, &turned);
             clear.is_ok_and(|clear| clear > rate_mm)
         })
     }
 
     /// Whether no joint gets to an end of its range where the arm lands from a piece.
-    fn is_far_from_range_ends(&self, piece: &Piece) -> bool {
-        let (speeds, seconds) = (piece.speeds_at_most(), self.room_s(piece));
-        (0..6).all(|joint| {
-            let room = seconds * speeds[joint];
-            let (min, max) = (self.limits.joint_min()[joint], self.limits.joint_max()[joint]);
-            piece.positions(joint).iter().all(|position| (min + room..=max - room).contains(position))
-        })
+    fn is_far_from_range_ends(&self, hull: &Hull) -> bool {
+        let seconds = self.room_s(hull);
+        let room = hull.speeds.map(|speed| seconds * speed);
+        let least = std::array::from_fn(|joint| self.limits.joint_min()[joint] + room[joint]);
+        hull.is_between(&least, &std::array::from_fn(|joint| self.limits.joint_max()[joint] - room[joint]))
     }
 
     /// For how many seconds a joint could go on with its speed on the way that it may take to land.
-    fn room_s(&self, piece: &Piece) -> f64 {
-        let needed = piece.speeds_at_most().into_iter().zip(self.limits.joint_accelerations());
+    fn room_s(&self, hull: &Hull) -> f64 {
+        let needed = hull.speeds.iter().zip(self.limits.joint_accelerations());
         0.5 * needed.map(|(speed, acceleration)| speed / acceleration).fold(0.0, f64::max) + LANDINGS
     }
 

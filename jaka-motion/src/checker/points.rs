@@ -1,11 +1,12 @@
 //! Points of the arm on their way through regions.
 
-use nalgebra::{Isometry3, Point3};
+use nalgebra::{Isometry3, Point3, Vector3};
 
 use super::Checker;
 use super::amounts::{BEND_MM, LEAST_STEP, ROUNDING, START_ROUNDING};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::{Point, Region, RegionFrame};
+use crate::links::Links;
 
 /// All points that regions can be for.
 pub(super) const POINTS: [Point; 3] = [Point::Tcp, Point::Elbow, Point::Wrist];
@@ -24,8 +25,8 @@ impl Checker {
     pub(super) fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
         // No start is beyond the ranges: a place is not a motion that leads back.
         self.within_ranges(joints, self.limits.joint_min())?;
-        let reached = |point| self.beyond_regions(point, None, &self.point(point, joints), 0.0);
-        POINTS.into_iter().try_for_each(|point| reached(point).map(|_| ()))
+        let mut limited = POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some());
+        limited.try_for_each(|point| self.beyond_regions(point, None, &self.point(point, joints), 0.0).map(|_| ()))
     }
 
     /// Whether all joints are within their ranges, or no further beyond than where the motion started.
@@ -51,6 +52,12 @@ impl Checker {
             Point::Wrist => links.product(0..5, &links.angles(joints)),
         };
         frame.translation.vector.into()
+    }
+
+    /// The most that a point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
+    pub(super) fn radii(&self, point: Point) -> &[f64; 6] {
+        // In the order of `POINTS`.
+        &self.radii[point as usize]
     }
 
     /// The regions for a point.
@@ -155,4 +162,19 @@ impl Checker {
             RegionFrame::User => self.base,
         }
     }
+}
+
+/// The most that a point can be away from the axis of each joint, in mm, with the tool centre point there on the flange.
+pub(super) fn radii(links: &Links, point: Point, tool: &Vector3<f64>) -> [f64; 6] {
+    let last = match point {
+        Point::Elbow => 2,
+        Point::Wrist => 4,
+        Point::Tcp => 5,
+    };
+    let tool = if point == Point::Tcp { *tool } else { Vector3::zeros() };
+    std::array::from_fn(|joint| {
+        let bars = (joint + 1..=last).map(|link| links.a[link].hypot(links.d[link])).sum::<f64>();
+        // The last axis is the tool's z axis.
+        bars + if joint == 5 { tool.x.hypot(tool.y) } else { tool.norm() }
+    })
 }

@@ -29,7 +29,7 @@ impl Checker {
         let frames = model.links.frames(joints);
         let distances = model.distances(&frames);
         let nearest = (0..3).fold(0, |least, index| if distances[index] < distances[least] { index } else { least });
-        (self.solved_at(joints, &frames).rates(twist), self.too_near(nearest, distances[nearest]))
+        (self.solved_at(joints, &frames).and_then(|here| here.rates(twist)), self.too_near(nearest, distances[nearest]))
     }
 
     /// How much of a way straight in joint space is free, if not all of it, and what is in the way; the way is `length` seconds at these rates.

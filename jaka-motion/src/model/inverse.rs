@@ -1,10 +1,11 @@
 //! From a pose to joint positions.
 
 use jaka_proto::messages::types::JointPosition;
-use nalgebra::{Isometry3, Matrix6, Vector3, Vector6};
+use nalgebra::{Isometry3, Vector3, Vector6};
 
 use super::Model;
 use crate::branches::Branches;
+use crate::damped::Damped;
 use crate::links::jacobian;
 use crate::no_solution::NoSolution;
 use crate::transform::Transform;
@@ -157,8 +158,7 @@ impl Model {
         let frames = self.links.frames(joints);
         let mut jacobian = jacobian(&frames, &frames[5].translation.vector);
         jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
-        let damped = jacobian * jacobian.transpose() + Matrix6::identity() * damping;
-        let step = jacobian.transpose() * damped.cholesky()?.solve(&off(&frames[5], target));
+        let step = Damped::new(jacobian, damping)?.turns(&off(&frames[5], target));
         Some(std::array::from_fn(|index| joints[index] + step[index].to_degrees()))
     }
 

@@ -16,6 +16,24 @@ pub(crate) fn value<const N: usize>(coefficients: &[f64; N], share: f64) -> f64 
     values[0]
 }
 
+/// How much each coefficient counts at a share of the way.
+pub(crate) fn weights<const N: usize>(share: f64) -> [f64; N] {
+    let mut weights = [0.0; N];
+    weights[0] = 1.0;
+    for count in 1..N {
+        for index in (1..=count).rev() {
+            weights[index] = (1.0 - share) * weights[index] + share * weights[index - 1];
+        }
+        weights[0] *= 1.0 - share;
+    }
+    weights
+}
+
+/// The sum of coefficients as much as each counts.
+pub(crate) fn sum<const N: usize>(weights: &[f64; N], coefficients: &[f64; N]) -> f64 {
+    weights.iter().zip(coefficients).map(|(weight, coefficient)| weight * coefficient).sum()
+}
+
 /// The differences of neighbours, times a factor: with the degree as factor, the derivative.
 pub(crate) fn differences<const N: usize, const M: usize>(coefficients: &[f64; N], factor: f64) -> [f64; M] {
     std::array::from_fn(|index| factor * (coefficients[index + 1] - coefficients[index]))

@@ -2,8 +2,9 @@
 
 use nalgebra::Isometry3;
 
+use super::line::Line;
 use super::plan::{Bounds, Corner};
-use super::tool_way::{Course, Direction, ToolWay};
+use super::tool_way::TURN_MM;
 use crate::checker::Checker;
 use crate::transform::Transform;
 
@@ -23,7 +24,7 @@ pub(super) struct Leg {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Way {
     Joints([f64; 6]),
-    Tool { from: Isometry3<f64>, direction: Direction },
+    Tool(Line),
 }
 
 /// What a trajectory is planned with.
@@ -53,8 +54,6 @@ pub(super) struct Survey {
     ends: [[f64; 6]; 2],
 }
 
-/// The length in mm that counts as much as a turn of the tool by one radian.
-const TURN_MM: f64 = 200.0;
 /// The share of accelerations and jerks for the bends of the joints' ways along a line.
 const CURVING: f64 = 0.3;
 /// A corner's way is this many times how far it is from the point, where the directions differ by 1: its speeds go as `3x² - 2x³`.
@@ -65,8 +64,8 @@ const STRAIGHT_ON: f64 = 1e-9;
 const TURNS_BACK: f64 = -0.9986;
 /// How far apart places on a line are at which its speed is limited, in the unit of its length.
 const PLACES: f64 = 25.0;
-/// At how many places on a leg the speed of the tool centre point is looked at.
-const TCP_PLACES: u32 = 8;
+/// How far apart places on a way in joint space are at which the speed of the tool centre point is looked at, in degrees.
+const TCP_PLACES: f64 = 10.0;
 
 impl Leg {
     pub(super) fn joints(after: usize, from: [f64; 6], to: [f64; 6]) -> Self {
@@ -75,59 +74,45 @@ impl Leg {
         Self { after, length, start: from, way: Way::Joints(moved.map(|moved| moved / length)) }
     }
 
-    pub(super) fn line(after: usize, start: [f64; 6], from: Isometry3<f64>, to: Isometry3<f64>) -> Self {
-        let moved = to.translation.vector - from.translation.vector;
-        let turned = (from.rotation.inverse() * to.rotation).scaled_axis();
-        let length = moved.norm().hypot(turned.norm() * TURN_MM);
-        let direction = Direction { moved: moved / length, turned: turned / length };
-        Self { after, length, start, way: Way::Tool { from, direction } }
+    pub(super) fn line(after: usize, start: [f64; 6], length: f64, line: Line) -> Self {
+        Self { after, length, start, way: Way::Tool(line) }
     }
 
-    /// How fast it may be, and how the joints move at its ends; none where they are not found.
-    pub(super) fn survey(&self, budget: &Budget, checker: &Checker) -> Option<Survey> {
+    /// How fast it may be, and how the joints move at its ends.
+    pub(super) fn survey(&self, budget: &Budget, checker: &Checker) -> Survey {
         match &self.way {
             Way::Joints(direction) => {
-                Some(Survey { bounds: self.joint_bounds(direction, budget, checker), ends: [*direction; 2] })
+                Survey { bounds: self.joint_bounds(direction, budget, checker), ends: [*direction; 2] }
             }
-            Way::Tool { from, direction } => self.survey_line(from, direction, budget, checker),
+            Way::Tool(line) => self.survey_line(line, budget),
         }
     }
 
     fn joint_bounds(&self, direction: &[f64; 6], budget: &Budget, checker: &Checker) -> Bounds {
         let least = |limits: &[f64; 6]| smallest(|joint| limits[joint] / direction[joint].abs());
-        let speed = if budget.tcp_speed.is_finite() {
-            let at = |place: u32| f64::from(place) / f64::from(TCP_PLACES) * self.length;
-            let there = |way: f64| std::array::from_fn(|joint| self.start[joint] + way * direction[joint]);
-            let rates = (0..=TCP_PLACES).map(|place| checker.tcp_rate(&there(at(place)), direction));
-            budget.tcp_speed / rates.fold(0.0, f64::max)
-        } else {
-            f64::INFINITY
+        let bounds = Bounds {
+            speed: least(&budget.speeds),
+            acceleration: least(&budget.accelerations),
+            jerk: least(&budget.jerks),
         };
-        let (acceleration, jerk) = (least(&budget.accelerations), least(&budget.jerks));
-        Bounds { speed: speed.min(least(&budget.speeds)), acceleration, jerk }
+        if checker.tcp_rate_at_most(direction) * bounds.speed <= budget.tcp_speed {
+            return bounds;
+        }
+        let there = |way: f64| std::array::from_fn(|joint| self.start[joint] + way * direction[joint]);
+        let rates = places(self.length, TCP_PLACES, [1, 8]).map(|way| checker.tcp_rate(&there(way), direction));
+        Bounds { speed: bounds.speed.min(budget.tcp_speed / rates.fold(0.0, f64::max)), ..bounds }
     }
 
-    fn survey_line(
-        &self,
-        from: &Isometry3<f64>,
-        direction: &Direction,
-        budget: &Budget,
-        checker: &Checker,
-    ) -> Option<Survey> {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
-        let count = (self.length / PLACES).ceil().clamp(2.0, 100.0) as u32;
-        let speed = budget.tcp_speed / direction.moved.norm();
+    fn survey_line(&self, line: &Line, budget: &Budget) -> Survey {
+        let speed = budget.tcp_speed / line.direction.moved.norm();
         let mut bounds = Bounds { speed, acceleration: f64::INFINITY, jerk: f64::INFINITY };
-        let (mut near, mut ends) = (self.start, [[0.0; 6]; 2]);
-        for place in 0..=count {
-            let course = Course { from: f64::from(place) / f64::from(count) * self.length, speeds: [1.0; 2] };
-            let along = [(*direction, course), (*direction, Course::NONE)];
-            let there = checker.led(&ToolWay { frame: *from, along, seconds: 1.0 }.at(0.0), &near)?;
+        let mut ends = [None; 2];
+        for way in places(self.length, PLACES, [2, 100]) {
+            let there = line.at(way);
             bounds = bounds.and(tool_bounds(&there.velocity, &there.acceleration, budget));
-            near = there.joints.0;
-            ends[usize::from(place > 0)] = there.velocity;
+            ends = [ends[0].or(Some(there.velocity)), Some(there.velocity)];
         }
-        Some(Survey { bounds, ends })
+        Survey { bounds, ends: ends.map(Option::unwrap_or_default) }
     }
 
     /// How the corner to the next leg may be rounded, for what was found of both: not at all where a line meets a way in joints, or where the way
@@ -139,7 +124,7 @@ impl Leg {
                 let most = largest(|joint| (after[joint] - before[joint]).abs());
                 (within(tolerances.joint_deg, most), 1.0, cosine)
             }
-            (Way::Tool { direction: before, .. }, Way::Tool { direction: after, .. }) => {
+            (Way::Tool(Line { direction: before, .. }), Way::Tool(Line { direction: after, .. })) => {
                 let cosine = before.moved.dot(&after.moved) + before.turned.dot(&after.turned) * TURN_MM * TURN_MM;
                 let moved = within(tolerances.mm, (after.moved - before.moved).norm());
                 let turned = within(tolerances.turn_deg.to_radians(), (after.turned - before.turned).norm());
@@ -189,6 +174,13 @@ fn tool_bounds(first: &[f64; 6], second: &[f64; 6], budget: &Budget) -> Bounds {
 /// The longest way of a corner that is no further from its point, for directions that differ so.
 fn within(tolerance: f64, differ: f64) -> f64 {
     if differ < STRAIGHT_ON { f64::INFINITY } else { CORNER_WAY * tolerance / differ }
+}
+
+/// Ways from the start to the end of a length, so far apart or less, in a number of parts that is between two.
+fn places(length: f64, apart: f64, [least, most]: [u32; 2]) -> impl Iterator<Item = f64> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
+    let count = ((length / apart).ceil() as u32).clamp(least, most);
+    (0..=count).map(move |place| f64::from(place) / f64::from(count) * length)
 }
 
 fn smallest(of: impl Fn(usize) -> f64) -> f64 {

@@ -30,8 +30,13 @@ pub(super) struct Passage {
     pub(super) corner_s: f64,
 }
 
-/// How often the interval in which a speed is searched is halved.
-const HALVINGS: u32 = 40;
+/// How many speeds are tried at most in a search.
+const ROUNDS: u32 = 40;
+/// The share of a way that a search may leave.
+const LEFT: f64 = 1e-4;
+/// How many binary digits of a speed are left out, of 52: speeds are equal, or differ by some thousandths at least. To get from one to another that is nearer would take a
+/// moment in which nothing but rounding is left of joint positions.
+const DIGITS: u32 = 43;
 /// The share of a leg that is left to go straight on.
 const STRAIGHT: f64 = 0.1;
 /// The share of what is left to it in which a leg has one speed.
@@ -113,7 +118,7 @@ fn corner_speeds(lengths: &[f64], bounds: &[Bounds], corners: &[Corner]) -> Vec<
             }
             let room = (1.0 - STRAIGHT) * lengths[index - 1].min(lengths[index]);
             let fastest = corners[index].within(room).speed;
-            fastest.min(bounds[index - 1].speed).min(bounds[index].speed)
+            rounded_down(fastest.min(bounds[index - 1].speed).min(bounds[index].speed))
         })
         .collect();
     for leg in (0..last).rev() {
@@ -129,22 +134,55 @@ fn corner_speeds(lengths: &[f64], bounds: &[Bounds], corners: &[Corner]) -> Vec<
 
 /// The highest speed at one end of a leg, up to the first, from which that at the other is reached on the way.
 fn reachable(length: f64, bounds: Bounds, corners: [Corner; 2], [fast, slow]: [f64; 2]) -> f64 {
+    if fast <= slow {
+        return fast;
+    }
     let left = length - 0.5 * corners[1].way(slow);
-    let fits = |speed: f64| bounds.way(speed, slow) <= (1.0 - STEADY) * (left - 0.5 * corners[0].way(speed));
-    if fast <= slow || fits(fast) { fast } else { highest(slow, fast, fits) }
+    let speed = highest([slow, fast], LEFT * length, |speed| {
+        (1.0 - STEADY) * (left - 0.5 * corners[0].way(speed)) - bounds.way(speed, slow)
+    });
+    rounded_down(speed).max(slow)
 }
 
 /// The highest speed on a way for which there is room between the speeds at its ends.
 fn top_speed(way: f64, bounds: Bounds, ends: [f64; 2]) -> f64 {
-    let fits = |speed: f64| bounds.way(ends[0], speed) + bounds.way(speed, ends[1]) <= (1.0 - STEADY) * way;
-    if fits(bounds.speed) { bounds.speed } else { highest(ends[0].max(ends[1]), bounds.speed, fits) }
+    let least = ends[0].max(ends[1]);
+    let speed = highest([least, bounds.speed], LEFT * way, |speed| {
+        (1.0 - STEADY) * way - bounds.way(ends[0], speed) - bounds.way(speed, ends[1])
+    });
+    rounded_down(speed).max(least)
 }
 
-/// The highest number between two for which something holds, if it holds for the lower one and for all up to it.
-fn highest(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(low, high);
-        if holds(middle) { low = middle } else { high = middle }
+/// A speed with some eight binary digits.
+fn rounded_down(speed: f64) -> f64 {
+    f64::from_bits(speed.to_bits() >> DIGITS << DIGITS)
+}
+
+/// The highest number between two for which there is room, which gets less with the number; no more room is left than this.
+///
+/// Each next one is where a straight line between the room at a number that is too low and at one that is too high is 0. An end that stays
+/// twice counts half, so that both come nearer.
+fn highest([mut low, mut high]: [f64; 2], enough: f64, room: impl Fn(f64) -> f64) -> f64 {
+    let (mut left, mut lacking) = (room(low), room(high));
+    if lacking >= 0.0 {
+        return high;
+    }
+    let (mut weight, mut was_lacking) = (left, None);
+    for _ in 0..ROUNDS {
+        let middle = low + (high - low) * weight / (weight - lacking);
+        // Also where it is not a number.
+        if !(left > enough && low < middle && middle < high) {
+            break;
+        }
+        let found = room(middle);
+        let is_lacking = found < 0.0;
+        let stays = was_lacking.replace(is_lacking) == Some(is_lacking);
+        let other = if stays { 0.5 } else { 1.0 };
+        if is_lacking {
+            (high, lacking, weight) = (middle, found, other * weight);
+        } else {
+            (low, left, weight, lacking) = (middle, found, found, other * lacking);
+        }
     }
     low
 }

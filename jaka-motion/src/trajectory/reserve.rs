@@ -25,18 +25,20 @@ impl Trajectory {
         let (from_s, to_s) = (from_s.max(0.0), to_s.max(0.0));
         // A step of acceleration at the time itself counts with both sides.
         let last = self.piece_at(to_s.max(from_s));
-        let first = self.pieces[..=last].partition_point(|piece| piece.end_s() < from_s).min(last);
-        let changes = self.pieces[first..=last].iter().map(|piece| self.rate_change_on(piece, from_s, to_s, rate));
+        let pieces = &self.0.pieces[..=last];
+        let first = pieces.partition_point(|piece| piece.end_s() < from_s).min(last);
+        let changes = pieces[first..].iter().map(|piece| self.rate_change_on(piece, from_s, to_s, rate));
         changes.fold(f64::INFINITY, f64::min)
     }
 
     fn rate_change_on(&self, piece: &Piece, from_s: f64, to_s: f64, rate: f64) -> f64 {
         let share = |time_s: f64| ((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0);
         let (from, to) = (share(from_s), share(to_s.max(from_s)));
+        let accelerations = self.0.checker.limits().joint_accelerations();
         let change = |joint: usize| {
             let speed = peak(&part(&piece.speeds(joint), from, to));
             let acceleration = peak(&part(&piece.accelerations(joint), from, to));
-            let left = (self.accelerations[joint] - acceleration * rate * rate).max(0.0);
+            let left = (accelerations[joint] - acceleration * rate * rate).max(0.0);
             if speed > 0.0 { left / speed } else { f64::INFINITY }
         };
         (0..6).map(change).fold(f64::INFINITY, f64::min)

@@ -3,10 +3,12 @@
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::leg::{Budget, Leg, Tolerances, in_base};
-use super::timing::Timing;
+use super::line::Line;
+use super::timing::{Timing, lost};
+use super::tool_way::Direction;
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
-use crate::checker::{Checker, TcpPace};
+use crate::checker::{Checker, Solved, TcpPace};
 
 /// A point of a trajectory, and the way to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +52,8 @@ const LEAST: f64 = 1e-3;
 const SAME: f64 = 1e-6;
 /// A speed in mm/s that is beyond no joint's: lines are checked for all but it.
 const CREEPING: f64 = 1e-6;
+/// Joint positions that are further from others than this, in degrees, are of another branch.
+const ONE_BRANCH: f64 = 1e-2;
 
 impl Through {
     /// The share of each joint's acceleration that is planned.
@@ -108,7 +112,7 @@ impl Through {
         if legs.is_empty() {
             return Err(TrajectoryError::NoWay);
         }
-        let timing = Timing::new(&legs, &self.tolerances, &budget, checker)?;
+        let timing = Timing::new(&legs, &self.tolerances, &budget, checker);
         let (pieces, passages) = timing.pieces()?;
         Trajectory::checked(pieces, places.into_iter().map(|place| passages[place]).collect(), checker)
     }
@@ -155,34 +159,69 @@ impl Through {
             return Err(TrajectoryError::TooFew { given: 1 });
         }
         checker.check_place(*start).map_err(|beyond| at_point(1, beyond))?;
-        let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], start.0);
+        let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], Here::of(*start));
         for (after, via) in (1..).zip(rest) {
-            let (leg, there) = leg(after, &here, via, checker)?;
-            if leg.length > SAME {
-                legs.push(leg);
-                here = there;
-            }
+            let leg = match via {
+                Via::Joints(there) => here.go(after, *there, checker)?,
+                Via::Line(pose) => here.lead(after, *pose, checker)?,
+            };
+            legs.extend(leg);
             places.push(legs.len());
         }
         Ok((legs, places))
     }
 }
 
-/// The way to a point, and the joints there.
-fn leg(after: usize, here: &[f64; 6], via: &Via, checker: &Checker) -> Result<(Leg, [f64; 6]), TrajectoryError> {
-    match via {
-        Via::Joints(there) => {
-            checker.check_place(*there).map_err(|beyond| at_point(after + 1, beyond))?;
-            Ok((Leg::joints(after, *here, there.0), there.0))
+/// Where the legs have led so far.
+struct Here {
+    joints: [f64; 6],
+    /// The same, and what a line from there needs; none where no line has led there.
+    solved: Option<Solved>,
+}
+
+impl Here {
+    fn of(joints: JointPosition) -> Self {
+        Self { joints: joints.0, solved: None }
+    }
+
+    /// The way straight in joint space, if it is one.
+    fn go(&mut self, after: usize, there: JointPosition, checker: &Checker) -> Result<Option<Leg>, TrajectoryError> {
+        checker.check_place(there).map_err(|beyond| at_point(after + 1, beyond))?;
+        let leg = Leg::joints(after, self.joints, there.0);
+        Ok((leg.length > SAME).then(|| {
+            *self = Self::of(there);
+            leg
+        }))
+    }
+
+    /// The way on a line, if it is one.
+    fn lead(&mut self, after: usize, pose: Pose, checker: &Checker) -> Result<Option<Leg>, TrajectoryError> {
+        let Some(start) = self.solved.take().or_else(|| checker.at_joints(&self.joints)) else {
+            return self.checked_line(after, pose, checker).and_then(|_| Err(lost(after, checker)));
+        };
+        let (direction, length) = Direction::between(&start.tool, &in_base(checker, pose));
+        let is_way = length > SAME;
+        let mut found = if is_way { Line::short(checker, &start, direction, length) } else { None };
+        if !found.as_ref().is_some_and(|(line, _)| line.is_clear()) {
+            let checked = self.checked_line(after, pose, checker)?;
+            if !is_way {
+                self.solved = Some(start);
+                return Ok(None);
+            }
+            let is_same = |there: &Solved| checked.max_distance(&there.joints.into()) <= ONE_BRANCH;
+            found = found.or_else(|| Line::new(checker, &start, direction, length)).filter(|(_, there)| is_same(there));
         }
-        Via::Line(pose) => {
-            let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
-            let there = checker.check_line((*here).into(), *pose, pace);
-            let there =
-                there.map_err(|beyond| TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) })?;
-            let from = checker.tool(here);
-            Ok((Leg::line(after, *here, from, in_base(checker, *pose)), there.0))
-        }
+        let (line, there) = found.ok_or_else(|| lost(after, checker))?;
+        let leg = Leg::line(after, self.joints, length, line);
+        *self = Self { joints: there.joints, solved: Some(there) };
+        Ok(Some(leg))
+    }
+
+    /// The joints at the end of a line, after it was compared with all that it can meet.
+    fn checked_line(&self, after: usize, pose: Pose, checker: &Checker) -> Result<JointPosition, TrajectoryError> {
+        let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
+        let there = checker.check_line(self.joints.into(), pose, pace);
+        there.map_err(|beyond| TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) })
     }
 }
 

@@ -1,7 +1,8 @@
-//! The way of the tool on lines and around their corners.
+//! The way of the tool around the corners of lines.
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 
+use super::line::is_off_at_most;
 use crate::checker::{Checker, Led};
 use crate::piece::{Piece, Sample};
 
@@ -29,17 +30,25 @@ pub(super) struct Course {
 
 /// How far the joints may take the tool from its way, in mm and degrees.
 pub(super) const OFF_WAY: (f64, f64) = (0.005, 0.001);
-/// The longest way between two places at which the joints are computed, in the unit of the way.
-const LONGEST: f64 = 50.0;
 /// The least share of a stretch between two places.
 const LEAST: f64 = 1e-6;
 
-impl Course {
-    /// Not along a direction at all.
-    pub(super) const NONE: Self = Self { from: 0.0, speeds: [0.0; 2] };
+/// The length in mm that counts as much as a turn of the tool by one radian.
+pub(super) const TURN_MM: f64 = 200.0;
 
+impl Direction {
+    /// From one place to another, and how long the way is, in mm with [`TURN_MM`] for each radian.
+    pub(super) fn between(from: &Isometry3<f64>, to: &Isometry3<f64>) -> (Self, f64) {
+        let moved = to.translation.vector - from.translation.vector;
+        let turned = (from.rotation.inverse() * to.rotation).scaled_axis();
+        let length = moved.norm().hypot(turned.norm() * TURN_MM);
+        (Self { moved: moved / length, turned: turned / length }, length)
+    }
+}
+
+impl Course {
     /// Way, speed and acceleration at a share of the seconds.
-    fn at(&self, share: f64, seconds: f64) -> [f64; 3] {
+    pub(super) fn at(&self, share: f64, seconds: f64) -> [f64; 3] {
         let [first, last] = self.speeds;
         let x = share;
         let (way, speed, change) = (x * x * x * (1.0 - 0.5 * x), x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x));
@@ -70,50 +79,55 @@ impl ToolWay {
         }
     }
 
-    /// Adds the pieces that lead the tool along, from the joints near `last`, and returns those at the end; none where they are lost.
-    pub(super) fn follow(
-        &self,
-        checker: &Checker,
-        start_s: f64,
-        last: [f64; 6],
-        pieces: &mut Vec<Piece>,
-    ) -> Option<[f64; 6]> {
-        let mut here = checker.led(&self.at(0.0), &last)?;
-        let way: f64 = self.along.iter().map(|(_, course)| 0.5 * (course.speeds[0] + course.speeds[1])).sum();
-        let longest = (LONGEST / (way * self.seconds)).min(1.0);
-        let (mut share, mut step) = (0.0, longest);
-        while share < 1.0 {
-            let next_share = if share + 1.01 * step >= 1.0 { 1.0 } else { share + step };
-            let seconds = (next_share - share) * self.seconds;
-            match self.piece(checker, [share, next_share], start_s + share * self.seconds, &here) {
-                Some((piece, next)) => {
-                    pieces.push(piece);
-                    (here, share, step) = (next, next_share, longest.min(2.0 * step));
-                }
-                None if next_share - share < LEAST || seconds < LEAST => return None,
-                None => step = 0.5 * (next_share - share),
-            }
-        }
-        Some(here.joints.0)
-    }
-
-    /// The piece between two shares, if it leads the tool along its way.
-    fn piece(&self, checker: &Checker, [from, to]: [f64; 2], start_s: f64, here: &Sample) -> Option<(Piece, Sample)> {
-        let seconds = (to - from) * self.seconds;
-        let guess = std::array::from_fn(|joint| {
-            here.joints.0[joint] + seconds * (here.velocity[joint] + 0.5 * seconds * here.acceleration[joint])
-        });
-        let next = checker.led(&self.at(to), &guess)?;
-        let piece = Piece::between(start_s, seconds, here, &next);
-        let is_on_way = |part: f64| {
-            let (wanted, found) = (self.at(from + part * (to - from)).tool, checker.tool(&piece.joints(part)));
-            let moved = (wanted.translation.vector - found.translation.vector).norm();
-            moved <= OFF_WAY.0 && wanted.rotation.angle_to(&found.rotation).to_degrees() <= OFF_WAY.1
-        };
-        [0.5, 0.25, 0.75].into_iter().all(is_on_way).then_some((piece, next))
+    /// Adds the pieces that lead the tool along, between what the joints do at both ends; none where they are lost.
+    pub(super) fn follow(&self, checker: &Checker, [first, last]: [Sample; 2], pieces: &mut Vec<Piece>) -> Option<()> {
+        let mut here = first;
+        in_parts(self.seconds, 1.0, pieces, |[from, to]| {
+            let seconds = (to - from) * self.seconds;
+            let next = if to < 1.0 { checker.led(&self.at(to), &gone_on(&here, seconds))? } else { last };
+            let piece = Piece::between(0.0, seconds, &here, &next);
+            let is_on_way = |part: f64| {
+                is_off_at_most(checker, &piece.joints(part), &self.at(from + part * (to - from)).tool, OFF_WAY)
+            };
+            let is_on_way = [0.5, 0.25, 0.75].into_iter().all(is_on_way);
+            is_on_way.then(|| {
+                here = next;
+                piece
+            })
+        })
     }
 }
 
-fn together(moved: Vector3<f64>, turned: Vector3<f64>) -> Vector6<f64> {
+/// Adds pieces between shares of so many seconds, each over as much as it is good for, and at most over the longest share; none where that is too short.
+pub(super) fn in_parts(
+    seconds: f64,
+    longest: f64,
+    pieces: &mut Vec<Piece>,
+    mut piece: impl FnMut([f64; 2]) -> Option<Piece>,
+) -> Option<()> {
+    let longest = longest.min(1.0);
+    let (mut share, mut step) = (0.0, longest);
+    while share < 1.0 {
+        let next = if share + 1.01 * step >= 1.0 { 1.0 } else { share + step };
+        match piece([share, next]) {
+            Some(piece) => {
+                pieces.push(piece);
+                (share, step) = (next, longest.min(2.0 * step));
+            }
+            None if next - share < LEAST || (next - share) * seconds < LEAST => return None,
+            None => step = 0.5 * (next - share),
+        }
+    }
+    Some(())
+}
+
+/// The joints after some seconds if they go on so.
+fn gone_on(here: &Sample, seconds: f64) -> [f64; 6] {
+    std::array::from_fn(|joint| {
+        here.joints.0[joint] + seconds * (here.velocity[joint] + 0.5 * seconds * here.acceleration[joint])
+    })
+}
+
+pub(super) fn together(moved: Vector3<f64>, turned: Vector3<f64>) -> Vector6<f64> {
     Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z)
 }

@@ -1,0 +1,62 @@
+//! Turns of joints that move the tool.
+
+use nalgebra::{Matrix6, Vector6};
+
+/// A Jacobian, made ready to be solved by least squares. Damping limits a joint that hardly moves the tool.
+#[derive(Debug, Clone)]
+pub(crate) struct Damped {
+    jacobian: Matrix6<f64>,
+    /// Of the Jacobian times its transpose and the damping: the lower triangle by Cholesky, with the inverse of each diagonal entry.
+    lower: [[f64; 6]; 6],
+}
+
+impl Damped {
+    /// With this much added to the squares of the singular values; none for numbers that are not finite.
+    pub(crate) fn new(jacobian: Matrix6<f64>, damping: f64) -> Option<Self> {
+        let mut lower = [[0.0; 6]; 6];
+        for column in jacobian.as_slice().chunks_exact(6) {
+            for (row, entries) in lower.iter_mut().enumerate() {
+                for (entry, other) in entries.iter_mut().zip(column).take(row + 1) {
+                    *entry += column[row] * other;
+                }
+            }
+        }
+        for row in 0..6 {
+            let (above, below) = lower.split_at_mut(row);
+            let entries = &mut below[0];
+            for (column, other) in above.iter().enumerate() {
+                entries[column] = (entries[column] - product(entries, other, column)) * other[column];
+            }
+            let left = entries[row] + damping - product(entries, entries, row);
+            if left.is_nan() || left <= 0.0 {
+                return None;
+            }
+            entries[row] = left.sqrt().recip();
+        }
+        Some(Self { jacobian, lower })
+    }
+
+    /// The turns in radians for a motion of the tool, or nearly so at a singularity.
+    pub(crate) fn turns(&self, moved: &Vector6<f64>) -> Vector6<f64> {
+        let mut solved: [f64; 6] = (*moved).into();
+        for row in 0..6 {
+            let entries = &self.lower[row];
+            solved[row] = (solved[row] - product(entries, &solved, row)) * entries[row];
+        }
+        for row in (0..6).rev() {
+            let later: f64 = (row + 1..6).map(|other| self.lower[other][row] * solved[other]).sum();
+            solved[row] = (solved[row] - later) * self.lower[row][row];
+        }
+        self.jacobian.tr_mul(&Vector6::from(solved))
+    }
+
+    /// The motion of the tool for turns in radians.
+    pub(crate) fn moved(&self, turns: &Vector6<f64>) -> Vector6<f64> {
+        self.jacobian * turns
+    }
+}
+
+/// Of the first entries of two rows.
+fn product(one: &[f64; 6], other: &[f64; 6], count: usize) -> f64 {
+    one.iter().zip(other).take(count).map(|(one, other)| one * other).sum()
+}

@@ -1,0 +1,185 @@
+//! Where the joints are along a straight line of the tool.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector6};
+
+use super::tool_way::{Course, Direction, OFF_WAY, in_parts, together};
+use crate::checker::{Checker, Solved};
+use crate::piece::{Piece, Sample};
+
+/// A straight line of the tool, and the joints on it: polynomials of the way, found once and timed as often as it takes.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Line {
+    /// The tool at the start.
+    from: Isometry3<f64>,
+    pub(super) direction: Direction,
+    /// By the way in the place of seconds.
+    parts: Vec<Piece>,
+    /// From each singularity, at the start.
+    distances: [f64; 3],
+    is_clear: bool,
+}
+
+/// The longest way between two places at which the joints are computed, in the unit of the way.
+pub(super) const LONGEST: f64 = 50.0;
+/// The least share of a line between two places.
+const LEAST: f64 = 1e-6;
+/// The most parts of a line.
+const MOST_PARTS: usize = 50_000;
+/// How far the tool may be from its line between them, in mm and degrees: a fiftieth of [`OFF_WAY`].
+const OFF_LINE: (f64, f64) = (1e-4, 2e-5);
+
+impl Line {
+    /// From where the arm is, and where it is at the end, if it is short and even enough for one part.
+    pub(super) fn short(
+        checker: &Checker,
+        start: &Solved,
+        direction: Direction,
+        length: f64,
+    ) -> Option<(Self, Solved)> {
+        if length <= LONGEST { Self::in_parts(checker, start, (direction, length), length) } else { None }
+    }
+
+    /// From where the arm is, and where it is at the end; none where the joints are not found all along.
+    pub(super) fn new(checker: &Checker, start: &Solved, direction: Direction, length: f64) -> Option<(Self, Solved)> {
+        Self::in_parts(checker, start, (direction, length), LEAST * length)
+    }
+
+    /// In parts that are longer than the least.
+    fn in_parts(
+        checker: &Checker,
+        start: &Solved,
+        (direction, length): (Direction, f64),
+        least: f64,
+    ) -> Option<(Self, Solved)> {
+        let distances = checker.distances(start);
+        let mut line = Self { from: start.tool, direction, parts: Vec::with_capacity(1), distances, is_clear: false };
+        let (mut here, mut sample) = (None::<Solved>, line.going(start)?);
+        let (mut way, mut step) = (0.0, LONGEST);
+        while way < length {
+            let next_way = if way + 1.01 * step >= length { length } else { way + step };
+            match line.part(checker, [way, next_way], here.as_ref().unwrap_or(start), &mut sample) {
+                Some(next) => {
+                    here = Some(next);
+                    (way, step) = (next_way, LONGEST.min(2.0 * step));
+                }
+                None if next_way - way <= least || line.parts.len() > MOST_PARTS => return None,
+                None => step = 0.5 * (next_way - way),
+            }
+        }
+        let here = here?;
+        if let [part] = line.parts.as_slice() {
+            line.is_clear = checker.is_clear_line(part, [start, &here], &distances);
+        }
+        Some((line, here))
+    }
+
+    /// Whether all that [`Checker::check_line`] looks for is known to be far away.
+    pub(super) fn is_clear(&self) -> bool {
+        self.is_clear
+    }
+
+    /// Whether the joints surely keep apart from singularities on pieces around its start, which is no further from them than they are long.
+    pub(super) fn is_apart_all_along(&self, checker: &Checker, pieces: &[Piece]) -> bool {
+        let turned: [f64; 6] = std::array::from_fn(|joint| {
+            let seconds: f64 = pieces.iter().map(|piece| piece.seconds * piece.hull().speeds[joint]).sum();
+            2.0 * seconds.to_radians()
+        });
+        checker.keeps_apart(&self.distances, &turned)
+    }
+
+    /// The tool at the start.
+    pub(super) fn from(&self) -> &Isometry3<f64> {
+        &self.from
+    }
+
+    /// The joints at a way, and how they move and bend for each unit of it.
+    pub(super) fn at(&self, way: f64) -> Sample {
+        let (part, share) = self.place(way);
+        part.at(share)
+    }
+
+    /// The joints where a course is, and how they move in time.
+    pub(super) fn moving(&self, course: &Course, share: f64, seconds: f64) -> Sample {
+        let [way, speed, change] = course.at(share, seconds);
+        let there = self.at(way);
+        let acceleration = |joint: usize| there.acceleration[joint] * speed * speed + there.velocity[joint] * change;
+        Sample {
+            joints: there.joints,
+            velocity: there.velocity.map(|each| each * speed),
+            acceleration: std::array::from_fn(acceleration),
+        }
+    }
+
+    /// Adds the pieces that lead the tool along a course in so many seconds, from where it is; where it then is. None where they are too short.
+    pub(super) fn follow(
+        &self,
+        checker: &Checker,
+        course: &Course,
+        seconds: f64,
+        start: Option<Sample>,
+        pieces: &mut Vec<Piece>,
+    ) -> Option<Sample> {
+        let way = 0.5 * (course.speeds[0] + course.speeds[1]) * seconds;
+        let mut here = start.unwrap_or_else(|| self.moving(course, 0.0, seconds));
+        in_parts(seconds, LONGEST / way, pieces, |[from, to]| {
+            let next = self.moving(course, to, seconds);
+            let piece = Piece::between(0.0, (to - from) * seconds, &here, &next);
+            let is_on_way = |part: f64| {
+                let [way, ..] = course.at(from + part * (to - from), seconds);
+                self.is_at(checker, way, &piece.joints(part))
+            };
+            let is_on_way = [0.5, 0.25, 0.75].into_iter().all(is_on_way);
+            is_on_way.then(|| {
+                here = next;
+                piece
+            })
+        })?;
+        Some(here)
+    }
+
+    /// Whether joints bring the tool to a way of the line, as near as a piece has to: those that are near to the line's own surely do.
+    fn is_at(&self, checker: &Checker, way: f64, joints: &[f64; 6]) -> bool {
+        let (part, share) = self.place(way);
+        let own = part.joints(share);
+        let off = std::array::from_fn(|joint| joints[joint] - own[joint]);
+        let turned_deg: f64 = off.iter().map(|off: &f64| off.abs()).sum();
+        let is_near = checker.tcp_rate_at_most(&off) <= 0.9 * OFF_WAY.0 && turned_deg <= 0.9 * OFF_WAY.1;
+        is_near || is_off_at_most(checker, joints, &self.tool(way), OFF_WAY)
+    }
+
+    fn place(&self, way: f64) -> (&Piece, f64) {
+        let part = self.parts.iter().rfind(|part| part.start_s <= way).unwrap_or(&self.parts[0]);
+        (part, ((way - part.start_s) / part.seconds).clamp(0.0, 1.0))
+    }
+
+    fn tool(&self, way: f64) -> Isometry3<f64> {
+        let place = self.from.translation.vector + self.direction.moved * way;
+        let turn = UnitQuaternion::from_scaled_axis(self.direction.turned * way);
+        Isometry3::from_parts(Translation3::from(place), self.from.rotation * turn)
+    }
+
+    /// How the joints move and bend for each unit of the way.
+    fn going(&self, here: &Solved) -> Option<Sample> {
+        here.moving(&together(self.direction.moved, self.from.rotation * self.direction.turned), &Vector6::zeros())
+    }
+
+    /// Adds the part between two ways, where joints that go on so bring the tool along it; where they are at its end.
+    fn part(&mut self, checker: &Checker, [from, to]: [f64; 2], here: &Solved, sample: &mut Sample) -> Option<Solved> {
+        let next = checker.led_on(here, &self.tool(to))?;
+        let next_sample = self.going(&next)?;
+        let part = Piece::between(from, to - from, sample, &next_sample);
+        if !is_off_at_most(checker, &part.joints(0.5), &self.tool(f64::midpoint(from, to)), OFF_LINE) {
+            return None;
+        }
+        self.parts.push(part);
+        *sample = next_sample;
+        Some(next)
+    }
+}
+
+/// Whether joints bring the tool to a place, within mm and degrees.
+pub(super) fn is_off_at_most(checker: &Checker, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
+    let found = checker.tool(joints);
+    let moved = (tool.translation.vector - found.translation.vector).norm();
+    moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
+}
