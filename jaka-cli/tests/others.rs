@@ -55,10 +55,10 @@ fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     child.wait().unwrap();
     expect![[r#"
-        error: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
+        error: `crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
         error: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
     expect![[r#"
-        error: `--schedule <LIST>` cannot be ` trip`: `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`
+        error: `--schedule <LIST>` cannot be ` trip`: `trip` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide at 2s, trip"])));
     expect![[r#"
@@ -95,6 +95,10 @@ fn the_help_of_sim_lists_the_faults() {
         `always drop` for all, and `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status
         to-client hold after 10s for 5s` has a port (`command`, `status` or `both`), a direction
         (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim explains them.
+
+        What `--schedule` and `--stdin` can have happen, inputs by their place from 0:
+          collide, press-emergency-stop, release-emergency-stop, cut-power, input 3 high, input 3 low,
+          tool-input 3 high, tool-input 3 low
     "#]]
     .assert_eq(list);
 }
