@@ -142,7 +142,7 @@ fn a_jog_of_a_joint_is_compared_with_limits_and_runs() {
     let controller = powered();
     let beyond = run(&controller, "jog 1 1 --speed 5 --acceleration 300 --model zu5 --yes");
     assert_eq!(beyond.code, Some(20), "{beyond:?}");
-    assert!(beyond.err.contains("joint 1 would have 300 deg/s²"), "{beyond:?}");
+    assert!(beyond.err.contains("joint 1 would accelerate by 300 deg/s²"), "{beyond:?}");
     assert!(changes(&controller).iter().all(|request| !request.contains("joint_move")));
 }
 
