@@ -21,6 +21,8 @@ pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
 pub use self::lag::FollowLag;
 use self::orders::Orders;
+#[cfg(doc)]
+use crate::ErrorKind;
 use crate::robot::SetPointGuard;
 use crate::servo_thread::ServoThread;
 use crate::{Error, Guard, MotionStatus, Robot};
@@ -99,7 +101,7 @@ impl<S: MotionStatus> Robot<S> {
     /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
     /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also where packets stay away for three of their periods and 100 ms. All of
+    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also where packets stay away for three of their periods, 100 ms at least. All of
     /// the trajectory is looked at, at its own speed, which is the most that a handle can ask for: wherever something were touched, the tool must rest within the overtravel,
     /// [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An approach is so slow that the same holds.
     ///

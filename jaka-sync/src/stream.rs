@@ -12,6 +12,8 @@ use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
+#[cfg(doc)]
+use crate::ErrorKind;
 use crate::robot::SetPointGuard;
 use crate::servo_session::check_at_least;
 use crate::servo_thread::ServoThread;
@@ -127,7 +129,7 @@ impl<S: MotionStatus> Robot<S> {
     /// # A limit of force
     /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and
     /// from each set-point on it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with that speed as the limit
-    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods and 100 ms.
+    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods, 100 ms at least.
     ///
     /// # Errors
     /// As [`stream`](Self::stream). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),

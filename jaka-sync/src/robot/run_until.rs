@@ -21,8 +21,8 @@ impl<S: MotionStatus> Robot<S> {
     /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
     /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends nothing
-    /// ([`GuardTrip::is_before_start`]). A thread of its own writes the stop, also while this one waits for the reply to the motion. If the
-    /// guard tripped, the arm is then waited for until it rests, for 2 s at most.
+    /// ([`GuardTrip::is_before_start`]). The stop is written by the thread that reads the packet, or, where it would have to wait, by one of its own, also while this one waits
+    /// for the reply to the motion. If the guard tripped, the arm is then waited for until it rests, for 2 s at most.
     ///
     /// Motions that were started before are ended by the stop, too, but not by a guard that trips before this motion has gone out: wait for them
     /// first.

@@ -12,8 +12,8 @@ use jaka_sim::{Controller, Delays, Direction, Port, SimulatedClock, StatusFault}
 use jaka_sync::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::motion::JointMove;
 use jaka_sync::{
-    Config, Error, ErrorKind, FollowConfig, FollowOutcome, MotionEnd, Numbering, Outcome as Ended, Robot, ServoConfig,
-    StreamConfig, TripReason,
+    Config, Error, ErrorKind, FollowConfig, FollowOutcome, GuardTrip, MotionEnd, Numbering, Outcome as Ended, Robot,
+    ServoConfig, StreamConfig, TripReason,
 };
 use jaka_tests::simulated::{beside, clock_of};
 
@@ -32,13 +32,13 @@ enum Way {
     Stream,
 }
 
-/// How many are under way at once: they hardly wait.
-const AT_ONCE: usize = 6;
+/// How many are under way at once: they wait for connections that end.
+const AT_ONCE: usize = 24;
 /// How far joint 3 goes, in degrees, and in how many seconds about.
-const FAR: f64 = 30.0;
-const SECONDS: f64 = 4.0;
+const FAR: f64 = 20.0;
+const SECONDS: f64 = 2.5;
 /// When it goes wrong: the arm moves by then.
-const STRUCK: Duration = Duration::from_secs(1);
+const STRUCK: Duration = Duration::from_millis(700);
 /// Longer than all of it takes.
 const LONG: Duration = Duration::from_secs(20);
 const INPUT: jaka_sync::InputCondition = Numbering::FromOne.cabinet(1).rises();
@@ -99,11 +99,12 @@ impl<'t> Arm<'t> {
         Self { trouble, way, controller }
     }
 
-    /// After a second on the way it goes wrong, the input goes high, and what is held for a time is released after it.
+    /// After some time on the way it goes wrong, the input goes high, and what is held for a time is released after it.
     fn strike(&self) {
         let clock = clock_of(&self.controller);
         clock.sleep(STRUCK);
-        assert!(!self.controller.state().at_rest, "{}: the arm does not move", self.what());
+        let moved = self.controller.state().joint_position.0[2] - START[2];
+        assert!((0.5..FAR / 2.0).contains(&moved), "{}: the arm has moved by {moved} deg", self.what());
         let command = if self.way == Way::Motion { "stop_program" } else { "servo_j" };
         if let Some(fault) = self.trouble.fault(command) {
             self.controller.inject_for(command, fault);
@@ -123,12 +124,12 @@ impl<'t> Arm<'t> {
         }
     }
 
-    /// What is held or late comes now, and the arm does what it is to.
-    fn lift(&self) {
+    /// What is held or late comes now, and for some time the arm does what it is to.
+    fn lift(&self, time: Duration) {
         self.controller.clear_faults();
         self.controller.status_fault(StatusFault::None);
         self.controller.links().release();
-        clock_of(&self.controller).sleep(Duration::from_secs_f64(SECONDS));
+        clock_of(&self.controller).sleep(time);
     }
 
     fn motion(&self, robot: &mut Robot) -> MotionEnd {
@@ -173,7 +174,8 @@ impl<'t> Arm<'t> {
         let since = clock.elapsed();
         while handle.set_joints(target).is_ok() {
             assert!(clock.elapsed().saturating_sub(since) < LONG, "{}: it goes on", self.what());
-            clock.sleep(Duration::from_millis(10));
+            // Not asleep: where it has ended, the time waits for who waits for it.
+            let _ = handle.wait_for_rest(Duration::from_millis(100));
         }
         self.judge_set_points(&stream.land().expect_err("it was not asked to land before"));
     }
@@ -183,17 +185,14 @@ impl<'t> Arm<'t> {
         let (what, state) = (format!("{}: {:?}, {:?}", self.what(), end.outcome, end.stop), self.controller.state());
         match &end.outcome {
             Ended::Guard(trip) => {
-                assert!(
-                    self.has_packets() && shows_input(&trip.packet.status) && trip.reason == TripReason::Holds,
-                    "{what}"
-                );
+                assert!(self.is_true(trip), "{what}");
                 assert!(!trip.is_at_rest || state.at_rest, "{what}: {state:?}");
             }
             Ended::StatusLost { .. } => assert!(!self.has_packets(), "{what}"),
             _ => panic!("{what}"),
         }
         let accepted = end.stop.as_ref().unwrap_or_else(|| panic!("{what}: nobody has stopped it"));
-        self.lift();
+        self.lift(Duration::from_secs_f64(SECONDS));
         let (state, stops) = (self.controller.state(), self.received("stop_program"));
         let at = state.joint_position.0[2] - START[2];
         assert!(state.at_rest, "{what}: {state:?}");
@@ -203,21 +202,20 @@ impl<'t> Arm<'t> {
         assert!(at < FAR - 1.0 || accepted.is_err(), "{what}: it went on to {at}");
         match accepted {
             Ok(()) => assert!(stops == 1, "{what}"),
-            Err(error) => assert!(stops == 0 || error.may_have_run(), "{what}"),
+            Err(error) => assert!(stops == 0 || error.may_have_run() || error.is_refused(), "{what}"),
         }
         assert!(stops == 0 || at < FAR - 1.0 || !self.has_requests(), "{what}: {at}");
         assert!(accepted.is_ok() || !(self.has_requests() && self.has_replies()), "{what}");
     }
 
     fn judge_set_points(&self, error: &Error) {
-        self.lift();
+        self.lift(Duration::from_millis(500));
         let (requests, state) = (parsed(&self.controller), self.controller.state());
         let steps = steps(&requests);
         let what = || format!("{}: {error:?}: {steps:?}", self.what());
         for kind in error_kinds(error) {
             if let ErrorKind::GuardTripped { trip } = kind {
-                assert!(shows_input(&trip.packet.status) && trip.reason == TripReason::Holds, "{}", what());
-                assert!(!trip.is_before_start && self.has_packets(), "{}", what());
+                assert!(self.is_true(trip), "{}", what());
             }
         }
         let jumps = steps.windows(2).any(|two| (two[1] - two[0]).abs() > MOST * PERIOD * PERIOD * (1.0 + 1e-6));
@@ -242,6 +240,18 @@ impl<'t> Arm<'t> {
         if self.has_replies() && self.has_packets() {
             assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{}", what());
         }
+    }
+
+    /// Whether a guard tripped by the input, or by a packet that does not show it.
+    fn is_true(&self, trip: &GuardTrip) -> bool {
+        let inputs = trip.packet.status.digital_inputs.as_ref();
+        let is_high = inputs.and_then(|inputs| inputs.first()) == Some(&true);
+        let is_so = match trip.reason {
+            TripReason::Holds => is_high && self.has_packets(),
+            TripReason::NotShown(_) => inputs.is_none() && !self.has_packets(),
+            _ => false,
+        };
+        is_so && !trip.is_before_start
     }
 
     /// True if packets come, and in time.
@@ -271,10 +281,6 @@ impl<'t> Arm<'t> {
 
 fn servo() -> ServoConfig {
     ServoConfig::new().step_count(CYCLES)
-}
-
-fn shows_input(status: &jaka_sync::status::RobotStatus) -> bool {
-    status.digital_inputs.as_ref().and_then(|inputs| inputs.first()) == Some(&true)
 }
 
 /// The kind of an error, and of those that it wraps.

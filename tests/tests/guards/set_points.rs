@@ -10,7 +10,7 @@ use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Pose;
 use jaka_sync::{
     Command, Config, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, NotGuarded,
-    Robot, StreamConfig, StreamHandle,
+    Robot, StatusProblem, StreamConfig, StreamHandle,
 };
 use jaka_tests::simulated::{beside, clock_of};
 
@@ -137,7 +137,8 @@ fn streamed(period: Duration, phase: f64, overtravel: f64, told: Told) -> Depth 
     let since = clock.elapsed();
     while give().is_ok() {
         assert!(clock.elapsed().saturating_sub(since) < LONG, "{period:?}, {told:?}: nothing is touched");
-        clock.sleep(Duration::from_millis(100));
+        // Not asleep: where it has ended, the time waits for who waits for it.
+        let _ = handle.wait_for_rest(Duration::from_millis(100));
     }
     let error = stream.land().expect_err("the guard has ended it");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{period:?}, {told:?}: {error}");
@@ -205,8 +206,13 @@ fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
     let since = clock.elapsed();
     let end = beside(clock, || {}, || run.wait());
     assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
-    // Half of what is stale without such a limit, and the time for which the arm is held then.
+    // Without such a limit it would be stale after 500 ms, and be braked and held from then on.
     let took = clock.elapsed().saturating_sub(since);
-    assert!(took < Duration::from_millis(450), "{took:?}: {end}");
+    assert!(took < Duration::from_millis(600), "{took:?}: {end}");
+    let age = match end.error.as_ref().map(Error::kind) {
+        Some(ErrorKind::StatusUnknown { problem: StatusProblem::Stale { age } }) => *age,
+        _ => panic!("{end:?}"),
+    };
+    assert!((Duration::from_millis(100)..Duration::from_millis(120)).contains(&age), "{age:?}");
     assert!(!end.has_left_curve && controller.state().at_rest, "{end}");
 }

@@ -33,7 +33,7 @@ pub enum NotGuarded {
         speed_mm_s: f64,
         /// About the speed that is permitted there, in mm/s.
         permitted_mm_s: f64,
-        /// How far the tool would go on, in mm; or more, where it goes on further than is allowed before it is braked.
+        /// How far the tool would go on, in mm.
         way_mm: f64,
         /// The overtravel that is allowed, in mm.
         overtravel_mm: f64,
@@ -71,15 +71,27 @@ impl fmt::Display for NotGuarded {
                  {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2} mm/s²"
             ),
             #[cfg(feature = "stream")]
-            Self::TooFastAlong { after, time_s, speed_mm_s, permitted_mm_s, way_mm, overtravel_mm, period, reaction, braking_mm_s2 } => write!(
+            Self::TooFastAlong {
+                after,
+                time_s,
+                speed_mm_s,
+                permitted_mm_s,
+                way_mm,
+                overtravel_mm,
+                period,
+                reaction,
+                braking_mm_s2,
+            } => write!(
                 f,
-                "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool goes on for {way_mm:.2} mm after a contact, and {overtravel_mm} mm are allowed; \
-                 permitted are {permitted_mm_s:.2} mm/s there, with up to {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2:.0} mm/s² along it"
+                "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool goes on for {way_mm:.2} mm after a contact, \
+                 and {overtravel_mm} mm are allowed; permitted are {permitted_mm_s:.2} mm/s there, with up to {period:.1?} between packets, \
+                 {reaction:.1?} of reaction and braking with {braking_mm_s2:.0} mm/s² along it"
             ),
             #[cfg(feature = "stream")]
             Self::CannotBrake { after, time_s } => write!(
                 f,
-                "after way-point {after}, at {time_s:.3} s, it leaves the joints no acceleration to brake along it within 0.5 s of a contact; follow it more slowly"
+                "after way-point {after}, at {time_s:.3} s, it leaves the joints no acceleration to brake along it within 0.5 s of a \
+                 contact; follow it more slowly"
             ),
             Self::SpeedUnknown => f.write_str(
                 "the speed of the tool does not follow from it; move on a line or an arc towards a contact (`move_l`, `move_c`)",

@@ -109,7 +109,7 @@ impl<S: MotionStatus> Robot<S> {
             None
         } else {
             let period =
-                self.packet_period(patience).ok_or_else(|| link.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
+                self.packet_period(Duration::MAX).ok_or_else(|| link.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
             Some(Force { limits, period })
         };
         let armed = self.arm(guard, patience).map_err(no_status)?;
