@@ -7,4 +7,5 @@ fn main() {
     }
     println!("{}", jaka_benches::generator::report());
     println!("{}", jaka_benches::follower::report());
+    println!("{}", jaka_benches::beginning::report());
 }

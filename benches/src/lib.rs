@@ -1,5 +1,6 @@
 //! What the benchmarks share.
 
+pub mod beginning;
 #[path = "../../jaka-cli/src/chart.rs"]
 mod chart;
 pub mod encode;

@@ -1,7 +1,9 @@
 //! Counts that repeat exactly: allocations, and bytes visited.
 
 use allocation_counter::measure;
-use jaka_benches::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, follower, generator, kinematics, limit, reply, status};
+use jaka_benches::{
+    PACKET_OF_DOCUMENT, PACKET_OF_NEWER, beginning, follower, generator, kinematics, limit, reply, status,
+};
 use jaka_motion::{Follower, Frames, Model, Transform};
 use jaka_proto::Request;
 use jaka_proto::framing::Framer;
@@ -122,6 +124,28 @@ fn following_a_trajectory_allocates_nothing_and_takes_no_memory_of_its_own() {
         follower.take_back();
     });
     assert_eq!(count.count_total, 0);
+}
+
+/// What is held goes with the number of way-points: for each a piece between points with times, three or four on ways without and at their corners, and when it is passed. What
+/// the points were planned with is gone.
+#[test]
+fn trajectories_hold_no_more_than_their_pieces() {
+    let checker = beginning::checker();
+    for ((name, points), most) in beginning::KINDS.into_iter().zip([330, 330, 330, 1300, 1300, 1300]) {
+        for count in [100_u32, 1000, 10_000] {
+            let points = points(count);
+            let mut follower = None;
+            let held = measure(|| {
+                let trajectory = points.trajectory(&checker).expect("within the limits");
+                follower = Some(Follower::new(trajectory, checker.limits(), kinematics::PERIOD));
+            });
+            // The limits take some kilobytes, with their regions.
+            let each = (held.bytes_current - 4096) / i64::from(count);
+            println!("{name}: {count} way-points, {} bytes, {each} each", held.bytes_current);
+            assert!(each <= most, "{name}: {each} bytes for each of {count} way-points");
+            assert!(held.count_current <= 16, "{name}: {} allocations are left", held.count_current);
+        }
+    }
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! Set-points along a trajectory, one a period, at a rate that may change at any time.
 
 mod overtravel;
+mod stopping;
 
 use jaka_proto::messages::types::JointPosition;
 
 pub use self::overtravel::Overtravel;
+pub use self::stopping::Stopping;
 use crate::limits::Limits;
 use crate::trajectory::Trajectory;
 
@@ -135,18 +137,19 @@ impl Follower {
         self.state.rate == 0.0 || self.is_at_end()
     }
 
+    /// What it would do if the scale were 0 from now on, or it [brakes](Self::brake) already.
+    pub fn stopping(&self) -> Stopping {
+        let mut follower = self.clone();
+        follower.set_scale(0.0);
+        follower.haste = self.haste;
+        Stopping { follower, periods: 0 }
+    }
+
     /// In how many periods it would be at rest if the scale were 0 from now on, or it [brakes](Self::brake) already; none if that takes more than `most`.
+    ///
+    /// It finds each of these set-points; [`stopping`](Self::stopping) does that bit by bit.
     pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
-        let mut stopping = self.clone();
-        stopping.set_scale(0.0);
-        stopping.haste = self.haste;
-        for periods in 0..=most {
-            if stopping.is_at_rest() {
-                return Some(periods);
-            }
-            stopping.advance();
-        }
-        None
+        self.stopping().look_ahead(most)
     }
 
     /// The trajectory.

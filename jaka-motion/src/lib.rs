@@ -32,7 +32,7 @@ pub use beyond::{Beyond, Exceeded, Way};
 pub use branches::Branches;
 pub use checker::{Checker, JointPace, TcpPace};
 pub use fit::{Fit, FitError, Tolerance};
-pub use follower::{Follower, Overtravel};
+pub use follower::{Follower, Overtravel, Stopping};
 pub use frames::Frames;
 #[cfg(feature = "generator")]
 pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, Step};

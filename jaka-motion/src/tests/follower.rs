@@ -118,3 +118,29 @@ fn after_a_gap_it_starts_from_standstill_and_what_was_not_sent_comes_again() {
     assert_eq!((follower.joints(), follower.time_s()), (rest, time));
     assert_eq!(follower.advance(), first);
 }
+
+/// However long a trajectory is, and a stop on it takes: no more set-points are found at a time than are asked for.
+#[test]
+fn a_stop_is_looked_at_bit_by_bit() {
+    let to_and_fro = |number: u32| {
+        let by = 10.0 * f64::from(number % 2);
+        TimedPoint::new(2.0 * f64::from(number), [by, 100.0, 80.0, 90.0, -90.0, -by])
+    };
+    for count in [20, 20_000] {
+        let points: Vec<_> = (0..count).map(to_and_fro).collect();
+        let trajectory = Trajectory::timed(&points, &Checker::new(limits(), Frames::new())).expect("within the limits");
+        let mut follower = Follower::new(trajectory, &limits(), PERIOD);
+        (0..600).for_each(|_| _ = follower.advance());
+        let (mut stopping, mut looks) = (follower.stopping(), 0);
+        let found = loop {
+            match stopping.look_ahead(7) {
+                Some(found) => break found,
+                None => looks += 1,
+            }
+            assert_eq!(stopping.periods(), 7 * looks);
+        };
+        assert!(looks > 1 && found > 7 * looks && found <= 7 * (looks + 1));
+        assert_eq!(stopping.look_ahead(7), Some(found));
+        assert_eq!((follower.periods_to_rest(found), follower.periods_to_rest(found - 1)), (Some(found), None));
+    }
+}

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_motion::{Checker, Follower, Trajectory};
+use jaka_motion::{Checker, Follower, Stopping, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 
 use super::approach::Approach;
@@ -145,13 +145,14 @@ impl<'o> Way<'o> {
     /// goes out before. Says whether it has left the curve.
     fn braked<S: MotionStatus>(&mut self, session: &mut ServoSession<'_, S>, error: Error) -> (Error, bool) {
         let (mut straight_on, time_to_brake) = (session.straight_on(), session.time_to_brake());
-        let (mut is_straight_on, mut is_stopping) = (false, None);
+        let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
         self.slow_down();
         let error = session.end_by(error, &mut |course| {
             let left = time_to_brake();
-            if !is_straight_on && is_stopping.replace(left.is_some()) != Some(left.is_some()) {
-                is_straight_on = !self.can_brake(straight_on.periods(course), left);
+            if is_stopping.replace(left.is_some()) != Some(left.is_some()) {
+                ahead = self.look_ahead(straight_on.periods(course), left);
             }
+            is_straight_on = is_straight_on || ahead.takes_longer();
             if is_straight_on { straight_on.next(course) } else { self.brake() }
         });
         let is_off = self.approach.is_none() && session.last_joints() != Some(self.follower.joints());
@@ -167,11 +168,13 @@ impl<'o> Way<'o> {
         self.approach.as_ref().map_or(Ok(()), Approach::check)
     }
 
-    /// Whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop waits, if one does.
-    fn can_brake(&self, straight_on: u32, left: Option<Duration>) -> bool {
+    /// Looks whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop
+    /// waits, if one does.
+    fn look_ahead(&self, straight_on: u32, left: Option<Duration>) -> LookAhead {
         let most = straight_on.saturating_mul(2).saturating_add(self.periods_in(MORE_S));
         let most = left.map_or(most, |left| most.min(self.periods_in(left.saturating_sub(SPARE).as_secs_f64())));
-        self.approach.is_some() || self.follower.periods_to_rest(most).is_some()
+        // An approach is braked straight on as it is.
+        LookAhead { stopping: self.approach.is_none().then(|| self.follower.stopping()), most }
     }
 
     fn periods_in(&self, time_s: f64) -> u32 {
@@ -214,6 +217,29 @@ impl<'o> Way<'o> {
     }
 }
 
+/// Whether a stop along the curve takes longer than so many periods, found bit by bit: they can be all that are left of the trajectory.
+#[derive(Default)]
+struct LookAhead {
+    /// None once it is known that it does not.
+    stopping: Option<Stopping>,
+    most: u32,
+}
+
+impl LookAhead {
+    /// Looks on; whether it is known now that it does.
+    fn takes_longer(&mut self) -> bool {
+        let Some(stopping) = &mut self.stopping else { return false };
+        let left = self.most.saturating_sub(stopping.periods());
+        if stopping.look_ahead(left.min(AT_ONCE)).is_some() {
+            self.stopping = None;
+            return false;
+        }
+        stopping.periods() >= self.most
+    }
+}
+
+/// By how many periods it looks ahead before each set-point that brakes. One takes some microseconds at most.
+const AT_ONCE: u32 = 500;
 /// How much longer braking along the curve may take than twice braking straight on, in seconds.
 const MORE_S: f64 = 0.5;
 /// How much sooner than a stop goes out the arm is to be braked: set-points may be late.
