@@ -5,7 +5,7 @@ use std::env;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Error};
 
-use crate::{Cli, packs};
+use crate::Cli;
 
 /// True for a help or a version that is to be printed, also where a command is missing.
 pub(crate) fn is_help(error: &Error) -> bool {
@@ -83,7 +83,9 @@ fn command() -> String {
         if let Some(found) = known.find_subcommand(&word) {
             path = format!("{path} {word}");
             known = found.clone();
-        } else if known.get_name() == "call" && packs::builtin().command_called(&word).is_some() {
+        } else if known.get_name() == "call"
+            && jaka_spec::builtin().is_ok_and(|spec| spec.command_called(&word).is_some())
+        {
             return format!("{path} {word}");
         }
     }

@@ -4,7 +4,6 @@ mod acting;
 mod chart;
 mod command_line;
 mod commands;
-mod completion;
 mod condition;
 mod consent;
 mod console;

@@ -69,8 +69,8 @@ impl StopHandle {
 
     /// Writes the stop if that can be done at once; none otherwise. The thread is kept for a moment at most.
     pub(crate) fn write_now(&self) -> Option<WrittenStop> {
-        // What is outstanding may fill what the system holds: the write would wait.
-        if self.link.outstanding() > 0 { None } else { self.write_within(AT_ONCE).ok() }
+        // What is outstanding may fill what the system holds: the write would wait, or end in the middle.
+        if self.link.is_idle() { self.write_within(AT_ONCE).ok() } else { None }
     }
 
     /// Waits until the controller has accepted a stop that was written.

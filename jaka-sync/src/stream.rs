@@ -132,7 +132,7 @@ impl<S: MotionStatus> Robot<S> {
     /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods, 100 ms at least.
     ///
     /// # Errors
-    /// As [`stream`](Self::stream). Nothing was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// As [`stream`](Self::stream). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
     /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
     /// period).
     pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {

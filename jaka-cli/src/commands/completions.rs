@@ -1,9 +1,11 @@
 //! `jaka completions`: scripts for shells, which ask this program.
 
+mod completion;
+
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::text::visible;
 
-use crate::completion::{Completion, complete};
+use self::completion::{Completion, complete};
 use crate::failure::Failure;
 use crate::output;
 

@@ -31,6 +31,7 @@ pub(super) fn check<S: MotionStatus>(
     let checker = robot.limits().ok_or_else(no_limits)?;
     check_limits(checker, trajectory, config, guard)?;
     check_start(checker, at, trajectory, config)?;
+    guard.map_or(Ok(()), SetPointGuard::check_before_start)?;
     Ok(checker.clone())
 }
 

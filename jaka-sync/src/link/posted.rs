@@ -78,6 +78,11 @@ impl Link {
         self.lock().exchange.posted_outstanding()
     }
 
+    /// True if nothing is outstanding, also nothing that was given up.
+    pub(crate) fn is_idle(&self) -> bool {
+        self.lock().exchange.outstanding() == 0
+    }
+
     /// For how long the oldest posted command has been outstanding; none if none is.
     pub(crate) fn oldest_posted(&self) -> Option<Duration> {
         self.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))

@@ -141,7 +141,7 @@ impl<S: MotionStatus> Robot<S> {
 }
 
 /// The newest packet, if it is fresh and can be read.
-pub(super) fn fresh_status<S: MotionStatus>(monitor: &Monitor<S>) -> Result<Arc<Snapshot>, StatusProblem> {
+pub(in crate::robot) fn fresh_status<S: MotionStatus>(monitor: &Monitor<S>) -> Result<Arc<Snapshot>, StatusProblem> {
     readable(monitor.fresh_packet())
 }
 

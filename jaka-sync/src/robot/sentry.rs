@@ -1,5 +1,6 @@
 //! A thread that stops a motion under a guard.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -56,7 +57,9 @@ impl<S: MotionStatus> Sentry<S> {
     /// The stop that the monitor's thread has written, if it has; it writes none any more.
     fn written(&self, why: &Why) -> Option<Stopped> {
         let written = self.armed.take_written()?;
-        Some(Stopped { why: Some(why.clone()), stop: self.stop.finish(&written) })
+        // It was written because the guard had tripped, if it has, whatever was seen since.
+        let why = self.armed.trip().map_or_else(|| why.clone(), Why::Trip);
+        Some(Stopped { why: Some(why), stop: self.stop.finish(&written) })
     }
 
     /// The same where nobody watches any more.
@@ -76,7 +79,10 @@ impl<S: MotionStatus> Sentry<S> {
     /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or that the motion was stopped.
     fn stop_in_panic(&self) {
         if thread::panicking() && self.armed.abandon() {
-            self.took(&self.stop.stop());
+            // A logger that panics again would end the process here.
+            if let Ok(accepted) = catch_unwind(AssertUnwindSafe(|| self.stop.stop())) {
+                self.took(&accepted);
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 //! Stops from other threads, and what they keep back.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -21,7 +22,7 @@ pub(super) struct Stops {
     sent: AtomicU64,
     /// How many are on their way to the controller.
     under_way: AtomicU64,
-    /// What stops wait for. Locked alone.
+    /// What stops wait for. Nothing is locked under it.
     next_set_point: Mutex<Expected>,
     /// Signalled when no session moves the arm any more.
     stands: Signal,
@@ -202,7 +203,8 @@ impl RobotStop {
         }
         let (under_way, number) = UnderWay::begin(&self.stops);
         self.stops.wait_until_braked();
-        let Some(stop) = self.handle.write_now() else {
+        // What a logger's panic leaves undone another thread does.
+        let Ok(Some(stop)) = catch_unwind(AssertUnwindSafe(|| self.handle.write_now())) else {
             // As if it had not been asked for, unless another has been since.
             let _ = self.stops.begun.compare_exchange(number, number - 1, Ordering::SeqCst, Ordering::SeqCst);
             return None;

@@ -38,7 +38,10 @@ pub(super) fn run<S: MotionStatus>(
     };
     let clock = robot.clock().clone();
     let timeout = config.servo.enter_timeout;
-    let check = |robot: &mut Robot<S>| check_shows_joints(robot, timeout);
+    let check = |robot: &mut Robot<S>| {
+        check_shows_joints(robot, timeout)?;
+        guard.map_or(Ok(()), SetPointGuard::check_before_start)
+    };
     let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),

@@ -3,9 +3,14 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sync::jaka_motion::{Limits, Model};
+use jaka_sim::StatusFault;
+use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
-use jaka_sync::{Command, ErrorKind, ForceComponent, ForceLimit, NotShown, ServoConfig, StreamConfig};
+use jaka_sync::types::JointPosition;
+use jaka_sync::{
+    Command, ErrorKind, FollowConfig, FollowOutcome, ForceComponent, ForceLimit, NotShown, Robot, ServoConfig,
+    StreamConfig,
+};
 
 use super::{IO, LONG, count, names, patient, ready, wait_for_motion};
 
@@ -59,4 +64,39 @@ fn a_guard_lands_a_stream() {
     let error = robot.stream_until(&config(), ForceLimit::new(ForceComponent::Fz, 1.0)).expect_err("it does not work");
     assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::SensorOff, .. }), "{error:?}");
     assert_eq!(count(&controller, SetServoMode::INFO.name), entered);
+}
+
+#[test]
+fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
+    let config = patient().stale_after(Duration::from_millis(300));
+    let start = |robot: Robot| {
+        let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+        robot.allow_motion_without_status().with_limits(limits).expect("it is this arm")
+    };
+    let (controller, robot) = ready(&config);
+    let mut robot = start(robot);
+    let stream = robot.stream_until(&self::config(), IO.cabinet(1).is_high()).expect("the input is low");
+    let mut target = stream.joints();
+    target[0] += 170.0;
+    stream.set_joints(target).expect("it is within limits");
+    wait_for_motion(&controller);
+    controller.status_fault(StatusFault::Silent);
+    let error = stream.wait_for_rest(LONG).expect_err("nobody judges the guard");
+    assert!(error.to_string().contains("the last status packet came"), "{error}");
+    assert!(stream.land().is_err() && controller.state().joint_position.0[0] < 165.0);
+
+    let (controller, robot) = ready(&config);
+    let mut robot = start(robot);
+    let at = controller.state().joint_position;
+    let far = JointPosition(std::array::from_fn(|joint| at.0[joint] + if joint == 0 { 100.0 } else { 0.0 }));
+    let points = [TimedPoint::new(0.0, at), TimedPoint::new(20.0, far)];
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is slow");
+    let follow = FollowConfig::new().servo(ServoConfig::new().step_count(4).max_unanswered(LONG).rest_timeout(LONG));
+    let follow = follow.max_gap(LONG).max_departure(1000.0);
+    let run = robot.start_follow_until(&trajectory, &follow, IO.cabinet(1).is_high()).expect("the input is low");
+    wait_for_motion(&controller);
+    controller.status_fault(StatusFault::Silent);
+    let end = run.wait();
+    assert!(matches!(end.outcome, FollowOutcome::StatusLost), "{end:?}");
+    assert!(controller.state().joint_position.0[0] < 90.0);
 }

@@ -77,12 +77,7 @@ impl Armed {
         let (weak, waker) = (Arc::downgrade(&shared), monitor.waker());
         monitor.observe_first(move |snapshot| {
             let Some(shared) = weak.upgrade() else { return ControlFlow::Break(()) };
-            let judged = shared.judge(&S::snapshot(snapshot));
-            if !matches!(judged, Ok(None)) {
-                // What a logger's panic leaves undone the sentry does.
-                let _ = catch_unwind(AssertUnwindSafe(|| shared.stop_now()));
-            }
-            if shared.take(judged) {
+            if shared.act_on(shared.judge(&S::snapshot(snapshot))) {
                 // At once: the user's observers, which may take their time, come before the monitor itself wakes anybody.
                 waker.wake();
             }
@@ -164,15 +159,19 @@ impl Shared {
         }
     }
 
-    /// Stops the arm after the first judgement that calls for it, before anybody learns of that.
-    fn stop_now(&self) {
-        let progress = lock(&self.progress);
-        let is_first = progress.has_begun && progress.trip.is_none() && progress.broken.is_none();
-        drop(progress);
+    /// Takes a judgement, and stops the arm after the first one that calls for it: true if it is news. Whoever learns of it waits for `early` to learn whether the
+    /// stop was written.
+    fn act_on(&self, judged: Result<Option<Trip>, DecodeError>) -> bool {
+        if matches!(judged, Ok(None)) {
+            return false;
+        }
         let mut early = lock(&self.early);
+        let is_first = lock(&self.progress).calls_for_first_stop();
+        let is_news = self.take(judged);
         if let Some(stop) = early.stop.take_if(|_| is_first) {
             early.written = stop.write_now();
         }
+        is_news
     }
 
     /// Takes a judgement: true if it is news.
@@ -189,6 +188,11 @@ impl Shared {
 }
 
 impl Progress {
+    /// True if the next judgement is the first for which the arm is stopped.
+    fn calls_for_first_stop(&self) -> bool {
+        self.has_begun && self.trip.is_none() && self.broken.is_none()
+    }
+
     fn broken(&self) -> Option<StatusProblem> {
         self.broken.clone().map(|source| StatusProblem::Unreadable { source })
     }

@@ -82,6 +82,9 @@ pub enum ForceComponent {
     Force,
 }
 
+/// The longest overtravel that a limit may state, in mm: the same.
+const LONGEST_OVERTRAVEL_MM: f64 = 1000.0;
+
 /// The longest reaction that a limit may state: ours, far beyond any.
 const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
@@ -118,6 +121,10 @@ impl ForceLimit {
         let odd = numbers.into_iter().find(|(_, value)| !value.is_finite() || *value <= 0.0);
         if let Some((name, value)) = odd {
             return Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0", false));
+        }
+        if self.overtravel_mm > LONGEST_OVERTRAVEL_MM {
+            let value = self.overtravel_mm.to_string();
+            return Err(InvalidArgument::new(call, "overtravel", value, "at most 1000 mm", false));
         }
         if self.reaction > LONGEST_REACTION {
             let value = format!("{:?}", self.reaction);

@@ -9,7 +9,7 @@ use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 
 use super::{Armed, ForceLimit, Guard, NotGuarded, Trip, TripReason};
-use crate::robot::readiness::unknown;
+use crate::robot::readiness::{fresh_status, unknown};
 use crate::{Error, ErrorKind, Monitor, MotionStatus, Robot, StatusProblem};
 
 /// A guard of set-points, which is asked in each cycle, and never waited for.
@@ -31,11 +31,12 @@ struct Force {
 const BRAKING_S: f64 = 0.1;
 
 impl SetPointGuard {
-    /// Fails once the guard has tripped, or, under a limit of force, packets have stayed away for too long.
+    /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has allowed; under a limit of force also once
+    /// packets have stayed away for too long for it.
     pub(crate) fn check<S: MotionStatus>(&self, monitor: &Monitor<S>) -> Result<(), Error> {
         self.check_tripped()?;
+        let age = fresh_status(monitor).map_err(unknown)?.age();
         let fresh_for = self.force.as_ref().map_or(Duration::MAX, |force| super::longest_silence(force.period));
-        let age = monitor.last_known_packet().map_or(Duration::ZERO, |packet| packet.age());
         if age > fresh_for { Err(unknown(StatusProblem::Stale { age })) } else { Ok(()) }
     }
 
@@ -45,6 +46,14 @@ impl SetPointGuard {
             (Some(trip), _) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
             (None, Some(problem)) => Err(unknown(problem)),
             (None, None) => Ok(()),
+        }
+    }
+
+    /// Fails once the guard has tripped, before anything that moves the arm was sent.
+    pub(crate) fn check_before_start(&self) -> Result<(), Error> {
+        match self.armed.trip() {
+            Some(trip) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into()),
+            None => self.check_tripped(),
         }
     }
 
