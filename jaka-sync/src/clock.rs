@@ -7,10 +7,10 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 #[cfg(feature = "simulated-clock")]
-use jaka_clock::{Channel, Participant, SimulatedClock, Work};
+use jaka_clock::{Channel, Participant, SimulatedClock};
 
 #[cfg(not(feature = "simulated-clock"))]
-use self::absent::{Channel, Participant, SimulatedClock, Work};
+use self::absent::{Channel, Participant, SimulatedClock};
 
 /// What the time is, and how it passes: as the system says, or a simulated clock.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -88,12 +88,6 @@ impl Clock {
             Some(clock) => clock.outside(wait),
         }
     }
-
-    /// Keeps a simulated time from going on, until a thread has it that waits [outside](Self::outside).
-    #[cfg(feature = "stream")]
-    pub(crate) fn hand_over(&self) -> HandOver {
-        HandOver(self.0.as_ref().map(SimulatedClock::work))
-    }
 }
 
 /// The time since a moment.
@@ -133,11 +127,6 @@ impl Place {
         }
     }
 }
-
-/// Keeps a simulated time from going on until it is dropped.
-#[derive(Debug)]
-#[cfg_attr(not(feature = "stream"), allow(dead_code, reason = "streams hand over"))]
-pub(crate) struct HandOver(#[allow(dead_code, reason = "it acts when dropped")] Option<Work>);
 
 /// What a connection says to a simulated clock.
 pub(crate) type End = Option<Channel>;

@@ -161,7 +161,7 @@ impl<S: MotionStatus> std::ops::Deref for FollowRun<'_, S> {
 
 impl<S: MotionStatus> Drop for FollowRun<'_, S> {
     fn drop(&mut self) {
-        if !self.thread.runs() {
+        if self.thread.was_awaited() {
             return;
         }
         // It may have ended.

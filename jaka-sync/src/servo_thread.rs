@@ -1,34 +1,24 @@
 //! Threads with a robot of their own, whose set-points go out while the program does something else.
 
-use std::sync::mpsc::{self, SyncSender};
-use std::thread::{self, JoinHandle};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+use std::{mem, thread};
 
-use crate::clock::{Clock, HandOver};
+use crate::clock::{Clock, Signal};
 use crate::{Error, ErrorKind, MotionStatus, Robot};
 
-/// A thread that has a lent robot. The time at which it ends is handed over to who waits for it.
+/// A thread that has a lent robot. Who waits for it waits in the clock's time.
 #[derive(Debug)]
 pub(crate) struct ServoThread<T> {
-    /// None once it has been waited for. It ends with nothing where the work does not begin.
-    thread: Option<JoinHandle<(Option<T>, HandOver)>>,
-    clock: Clock,
+    end: Arc<Mailbox<T>>,
+    was_awaited: bool,
 }
 
-/// Tells the caller once that the work has begun, or why it does not begin.
-pub(crate) struct Begun<B> {
-    ready: SyncSender<(Result<B, Error>, HandOver)>,
-    clock: Clock,
-}
-
-impl<B> Begun<B> {
-    /// Whether anybody waits for it: nobody does where the caller's thread has ended.
-    pub(crate) fn tell(&self, begun: Result<B, Error>) -> bool {
-        self.ready.send((begun, self.clock.hand_over())).is_ok()
-    }
-}
+/// Gives the caller once what the work has begun with, or why it does not begin.
+pub(crate) type Begun<B> = Giver<Result<B, Error>>;
 
 impl<T: Send + 'static> ServoThread<T> {
-    /// Starts the work, and waits until it has begun.
+    /// Starts the work, and waits until it has begun. It ends with nothing where it does not begin.
     pub(crate) fn start<S: MotionStatus, B: Send + 'static>(
         name: &str,
         mut robot: Robot<S>,
@@ -36,34 +26,97 @@ impl<T: Send + 'static> ServoThread<T> {
     ) -> Result<(Self, B), Error> {
         let clock = robot.clock().clone();
         let place = clock.participant();
-        let (ready, begun) = mpsc::sync_channel(1);
-        let tells = Begun { ready, clock: clock.clone() };
-        let spawned = thread::Builder::new().name(name.to_owned()).spawn(move || {
-            let tells = tells;
-            place.run(|| (work(&mut robot, &tells), robot.clock().hand_over()))
-        });
-        let thread = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
-        let mut started = Self { thread: Some(thread), clock };
-        match started.clock.outside(|| begun.recv()) {
-            Ok((begun, _now)) => Ok((started, begun?)),
-            Err(mpsc::RecvError) => Err(started.join().err().unwrap_or_else(panicked)),
-        }
+        let ((begun, given), (end, ended)) = (mailbox(&clock), mailbox(&clock));
+        let act = move || {
+            let done = work(&mut robot, &given);
+            // Who waits has the connection for itself.
+            drop(robot);
+            if let Some(done) = done {
+                ended.give(done);
+            }
+        };
+        let spawned = thread::Builder::new().name(name.to_owned()).spawn(move || place.run(act));
+        spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
+        let begun = begun.wait().ok_or_else(panicked)??;
+        Ok((Self { end, was_awaited: false }, begun))
     }
-}
 
-impl<T> ServoThread<T> {
-    /// Whether it has not been waited for.
-    pub(crate) fn runs(&self) -> bool {
-        self.thread.is_some()
+    /// Whether its end has been waited for.
+    pub(crate) fn was_awaited(&self) -> bool {
+        self.was_awaited
     }
 
     /// Waits for the end.
     pub(crate) fn join(&mut self) -> Result<T, Error> {
-        let ended = self.thread.take().and_then(|thread| self.clock.outside(|| thread.join()).ok());
-        ended.and_then(|(ended, _now)| ended).ok_or_else(panicked)
+        self.was_awaited = true;
+        self.end.wait().ok_or_else(panicked)
     }
 }
 
 fn panicked() -> Error {
     ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into()
+}
+
+/// What a thread gives another once.
+#[derive(Debug)]
+struct Mailbox<T> {
+    letter: Mutex<Letter<T>>,
+    changed: Signal,
+}
+
+#[derive(Debug)]
+enum Letter<T> {
+    Awaited,
+    Here(T),
+    /// It was taken, or nobody gives it any more.
+    Gone,
+}
+
+fn mailbox<T>(clock: &Clock) -> (Arc<Mailbox<T>>, Giver<T>) {
+    let mailbox = Arc::new(Mailbox { letter: Mutex::new(Letter::Awaited), changed: Signal::new(clock) });
+    (Arc::clone(&mailbox), Giver(mailbox))
+}
+
+impl<T> Mailbox<T> {
+    /// What was given; none where the giver has ended, or it was taken.
+    fn wait(&self) -> Option<T> {
+        let mut letter = self.lock();
+        while matches!(*letter, Letter::Awaited) {
+            letter = self.changed.wait(&self.letter, letter, Duration::MAX);
+        }
+        match mem::replace(&mut *letter, Letter::Gone) {
+            Letter::Here(given) => Some(given),
+            _ => None,
+        }
+    }
+
+    fn put(&self, letter: Letter<T>) {
+        let mut place = self.lock();
+        if matches!(*place, Letter::Awaited) {
+            *place = letter;
+        }
+        drop(place);
+        self.changed.notify_all();
+    }
+
+    /// Every change is made whole before the lock is left.
+    fn lock(&self) -> MutexGuard<'_, Letter<T>> {
+        self.letter.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Gives something once. Whoever waits for it learns where it is dropped instead, such as by a panic.
+#[derive(Debug)]
+pub(crate) struct Giver<T>(Arc<Mailbox<T>>);
+
+impl<T> Giver<T> {
+    pub(crate) fn give(&self, given: T) {
+        self.0.put(Letter::Here(given));
+    }
+}
+
+impl<T> Drop for Giver<T> {
+    fn drop(&mut self) {
+        self.0.put(Letter::Gone);
+    }
 }

@@ -176,7 +176,7 @@ impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
 
 impl<S: MotionStatus> Drop for Stream<'_, S> {
     fn drop(&mut self) {
-        if !self.thread.runs() {
+        if self.thread.was_awaited() {
             return;
         }
         self.handle.targets().land();

@@ -3,10 +3,10 @@
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays, Fault, Port, SimulatedClock, StatusFault};
-use jaka_sync::jaka_motion::{Limits, Model};
+use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, Config, Outcome, Reconnect, Robot, ServoConfig, StreamConfig};
+use jaka_sync::{Client, Config, FollowConfig, Outcome, Reconnect, Robot, ServoConfig, StreamConfig};
 use jaka_tests::simulated::{SetPoints, beside, clock_of};
 
 const LONG: Duration = Duration::from_secs(60);
@@ -226,4 +226,29 @@ fn powering_up_takes_the_arms_time_and_no_other() {
     // 8 s and 3.5 s, queries each 100 ms, and the packet that shows it.
     let took = clock.elapsed().saturating_sub(since).as_millis();
     assert!((11_500..11_800).contains(&took), "{took} ms");
+}
+
+#[test]
+fn time_goes_on_after_the_end_of_a_stream_and_of_a_trajectory_for_which_nobody_waits() {
+    let controller = arm(Duration::from_millis(30));
+    let clock = clock_of(&controller);
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    let robot = robot_of(&controller, &config(&controller));
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let at = controller.state().joint_position;
+    let there = JointPosition(std::array::from_fn(|joint| at.0[joint] + if joint == 5 { 5.0 } else { 0.0 }));
+    let points = [TimedPoint::new(0.0, at), TimedPoint::new(2.0, there)];
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is slow");
+    let run = robot.start_follow(&trajectory, &FollowConfig::new()).expect("it is where it starts");
+    clock.sleep(Duration::from_secs(10));
+    let since = clock.elapsed();
+    run.wait().completed().expect("nothing is in its way");
+    assert_eq!(clock.elapsed(), since, "it had ended");
+
+    let stream = robot.stream(&StreamConfig::new()).expect("it is at rest");
+    controller.link(Port::Command).cut();
+    clock.sleep(Duration::from_secs(10));
+    let since = clock.elapsed();
+    stream.land().expect_err("its connection was cut");
+    assert_eq!(clock.elapsed(), since, "it had ended");
 }

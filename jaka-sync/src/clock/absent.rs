@@ -13,11 +13,6 @@ pub(crate) enum SimulatedClock {}
 #[derive(Debug)]
 pub(crate) enum Participant {}
 
-/// What keeps its time from going on.
-#[derive(Debug)]
-#[cfg_attr(not(feature = "stream"), allow(dead_code, reason = "streams hand over"))]
-pub(crate) enum Work {}
-
 /// An end of a connection that takes part in its time.
 #[derive(Debug)]
 pub(crate) enum Channel {}
@@ -45,11 +40,6 @@ impl SimulatedClock {
     }
 
     pub(crate) fn outside<T>(&self, _: impl FnOnce() -> T) -> T {
-        match *self {}
-    }
-
-    #[cfg(feature = "stream")]
-    pub(crate) fn work(&self) -> Work {
         match *self {}
     }
 

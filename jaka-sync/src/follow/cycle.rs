@@ -37,7 +37,7 @@ pub(super) fn run<S: MotionStatus>(
     let _ends = Ends(orders);
     let refused = |error: Error| {
         // The caller has the error from here.
-        begun.tell(Err(error));
+        begun.give(Err(error));
         None
     };
     let mut checked = None;
@@ -50,10 +50,7 @@ pub(super) fn run<S: MotionStatus>(
         Ok(way) => way,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
-    if !begun.tell(Ok(())) {
-        // Nobody waits where the caller's thread has ended.
-        orders.stop();
-    }
+    begun.give(Ok(()));
     let mut supervision = way.supervision(config);
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);

@@ -33,7 +33,7 @@ pub(super) fn run<S: MotionStatus>(
 ) -> Option<Result<ServoReport, Error>> {
     // The caller has the error from here, and not from the thread.
     let refused = |error: Error| {
-        begun.tell(Err(error));
+        begun.give(Err(error));
         None
     };
     let clock = robot.clock().clone();
@@ -56,10 +56,7 @@ pub(super) fn run<S: MotionStatus>(
     };
     let targets = Arc::new(Targets::new(generator.joints(), &clock));
     let _ends = Ends(Arc::clone(&targets));
-    // Nobody waits where the caller's thread has ended; then it lands.
-    if !begun.tell(Ok((Arc::clone(&targets), generator.clone()))) {
-        targets.land();
-    }
+    begun.give(Ok((Arc::clone(&targets), generator.clone())));
     let (start, period) = (generator.joints(), config.servo.period());
     let supervision = Supervision::new(start, period, config.max_departure_deg, config.max_gap);
     let mut supervision = supervision.guarded(guard);

@@ -137,8 +137,7 @@ fn streamed(period: Duration, phase: f64, overtravel: f64, told: Told) -> Depth 
     let since = clock.elapsed();
     while give().is_ok() {
         assert!(clock.elapsed().saturating_sub(since) < LONG, "{period:?}, {told:?}: nothing is touched");
-        // Not asleep: where it has ended, the time waits for who waits for it.
-        let _ = handle.wait_for_rest(Duration::from_millis(100));
+        clock.sleep(Duration::from_millis(100));
     }
     let error = stream.land().expect_err("the guard has ended it");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{period:?}, {told:?}: {error}");
