@@ -14,7 +14,7 @@ pub(crate) struct ConsoleArgs {
     /// Print nothing on standard error but errors, questions, and what has become of a motion
     #[arg(long, short, global = true, conflicts_with = "verbose", help_heading = HEADING)]
     quiet: bool,
-    /// Colours: always, never, or auto: on terminals, unless NO_COLOR is set [default: auto]
+    /// Colours: always, never, or auto: on terminals, unless `NO_COLOR` is set [default: auto]
     #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t, help_heading = HEADING)]
     #[arg(hide_default_value = true, hide_possible_values = true)]
     color: Color,

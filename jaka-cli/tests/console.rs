@@ -2,7 +2,7 @@
 
 use std::process::Stdio;
 
-use expect_test::expect;
+use expect_test::{Expect, expect};
 use jaka_sim::{Controller, Delays, Fault};
 
 use crate::program::{address_of, command, jaka, result, run, scratch};
@@ -116,123 +116,132 @@ fn colours_are_used_where_they_are_asked_for() {
     assert!(!jaka(["status", "--help", "--color=never"]).out.contains('\u{1b}'));
 }
 
+fn check<const COUNT: usize>(lines: [(&str, Expect); COUNT]) {
+    for (line, expected) in lines {
+        expected.assert_eq(&jaka(line.split(' ')).text());
+    }
+}
+
 #[test]
 fn what_is_wrong_on_a_line_has_one_form() {
-    let text = |line: &str| jaka(line.split(' ')).text();
-    for (line, expected) in [
+    check([
         (
             "status --filds x",
-            expect![[r#"
+            expect![[r"
             error: there is no option `--filds`
             hint: did you mean `--fields`?
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "status --sim --format",
-            expect![[r#"
+            expect![[r"
             error: `--format <FORMAT>` needs a value: it is one of `table`, `json`, `csv`
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "status --sim --format xml",
-            expect![[r#"
+            expect![[r"
             error: `--format <FORMAT>` cannot be `xml`: it is one of `table`, `json`, `csv`
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "status --sim --raw --fields x",
-            expect![[r#"
+            expect![[r"
             error: `--raw` cannot be used with `--fields <NAMES>`
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "status --sim more",
-            expect![[r#"
+            expect![[r"
             error: `more` is not expected here
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "stats",
-            expect![[r#"
+            expect![[r"
             error: there is no command `stats`
             hint: did you mean `status`?
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "spec chek",
-            expect![[r#"
+            expect![[r"
             error: there is no command `chek`
             hint: did you mean `schema` or `check`?
             exit code 2
-        "#]],
+        "]],
         ),
+    ]);
+}
+
+#[test]
+fn what_is_wrong_with_values_and_fields_has_the_same_form() {
+    check([
         (
             "status --sim --timeout 0",
-            expect![[r#"
+            expect![[r"
             error: `--timeout <SECONDS>` cannot be `0`: must be more than 0 seconds
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "status --sim --sim",
-            expect![[r#"
+            expect![[r"
             error: `--sim[=<MODEL>]` is given more than once
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "jog 1 --sim",
-            expect![[r#"
+            expect![[r"
             error: `--speed <SPEED>`, `<DISTANCE>` are missing
             hint: `jaka jog --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "status --color blue",
-            expect![[r#"
+            expect![[r"
             error: `--color <WHEN>` cannot be `blue`: it is one of `auto`, `always`, `never`
             hint: `jaka status --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "call joint_move --sped 1",
-            expect![[r#"
+            expect![[r"
             error: there is no option `--sped`
             hint: did you mean `--speed`?
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "call joint_move --advisory-ranges no",
-            expect![[r#"
+            expect![[r"
             error: `--advisory-ranges <WHAT>` cannot be `no`: it is one of `enforce`, `ignore`
             hint: `jaka call joint_move --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
         (
             "call power_on --stdin --json",
-            expect![[r#"
+            expect![[r"
             error: `--stdin` cannot be used with `--json[=<KEYS>]`
             hint: `jaka call power_on --help` explains what there is
             exit code 2
-        "#]],
+        "]],
         ),
-    ] {
-        expected.assert_eq(&text(line));
-    }
+    ]);
 }

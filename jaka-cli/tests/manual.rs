@@ -9,8 +9,8 @@ use crate::program::{jaka, scratch};
 fn commands(help: &str) -> Vec<String> {
     let (_, rest) = help.split_once("\nCommands:\n").expect("it has a list");
     let list = rest.split("\n\n").next().expect("the list ends");
-    let named = list.lines().filter_map(|line| line.strip_prefix("  ").filter(|line| !line.starts_with(' ')));
-    let names = named.filter_map(|line| line.split(' ').next()).filter(|name| *name != "help");
+    let rows = list.lines().filter_map(|line| line.strip_prefix("  ").filter(|line| !line.starts_with(' ')));
+    let names = rows.filter_map(|line| line.split(' ').next()).filter(|name| *name != "help");
     names.map(str::to_owned).collect()
 }
 

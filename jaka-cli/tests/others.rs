@@ -191,7 +191,7 @@ fn the_help_explains_exit_codes() {
                   Print nothing on standard error but errors, questions, and what has become of a motion
 
               --color <WHEN>
-                  Colours: always, never, or auto: on terminals, unless NO_COLOR is set [default: auto]
+                  Colours: always, never, or auto: on terminals, unless `NO_COLOR` is set [default: auto]
 
         The robot:
           Commands that talk to a robot take its address from, in this order: --sim,

@@ -165,22 +165,22 @@ fn what_is_beyond_a_limit_is_not_sent() {
 #[test]
 fn what_is_wrong_on_the_line_is_told() {
     let text = |line: &str| jaka(line.split(' ')).text();
-    expect![[r#"
+    expect![[r"
         error: `--joints <DEG,...>` cannot be `0,90`: six numbers with commas between them are needed, such as 0,90,90,90,-90,0
         hint: `jaka move --help` explains what there is
         exit code 2
-    "#]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
-    expect![[r#"
+    "]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
+    expect![[r"
         error: `--joints <DEG,...>` or `--pose <X,Y,Z,RX,RY,RZ>` is missing
         hint: `jaka move --help` explains what there is
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text("move --speed 10 --sim"));
-    expect![[r#"
+    expect![[r"
         error: `<AXIS>` cannot be `7`: there are joints 1 to 6, and the axes x, y and z
         hint: `jaka jog --help` explains what there is
         exit code 2
-    "#]]
+    "]]
     .assert_eq(&text("jog 7 5 --speed 10 --sim"));
     expect![[r"
         error: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller

@@ -61,27 +61,27 @@ fn every_problem_is_reported() {
 fn clap_reports_unknown_options() {
     check(
         "joint_move --sped 1",
-        &expect![[r#"
+        &expect![[r"
             error: there is no option `--sped`
             hint: did you mean `--speed`?
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "joint_move --speed",
-        &expect![[r#"
+        &expect![[r"
             error: `--speed <NUMBER>` needs a value
             hint: `jaka call joint_move --help` explains what there is
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "joint_move --speed 1 --params {}",
-        &expect![[r#"
+        &expect![[r"
             error: `--speed <NUMBER>` cannot be used with `--params <JSON>`
             hint: `jaka call joint_move --help` explains what there is
             exit code 2
-        "#]],
+        "]],
     );
 }
 
@@ -279,11 +279,11 @@ fn raw_requests_go_out_as_they_are() {
     );
     check(
         "joint_move --raw --params {} --speed 1 --dry-run",
-        &expect![[r#"
+        &expect![[r"
             error: there is no option `--speed`
             hint: `jaka call joint_move --help` explains what there is
             exit code 2
-        "#]],
+        "]],
     );
     check(
         "--raw --dry-run",

@@ -54,8 +54,7 @@ pub(crate) fn complete(before: &[String], current: &str) -> Completion {
 /// Subcommands, or what stands at this place without a name; options where there are neither.
 fn words(line: &Line<'_>, current: &str) -> Completion {
     let subcommands = line.command.get_subcommands().filter(|command| !command.is_hide_set());
-    let subcommands: Vec<_> =
-        subcommands.filter(|_| line.positionals.is_empty()).map(|command| candidate_of(command)).collect();
+    let subcommands: Vec<_> = subcommands.filter(|_| line.positionals.is_empty()).map(candidate_of).collect();
     match line.positional() {
         _ if !subcommands.is_empty() => Completion::Words(begun(subcommands, current)),
         Some(arg) => values(line, arg, "", current),

@@ -42,7 +42,9 @@ impl<'c> Line<'c> {
             pending: None,
             is_escaped: false,
         };
-        words.iter().for_each(|word| line.add(word));
+        for word in words {
+            line.add(word);
+        }
         line
     }
 
