@@ -54,7 +54,7 @@ fn way(mut follower: Follower, scale: impl Fn(usize) -> f64) -> f64 {
 /// The least overtravel with which nothing is wrong.
 fn least_allowed(follower: &Follower) -> f64 {
     let (mut low, mut high) = (0.0, 1000.0);
-    for _ in 0..40 {
+    for _ in 0..24 {
         let middle = f64::midpoint(low, high);
         let is_refused = follower.worst_overtravel(&checker(), UNBRAKED_S, middle).is_some();
         (low, high) = if is_refused { (middle, high) } else { (low, middle) };
@@ -67,7 +67,7 @@ fn nowhere_does_the_tool_go_on_further_than_is_told() {
     let mut follower = Follower::new(trajectory(), checker().limits(), PERIOD);
     let allowed = least_allowed(&follower);
     let (mut random, mut scale, mut furthest) = (Random::new(17), 1.0, 0.0);
-    for round in 0..20 {
+    for round in 0..6 {
         while !follower.is_at_end() {
             if random.below(20) == 0 {
                 scale = [0.0, 0.3, 1.0, 1.0][random.below(4)];

@@ -3,7 +3,10 @@
 use jaka_proto::messages::types::Pose;
 
 use super::{CYCLE, ELBOW_UP, Watched, zu5};
-use crate::{Bound, Exceeded, Goal, Model, Region, Singularity, TcpVelocity, VelocityFrame};
+use crate::tests::Random;
+use crate::{
+    Bound, Checker, Dynamics, Exceeded, Frames, Generator, Goal, Model, Region, Singularity, TcpVelocity, VelocityFrame,
+};
 
 fn along(linear_mm_s: [f64; 3]) -> Goal {
     let frame = VelocityFrame::ArmBase;
@@ -46,6 +49,41 @@ fn the_tool_moves_as_it_is_told() {
     assert!(length(minus(place(&arm), before)) < 0.01);
     let turned = turned.angle_deg(&Model::default().forward(arm.generator.joints()));
     assert!((28.0..32.0).contains(&turned), "{turned}");
+}
+
+/// At each set-point: how fast the tool came there, and how far it goes on until it rests.
+#[test]
+fn a_tool_that_is_to_stop_soon_can_whatever_the_goals_are() {
+    let (speed, within) = (20.0, 1.0);
+    let checker = Checker::new(zu5(), Frames::new());
+    let generator = Generator::new(&checker, Dynamics::of(&zu5()), ELBOW_UP.into(), CYCLE).expect("at rest");
+    let mut generator = generator.with_tool_stop(speed, within).expect("above 0");
+    let at = |generator: &Generator| Model::default().forward(generator.joints()).position_mm();
+    let (mut random, mut goal, mut fastest, mut furthest) = (Random::new(3), Goal::Rest, 0.0, 0.0);
+    for index in 0..1500 {
+        if index % 60 == 0 {
+            let by: [f64; 6] = std::array::from_fn(|_| random.between(-10.0, 10.0));
+            let target = std::array::from_fn(|joint| ELBOW_UP[joint] + by[joint]);
+            let goals =
+                [Goal::Joints(target.into()), Goal::Velocity(by), along([2.0 * by[0], by[1], by[2]]), Goal::Rest];
+            goal = goals[random.below(4)];
+        }
+        let before = at(&generator);
+        generator.next(&goal);
+        let (mut stopping, mut last, mut way) =
+            (generator.clone(), at(&generator), length(minus(at(&generator), before)));
+        fastest = f64::max(fastest, way / CYCLE);
+        while !stopping.is_at_rest() {
+            stopping.next(&Goal::Rest);
+            way += length(minus(at(&stopping), last));
+            last = at(&stopping);
+        }
+        furthest = f64::max(furthest, way);
+    }
+    assert!(fastest <= 1.0001 * speed && furthest <= 1.0001 * within, "{fastest} mm/s, {furthest} mm");
+    assert!(fastest > 0.5 * speed && furthest > 0.8 * within, "{fastest} mm/s, {furthest} mm");
+    let beyond = generator.check_goal(&along([30.0, 0.0, 0.0])).expect_err("it is too fast");
+    assert!(matches!(beyond.exceeded, Exceeded::TcpSpeed { limit_mm_s: 20.0, .. }), "{beyond}");
 }
 
 /// Slowly along the plane would be allowed, but the direction is kept.
