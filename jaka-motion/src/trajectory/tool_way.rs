@@ -47,6 +47,11 @@ impl Direction {
 }
 
 impl Course {
+    /// Whether it has one speed.
+    pub(super) fn is_even(&self) -> bool {
+        self.speeds[0].total_cmp(&self.speeds[1]).is_eq()
+    }
+
     /// Way, speed and acceleration at a share of the seconds.
     pub(super) fn at(&self, share: f64, seconds: f64) -> [f64; 3] {
         let [first, last] = self.speeds;
