@@ -34,7 +34,7 @@ impl Clock {
     pub(crate) fn until_next_cycle(&self) -> Duration {
         let Self::Running { time, start, scale } = self else { return Duration::MAX };
         let passed = scaled(time.since(*start), *scale).as_nanos() % CYCLE.as_nanos();
-        let left = CYCLE - Duration::from_nanos(u64::try_from(passed).unwrap_or_default());
+        let left = CYCLE.saturating_sub(Duration::from_nanos(u64::try_from(passed).unwrap_or_default()));
         scaled(left, scale.recip()).max(SHORTEST)
     }
 }

@@ -142,7 +142,9 @@ impl Triggers {
             if all.is_empty() {
                 return;
             }
-            all.iter().for_each(|(trigger, _)| trigger.give_up());
+            for (trigger, _) in &all {
+                trigger.give_up();
+            }
             // An action may drop the controller.
             let is_other = |thread: &JoinHandle<()>| thread.thread().id() != thread::current().id();
             for (trigger, thread) in all.into_iter().filter(|(_, thread)| is_other(thread)) {

@@ -20,7 +20,9 @@ pub(super) fn run(
     lines: &Receiver<ArmEvent>,
 ) -> Result<(), Failure> {
     let mut ahead = Vec::new();
-    scheduled.into_iter().for_each(|event| schedule(controller, event, &mut ahead));
+    for event in scheduled {
+        schedule(controller, event, &mut ahead);
+    }
     loop {
         let now = controller.elapsed();
         for ArmEvent { fault, at } in ahead.extract_if(.., |event| event.at <= now) {
