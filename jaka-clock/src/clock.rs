@@ -85,7 +85,7 @@ impl SimulatedClock {
     }
 
     /// Keeps time from going on until it is dropped.
-    pub(crate) fn work(&self) -> Work {
+    pub fn work(&self) -> Work {
         self.lock().begin_work();
         Work::new(self)
     }
