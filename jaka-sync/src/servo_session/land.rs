@@ -87,7 +87,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Where the last set-point is so long ago that the arm has none, it stands.
     fn brake(&mut self, braking: Braking<'_>, refused: u64) -> Result<(), Error> {
         if self.begun.map_or_else(|| self.pace.late(), |due| self.robot.clock().elapsed(due)) >= self.config.gap() {
-            self.course.paused();
+            self.stand();
             return Ok(());
         }
         while let Some(next) = braking(&self.course) {
@@ -98,6 +98,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             self.robot.expect_set_point(Some(self.config.gap() * 2));
         }
         Ok(())
+    }
+
+    /// The arm has had no set-point for so long that it is taken to stand, which is told of one that moved.
+    fn stand(&mut self) {
+        self.report.gaps += u64::from(self.course.is_moving());
+        self.course.paused();
     }
 
     /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
@@ -163,7 +169,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             None => self.pace.wait(),
         };
         if late >= self.config.gap() {
-            self.course.paused();
+            self.stand();
             return Ok(false);
         }
         self.take_answers(ServoJ::INFO.name)?;
