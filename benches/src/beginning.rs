@@ -21,6 +21,7 @@ const HOME: [f64; 6] = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
 const REACH_MM: f64 = 120.0;
 
 /// Way-points in memory.
+#[derive(Debug)]
 pub enum Points {
     /// With times.
     Timed(Vec<TimedPoint>),
@@ -28,8 +29,11 @@ pub enum Points {
     Through(Vec<Via>, f64),
 }
 
+/// Makes so many way-points.
+pub type Made = fn(u32) -> Points;
+
 /// Each kind of trajectory, by the number of its way-points.
-pub const KINDS: [(&str, fn(u32) -> Points); 6] = [
+pub const KINDS: [(&str, Made); 6] = [
     ("times", |count| Points::Timed(timed(count, 0))),
     ("times and speeds", |count| Points::Timed(timed(count, 1))),
     ("times, speeds, accelerations", |count| Points::Timed(timed(count, 2))),

@@ -12,7 +12,7 @@ pub(crate) struct Damped {
 
 impl Damped {
     /// With this much added to the squares of the singular values; none for numbers that are not finite.
-    pub(crate) fn new(jacobian: Matrix6<f64>, damping: f64) -> Option<Self> {
+    pub(crate) fn new(jacobian: &Matrix6<f64>, damping: f64) -> Option<Self> {
         let mut lower = [[0.0; 6]; 6];
         for column in jacobian.as_slice().chunks_exact(6) {
             for (row, entries) in lower.iter_mut().enumerate() {
@@ -33,7 +33,7 @@ impl Damped {
             }
             entries[row] = left.sqrt().recip();
         }
-        Some(Self { jacobian, lower })
+        Some(Self { jacobian: *jacobian, lower })
     }
 
     /// The turns in radians for a motion of the tool, or nearly so at a singularity.

@@ -163,7 +163,7 @@ fn a_collision_on_the_way_is_told_with_the_next_packet() {
     let controller = arm(period);
     let clock = clock_of(&controller);
     let mut robot = robot_of(&controller, &config(&controller));
-    let collide = controller.when(|state| state.joint_position.0[0] > 20.0, |controller| controller.collide());
+    let collide = controller.when(|state| state.joint_position.0[0] > 20.0, Controller::collide);
     let end = robot.run(&to(40.0, 10.0), LONG).expect("it is reachable");
     assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{:?}", end.outcome);
     let collided = collide.expect("a thread starts").fired_at().expect("the arm was there");

@@ -90,7 +90,7 @@ impl Checker {
         let tool = frames[5] * self.tool;
         let mut jacobian = jacobian(frames, &tool.translation.vector);
         jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
-        Some(Solved { joints: *joints, frames: *frames, tool, jacobian: Damped::new(jacobian, DAMPING)? })
+        Some(Solved { joints: *joints, frames: *frames, tool, jacobian: Damped::new(&jacobian, DAMPING)? })
     }
 
     /// The joint positions nearest to others, within their ranges or not.
@@ -133,8 +133,8 @@ impl Solved {
         let turns = self.jacobian.turns(off);
         let mut bend = self.bend(&turns.into());
         bend.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
-        let bent = self.jacobian.turns(&bend);
-        std::array::from_fn(|index| self.joints[index] + (turns[index] - 0.5 * bent[index]).to_degrees())
+        let more = self.jacobian.turns(&bend);
+        std::array::from_fn(|index| self.joints[index] + (turns[index] - 0.5 * more[index]).to_degrees())
     }
 
     /// How the tool's velocity changes where the joints turn on so.

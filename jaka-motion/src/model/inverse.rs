@@ -158,7 +158,7 @@ impl Model {
         let frames = self.links.frames(joints);
         let mut jacobian = jacobian(&frames, &frames[5].translation.vector);
         jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
-        let step = Damped::new(jacobian, damping)?.turns(&off(&frames[5], target));
+        let step = Damped::new(&jacobian, damping)?.turns(&off(&frames[5], target));
         Some(std::array::from_fn(|index| joints[index] + step[index].to_degrees()))
     }
 

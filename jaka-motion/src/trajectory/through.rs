@@ -203,12 +203,12 @@ impl Here {
         let is_way = length > SAME;
         let mut found = if is_way { Line::short(checker, &start, direction, length) } else { None };
         if !found.as_ref().is_some_and(|(line, _)| line.is_clear()) {
-            let checked = self.checked_line(after, pose, checker)?;
+            let end = self.checked_line(after, pose, checker)?;
             if !is_way {
                 self.solved = Some(start);
                 return Ok(None);
             }
-            let is_same = |there: &Solved| checked.max_distance(&there.joints.into()) <= ONE_BRANCH;
+            let is_same = |there: &Solved| end.max_distance(&there.joints.into()) <= ONE_BRANCH;
             found = found.or_else(|| Line::new(checker, &start, direction, length)).filter(|(_, there)| is_same(there));
         }
         let (line, there) = found.ok_or_else(|| lost(after, checker))?;
