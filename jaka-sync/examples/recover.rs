@@ -66,7 +66,7 @@ fn run_into_something(
 ) -> Result<MotionEnd, Box<dyn Error>> {
     if let Some(controller) = &target.controller {
         let far = start.0[0] + 3.0;
-        controller.when(move |state| state.joint_position.0[0] > far, Controller::collide)?;
+        controller.when(move |state| state.joint_position.0[0] > far, jaka_sim::Controller::collide)?;
     }
     Ok(robot.run(&to(away), MOTION)?)
 }
