@@ -36,10 +36,8 @@ fn each_fault_changes_what_its_name_says() {
             ArmFault::PressEmergencyStop => (powered, false, false, true, before, before),
             ArmFault::ReleaseEmergencyStop => (powered, false, false, false, before, before),
             ArmFault::CutPower => (false, false, false, false, before, before),
-            ArmFault::InputHigh(_) => (powered, enabled, false, false, true, false),
-            ArmFault::InputLow(_) => (powered, enabled, false, false, false, true),
-            ArmFault::ToolInputHigh(_) => (powered, enabled, false, false, false, true),
-            ArmFault::ToolInputLow(_) => (powered, enabled, false, false, true, false),
+            ArmFault::InputHigh(_) | ArmFault::ToolInputLow(_) => (powered, enabled, false, false, true, false),
+            ArmFault::InputLow(_) | ArmFault::ToolInputHigh(_) => (powered, enabled, false, false, false, true),
             _ => panic!("{fault} is not in this table"),
         };
         assert_eq!(seen(&controller.state()), expected, "{fault}");

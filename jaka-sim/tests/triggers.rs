@@ -71,7 +71,7 @@ fn actions_happen_once_each_also_of_changes_that_no_time_makes() {
     assert_accepted(&peer.call("power_off"), "power_off");
     assert!(off.wait(LIMIT));
     // And what is scheduled.
-    let pressed = controller.when(|state| state.emergency_stop, |controller| controller.release_emergency_stop());
+    let pressed = controller.when(|state| state.emergency_stop, jaka_sim::Controller::release_emergency_stop);
     let pressed = pressed.expect("a thread starts");
     controller.at(ms(500), ArmFault::PressEmergencyStop).expect("it has no input");
     controller.advance(ms(1000));
