@@ -45,7 +45,7 @@ use crate::piece::{Piece, Sample};
 ///
 /// # What it takes
 /// All is made and checked beforehand. Of 10,000 points with times that takes some 5 ms with optimisation, of 10,000 points in joint space 60 ms, of as
-/// many on lines 100 ms. A piece has some 300 bytes: there is one between two points with times, three or four for a point without, and one more for each 50 mm or
+/// many on lines 100 ms. A piece has some 300 bytes: there is one between two points with times, two or three for most points without, and one more for each 50 mm or
 /// less of a line. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory(Arc<Made>);
