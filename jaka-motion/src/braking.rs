@@ -49,14 +49,24 @@ impl JointState {
         self.speed + self.acceleration * self.acceleration.abs() / (2.0 * jerk)
     }
 
-    /// After some seconds in which the acceleration goes to zero as soon as it can, and stays there.
-    pub(crate) fn coasted(self, seconds: f64, jerk: f64) -> Self {
-        let ramp = (self.acceleration.abs() / jerk).min(seconds);
-        let mut there = self.after(ramp, -jerk.copysign(self.acceleration));
-        if ramp < seconds {
+    /// After some seconds, if its acceleration goes to zero evenly in `ramp_s`, and stays there.
+    pub(crate) fn coasted(self, seconds: f64, ramp_s: f64) -> Self {
+        let jerk = if ramp_s > 0.0 { -self.acceleration / ramp_s } else { 0.0 };
+        let mut there = self.after(ramp_s.min(seconds), jerk);
+        if ramp_s <= seconds {
             there.acceleration = 0.0;
         }
-        there.after(seconds - ramp, 0.0)
+        there.after((seconds - ramp_s).max(0.0), 0.0)
+    }
+
+    /// A share of the way to another state of the same time, both from the same one: by as much of the jerks.
+    pub(crate) fn towards(self, other: Self, share: f64) -> Self {
+        let between = |one: f64, other: f64| one + share * (other - one);
+        Self {
+            position: between(self.position, other.position),
+            speed: between(self.speed, other.speed),
+            acceleration: between(self.acceleration, other.acceleration),
+        }
     }
 
     /// Whether speed and acceleration are within their limits here, and stay there while the acceleration goes to zero.

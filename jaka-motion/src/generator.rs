@@ -4,7 +4,9 @@ mod dynamics;
 mod error;
 mod goal;
 mod plan;
+mod slower;
 mod tcp_velocity;
+mod tool_pace;
 
 use jaka_proto::messages::types::JointPosition;
 
@@ -52,6 +54,7 @@ use crate::limits::InvalidLimit;
 /// The set-points are samples of a motion whose jerk is within its limit at each moment, so that their third differences are means of it; likewise
 /// accelerations and speeds. rsruckig proposes the jerks. They are cut to their limits and integrated here, from the state of the last set-point; the new
 /// state is taken only if speeds and accelerations have stayed within their limits, and if the way to rest from there stays within all limits.
+/// Where the tool centre point alone would be too fast, states between the proposed one and going on as fast as before are tried in the same way.
 /// Otherwise the set-point is the next one on the way to rest from the last state, which was compared with the limits when that state was
 /// taken. The arm starts at rest, within the limits. So each state has a way to rest.
 ///
@@ -119,7 +122,8 @@ impl Generator {
     }
 
     /// The same for a tool that must be able to stop soon: the tool centre point moves with at most this speed, in mm/s as mean over a period, and from each set-point
-    /// on it comes to rest within this way, in mm, of which the last period before is a part. Goals are approached more slowly for that, as for any other limit.
+    /// on it comes to rest within this way, in mm, of which the last period before is a part. Goals are approached more slowly for that, joint positions from rest still
+    /// straight in joint space.
     ///
     /// # Errors
     /// The speed is not above 0.
@@ -159,10 +163,8 @@ impl Generator {
             self.plan.drop_way();
             let is_too_fast = matches!(exceeded, Exceeded::TcpSpeed { .. } | Exceeded::LandingWay { .. });
             bound = Some(Bound::Limit(self.beyond(exceeded)));
-            // As fast as before is often fast enough.
-            let coasted = self.coasted();
-            if is_too_fast && self.check(&coasted).is_ok() {
-                return self.take(coasted, bound);
+            if is_too_fast {
+                return self.take(self.slower(&proposed), bound);
             }
         }
         let stops = self.stops();
@@ -231,18 +233,26 @@ impl Generator {
                 if self.is_there(&target) {
                     return (None, None);
                 }
-                if self.plan.is_done() {
+                let pace = self.tool_pace_to(&target);
+                if let Some(pace) = &pace {
+                    self.plan.lead_to_joints(&self.state, &pace.limits, &target);
+                } else if self.plan.is_done() {
                     self.plan.lead_to_joints(&self.state, &self.limits, &target);
                 }
-                None
+                pace.and_then(|pace| pace.exceeded)
             }
             Goal::Velocity(speeds) if finite(speeds) => {
-                if !self.plan.is_fresh() {
-                    let limits = self.checker.limits();
-                    let ranges = [limits.joint_min(), limits.joint_max()];
+                let limits = self.checker.limits();
+                let ranges = [limits.joint_min(), limits.joint_max()];
+                let pace = self.tool_pace(&speeds, 1.0);
+                let share = pace.as_ref().map_or(1.0, |pace| pace.share);
+                let speeds = speeds.map(|speed| share * speed);
+                if let Some(pace) = &pace {
+                    self.plan.lead_to_speeds(&self.state, &pace.limits, &speeds, ranges);
+                } else if !self.plan.is_fresh() {
                     self.plan.lead_to_speeds(&self.state, &self.limits, &speeds, ranges);
                 }
-                self.held_in_range(&speeds)
+                self.held_in_range(&speeds).or(pace.and_then(|pace| pace.exceeded))
             }
             Goal::TcpVelocity(velocity) if velocity.numbers().all(|number| number.abs() <= MOST) => {
                 let (speeds, exceeded) = self.speeds_for(&velocity);
@@ -271,10 +281,6 @@ impl Generator {
         let last = self.joints().0;
         let rested = self.is_at_rest().then_some(&last);
         self.checker.check_stops(rested, &last, &stops, (self.period_s, self.stopping_mm))
-    }
-
-    fn coasted(&self) -> [JointState; 6] {
-        std::array::from_fn(|index| self.state[index].coasted(self.period_s, self.limits[index].jerk))
     }
 
     fn stops(&self) -> [Stop; 6] {

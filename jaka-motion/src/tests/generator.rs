@@ -4,6 +4,7 @@ mod goals;
 mod hostile;
 mod retargeting;
 mod tool;
+mod tool_stop;
 
 use jaka_proto::messages::types::JointPosition;
 

@@ -82,10 +82,10 @@ impl Approach {
             self.held += 1;
             return self.start;
         }
-        let stood = self.generator.is_at_rest();
+        let stood_at = self.is_at_rest().then(|| self.generator.joints());
         let step = self.generator.next(&Goal::Joints(self.start));
         // Whatever keeps it there: it would stand for ever.
-        self.is_blocked = stood && self.is_at_rest() && !self.is_there();
+        self.is_blocked = self.is_at_rest() && stood_at == Some(step.joints) && !self.is_there();
         self.bound = step.bound;
         step.joints
     }
