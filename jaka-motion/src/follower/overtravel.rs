@@ -9,7 +9,8 @@ use crate::checker::Checker;
 pub struct Overtravel {
     /// The trajectory time of the contact, in seconds.
     pub time_s: f64,
-    /// How far the tool centre point goes on from there until it rests, in mm along its way; infinite where braking takes longer than 0.5 s.
+    /// How far the tool centre point goes on from there until it rests, in mm along its way; infinite where braking takes longer than 0.5 s and the rest of the
+    /// trajectory is longer than what is allowed.
     pub way_mm: f64,
     /// For how long of that it is not braked yet, in seconds: the delay, rounded up to periods, and one more, since the contact can come at any moment of one.
     pub unbraked_s: f64,
@@ -21,6 +22,12 @@ pub struct Overtravel {
 
 /// How long braking may take, in seconds.
 const LONGEST_S: f64 = 0.5;
+/// How many contacts are bounded together.
+const TOGETHER: usize = 16;
+/// For how many periods of braking that is tried.
+const AHEAD: [usize; 3] = [2, 12, 64];
+/// By what share of itself [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may state a speed or an acceleration too high.
+const PEAK: f64 = 1e-4;
 
 impl Follower {
     /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further than `allowed_mm`; none otherwise.
@@ -29,7 +36,7 @@ impl Follower {
     /// most: at a lower one, also one that goes up or down meanwhile, the tool has gone less far when it is braked, and rests sooner. Where the tool goes on further than is
     /// allowed before it is braked at all, the place at which that is the furthest is told.
     ///
-    /// Each period of the trajectory is looked at. It allocates a number for each.
+    /// Each period of the trajectory is looked at, and braking where bounds do not tell that it is short enough. It allocates a number for each.
     pub fn worst_overtravel(&self, checker: &Checker, delay_s: f64, allowed_mm: f64) -> Option<Overtravel> {
         let ways = Ways { ways_mm: self.ways_mm(checker), unbraked: self.periods(delay_s).saturating_add(1) };
         let unbraked = ways.contacts().map(|contact| (contact, ways.between(contact, ways.braked_from(contact))));
@@ -37,10 +44,45 @@ impl Follower {
         let (contact, way_mm) = if furthest.1 > allowed_mm {
             (furthest.0, self.overtravel_mm(&ways, furthest.0))
         } else {
-            let all = ways.contacts().map(|contact| (contact, self.overtravel_mm(&ways, contact)));
-            self::furthest(all).filter(|(_, way_mm)| *way_mm > allowed_mm)?
+            self.furthest_braked(&ways, allowed_mm)?
         };
         Some(self.told(&ways, contact, way_mm))
+    }
+
+    /// The contact after which the tool goes on the furthest until it rests, and how far, if that is further than is allowed.
+    fn furthest_braked(&self, ways: &Ways, allowed_mm: f64) -> Option<(usize, f64)> {
+        let (contacts, mut worst) = (ways.contacts(), None);
+        for first in contacts.clone().step_by(TOGETHER) {
+            let together = first..(first + TOGETHER).min(contacts.end);
+            let braking = self.braking_at_most(ways.braked_from(first), ways.braked_from(together.end - 1));
+            for contact in together {
+                let most = worst.map_or(allowed_mm, |(_, way_mm)| way_mm);
+                let rest = braking.map_or(ways.last(), |periods| ways.braked_from(contact) + periods);
+                if ways.between(contact, rest) > most {
+                    worst = Some((contact, self.overtravel_mm(ways, contact))).filter(|found| found.1 > most).or(worst);
+                }
+            }
+        }
+        worst
+    }
+
+    /// How many periods of the trajectory it goes on for at most where it is braked after any of these set-points, if that is known: in each one the rate falls by as
+    /// much as it may all the while.
+    fn braking_at_most(&self, first: usize, last: usize) -> Option<usize> {
+        let limits = self.trajectory.joint_accelerations();
+        if (0..6).any(|joint| self.accelerations[joint] < limits[joint]) {
+            return None;
+        }
+        AHEAD.into_iter().find_map(|ahead| {
+            let (from_s, to_s) = (self.time_at(first.saturating_sub(1)), self.time_at(last + ahead + 1));
+            let change = self.trajectory.rate_change_between(from_s, to_s, 1.0 + PEAK);
+            let fall = (change.max(0.0) * (1.0 - 2.0 * PEAK) * self.period_s).min(1.0);
+            let falls = (1.0 / fall).floor();
+            let periods = falls - 0.5 * fall * falls * (falls + 1.0);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is compared before")]
+            #[expect(clippy::cast_precision_loss, reason = "a count of periods")]
+            (periods <= ahead as f64).then_some(periods.ceil() as usize)
+        })
     }
 
     /// How far the tool has gone by each set-point at the rate 1.
@@ -115,9 +157,9 @@ struct Ways {
 }
 
 impl Ways {
-    /// The set-points after which something can be touched.
+    /// The set-points after which something can be touched; without those at the end, after which less of the way is left than after these.
     fn contacts(&self) -> std::ops::Range<usize> {
-        0..self.ways_mm.len().saturating_sub(1)
+        0..self.last().saturating_sub(self.unbraked) + 1
     }
 
     /// The last set-point that does not brake.

@@ -123,3 +123,80 @@ fn braking_keeps_to_the_accelerations_and_is_sooner_than_a_smooth_stop() {
         }
     }
 }
+
+/// To and fro at random, near to what the accelerations allow.
+fn some_trajectory(random: &mut Random) -> Trajectory {
+    let mut time_s = 0.0;
+    let points: Vec<_> = (0..4)
+        .map(|number| {
+            let size = if number == 0 { 0.0 } else { 7.0 };
+            let by = [0.0; 3].map(|_: f64| random.between(-size, size));
+            time_s += random.between(0.1, 0.6);
+            (time_s, by)
+        })
+        .collect();
+    let start_s = points[0].0;
+    let stretched = |by: f64| {
+        let at = |(time_s, [one, two, six]): &(f64, [f64; 3])| {
+            TimedPoint::new((time_s - start_s) * by, [*one, 100.0 + two, 80.0, 90.0, -90.0, *six])
+        };
+        Trajectory::timed(&points.iter().map(at).collect::<Vec<_>>(), &checker()).ok()
+    };
+    (10..200).find_map(|tenths| stretched(f64::from(tenths) / 10.0)).expect("it is slow in the end")
+}
+
+#[test]
+fn no_contact_is_left_out_that_leads_further_than_is_allowed() {
+    let mut random = Random::new(23);
+    for round in 0..30 {
+        let start = Follower::new(some_trajectory(&mut random), checker().limits(), PERIOD);
+        let (mut follower, mut braked, mut unbraked) = (start.clone(), 0.0, 0.0);
+        while !follower.is_at_end() {
+            // The delay, and one period more.
+            let (mut on, mut gone) = (follower.clone(), 0.0);
+            for _ in 0..=UNBRAKED {
+                let last = on.joints();
+                gone += apart(last, on.advance());
+            }
+            unbraked = f64::max(unbraked, gone);
+            braked = f64::max(braked, gone + way_braked(on));
+            follower.advance();
+        }
+        for share in [0.3, 0.8, 0.95, 0.999] {
+            let allowed = share * braked;
+            let worst = start.worst_overtravel(&checker(), UNBRAKED_S, allowed).expect("it is further");
+            assert!(worst.way_mm > allowed, "round {round}: {worst:?}");
+            assert!(allowed < unbraked || worst.way_mm >= braked - 1e-9, "round {round}: {worst:?} of {braked} mm");
+        }
+    }
+}
+
+fn way_braked(mut follower: Follower) -> f64 {
+    let (mut way, mut last) = (0.0, follower.joints());
+    follower.brake();
+    while !follower.is_at_rest() {
+        let next = follower.advance();
+        way += apart(last, next);
+        last = next;
+    }
+    way
+}
+
+/// With all of its acceleration: braking takes until the end.
+#[test]
+fn a_joint_that_cannot_be_braked_matters_only_where_the_tool_goes_on() {
+    let turn = |joint: usize| {
+        let at = |time_s: f64, degrees: f64, speed: f64| {
+            let (mut joints, mut speeds) = ([0.0, 100.0, 80.0, 90.0, -90.0, 0.0], [0.0; 6]);
+            joints[joint] += degrees;
+            speeds[joint] = speed;
+            TimedPoint::new(time_s, joints).with_velocity(speeds)
+        };
+        let points = [at(0.0, 0.0, 0.0), at(1.0, 35.999, 71.998), at(2.0, 71.998, 0.0)];
+        Follower::new(Trajectory::timed(&points, &checker()).expect("within the limits"), checker().limits(), PERIOD)
+    };
+    // The flange turns about its own middle.
+    assert_eq!(turn(5).worst_overtravel(&checker(), UNBRAKED_S, 0.1), None);
+    let worst = turn(0).worst_overtravel(&checker(), UNBRAKED_S, 100.0).expect("it is far");
+    assert!(worst.way_mm.is_infinite(), "{worst:?}");
+}

@@ -31,10 +31,15 @@ impl Trajectory {
         changes.fold(f64::INFINITY, f64::min)
     }
 
+    /// By which accelerations, in deg/s², that is counted.
+    pub(crate) fn joint_accelerations(&self) -> &[f64; 6] {
+        self.0.checker.limits().joint_accelerations()
+    }
+
     fn rate_change_on(&self, piece: &Piece, from_s: f64, to_s: f64, rate: f64) -> f64 {
         let share = |time_s: f64| ((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0);
         let (from, to) = (share(from_s), share(to_s.max(from_s)));
-        let accelerations = self.0.checker.limits().joint_accelerations();
+        let accelerations = self.joint_accelerations();
         let change = |joint: usize| {
             let speed = peak(&part(&piece.speeds(joint), from, to));
             let acceleration = peak(&part(&piece.accelerations(joint), from, to));
