@@ -113,13 +113,42 @@ impl Act {
     }
 
     /// Runs a motion, and prints how it ended.
-    pub(crate) fn run<M: Motion>(&self, motion: &M, limits: Option<Limits>, form: Form) -> Result<(), Failure> {
+    pub(crate) fn run<M: Motion>(
+        &self,
+        motion: &M,
+        limits: Option<Limits>,
+        (queue, form): (QueueArgs, Form),
+    ) -> Result<(), Failure> {
         let mut robot = self.target.robot()?;
+        queue.check(&robot, M::INFO.name, self.patience(QUEUE_PATIENCE))?;
         if let Some(limits) = limits {
             robot = robot.with_limits(limits)?;
         }
         let patience = self.patience(motion::PATIENCE);
         let end = motion::end(&mut robot, |robot| robot.run(motion, patience), packs::of_status(), &self.under_way)?;
         motion::print(M::INFO.name, end, form)
+    }
+}
+
+/// How long is waited for the packet that shows whether the arm moves.
+const QUEUE_PATIENCE: Duration = Duration::from_secs(5);
+
+/// Whether a motion may stand in a queue.
+#[derive(Debug, Clone, Copy, Args)]
+pub(crate) struct QueueArgs {
+    /// Send it also while the arm moves: the controller queues it behind that motion
+    #[arg(long)]
+    queue: bool,
+}
+
+impl QueueArgs {
+    /// Fails where packets show that the arm moves.
+    fn check(self, robot: &Robot, command: &str, patience: Duration) -> Result<(), Failure> {
+        if self.queue || robot.monitor().wait_until(|_| true, patience)?.status.in_position != Some(false) {
+            return Ok(());
+        }
+        Err(Failure::NotSent(format!(
+            "`{command}` was not sent: the arm moves, and the controller would queue it behind that motion; wait for its end, `jaka stop`, or --queue"
+        )))
     }
 }

@@ -83,6 +83,7 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),
         Failure::NotCompleted(not_completed) => followed(not_completed.end().outcome),
         Failure::NotInTime(_) => DEADLINE,
+        Failure::NotSent(_) => NOT_MOVED,
         Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
         Failure::Interrupted => INTERRUPTED,

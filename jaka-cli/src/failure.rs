@@ -35,6 +35,8 @@ pub(crate) enum Failure {
     NotCompleted(NotCompleted),
     /// What was waited for did not come in time.
     NotInTime(String),
+    /// A motion was not sent: why, and what helps.
+    NotSent(String),
     /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
     Departs(String),
     /// Two specs differ, and the exit code was asked to say by how much: the highest impact.
@@ -105,12 +107,15 @@ pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) => f.write_str(text),
+            Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) | Self::NotSent(text) => f.write_str(text),
             Self::CommandLine(error) => f.write_str(&command_line::text(error)),
             Self::Robot(error) => match error.kind() {
                 ErrorKind::NotAcknowledged { outcome } => write!(f, "not sent: {outcome}; {}", remedy(outcome)),
                 _ => error.fmt(f),
             },
+            Self::NotReached(not_reached) if matches!(not_reached.end().outcome, Outcome::Deadline) => {
+                write!(f, "{not_reached}\nhint: `jaka stop` stops it, `jaka status --watch` shows it")
+            }
             Self::NotReached(not_reached) => not_reached.fmt(f),
             Self::NotCompleted(not_completed) => not_completed.fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {

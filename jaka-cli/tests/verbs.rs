@@ -1,11 +1,14 @@
 //! The commands that do one thing to a robot: `up`, `down`, `stop`, `clear`, `move` and `jog`.
 
+use std::io::Write;
+use std::net::TcpStream;
+
 use expect_test::expect;
 use jaka_sim::{Controller, Delays};
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::program::{Run, jaka, powered, result, scratch, started_at};
+use crate::program::{Run, jaka, powered, result, scratch, started_at, wait_for_motion};
 
 /// A controller whose arm has no power.
 fn controller() -> Controller {
@@ -194,7 +197,7 @@ fn an_interrupt_stops_a_move_and_a_jog() {
     for line in ["move --joints 90,90,90,90,-90,0 --speed 10 --yes", "jog 1 90 --speed 10 --yes"] {
         let controller = powered();
         let child = started_at(&controller, line);
-        crate::program::wait_for_motion(&controller);
+        wait_for_motion(&controller);
         interrupt(&child);
         expect![[r"
             note: interrupted: the controller has taken the stop (`stop_program`)
@@ -204,4 +207,23 @@ fn an_interrupt_stops_a_move_and_a_jog() {
         .assert_eq(&result(child).text());
         assert!(controller.state().joint_position.0[0] < 60.0);
     }
+}
+
+#[test]
+fn a_motion_is_not_queued_behind_another_unless_that_is_asked_for() {
+    let controller = powered();
+    let way = br#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[60,0,0,0,0,0],"speed":2,"accel":20}"#;
+    let mut other = TcpStream::connect(controller.command_addr()).unwrap();
+    other.write_all(way).unwrap();
+    wait_for_motion(&controller);
+    for line in ["jog 6 1 --speed 5 --yes", "move --joints 0,90,90,90,-90,0 --speed 10 --yes"] {
+        let refused = run(&controller, line);
+        assert_eq!((refused.code, refused.out.as_str()), (Some(20), ""), "{refused:?}");
+        assert!(refused.err.contains("the arm moves") && refused.err.contains("--queue"), "{refused:?}");
+    }
+    assert_eq!(changes(&controller).len(), 1, "only the first one was sent");
+    let queued = run(&controller, "jog 6 1 --speed 5 --yes --queue --timeout 1");
+    assert_eq!(queued.code, Some(27), "{queued:?}");
+    assert!(queued.err.contains("hint: `jaka stop` stops it"), "{queued:?}");
+    assert_eq!(changes(&controller).len(), 2);
 }

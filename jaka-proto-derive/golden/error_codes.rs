@@ -14,7 +14,7 @@ impl ::jaka_proto::ErrorCode {
     ///
     /// Also the answer to an unknown `cmdName`, and then the reply itself has no `cmdName`.
     pub const EXCEPTION: Self = Self(1i64);
-    /// The command failed; the message says more.
+    /// The command failed; the message says more, or only that: of a motion, the target may be beyond the arm's ranges or out of reach.
     ///
     /// Often `call … failed` with the command's name: in a transcript, for malformed arguments, and of [`kine_inverse`](crate::messages::kinematics::KineInverse) where it finds no
     /// solution. It is likely, not certain, that a wrong state has the same answer, such as [`joint_move`](crate::messages::motion::JointMove) while the robot is not enabled.

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use clap::Args;
 use jaka_sync::motion::{JointMove, MoveL};
 
-use crate::acting::{ActArgs, intent};
+use crate::acting::{ActArgs, QueueArgs, intent};
 use crate::failure::Failure;
 use crate::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::motion::Form;
@@ -40,6 +40,8 @@ pub(crate) struct Jog {
     #[command(flatten)]
     limits: LimitsArgs,
     #[command(flatten)]
+    queue: QueueArgs,
+    #[command(flatten)]
     act: ActArgs,
 }
 
@@ -62,12 +64,12 @@ impl Jog {
             Axis::Joint(at) => {
                 let mut motion = JointMove::relative(by(at), self.speed);
                 motion.acceleration = acceleration_deg_s2(self.acceleration, limits.as_ref());
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
             }
             Axis::Line(at) => {
                 let mut motion = MoveL::relative(by(at), self.speed);
                 motion.acceleration = self.acceleration;
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
             }
         }
     }

@@ -3,7 +3,7 @@
 use clap::{ArgGroup, Args};
 use jaka_sync::motion::{JointMove, MoveL};
 
-use crate::acting::{ActArgs, intent};
+use crate::acting::{ActArgs, QueueArgs, intent};
 use crate::failure::Failure;
 use crate::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::motion::Form;
@@ -40,6 +40,8 @@ pub(crate) struct Move {
     #[command(flatten)]
     limits: LimitsArgs,
     #[command(flatten)]
+    queue: QueueArgs,
+    #[command(flatten)]
     act: ActArgs,
 }
 
@@ -50,12 +52,12 @@ impl Move {
             (Some(joints), _) => {
                 let mut motion = JointMove::absolute(joints, self.speed);
                 motion.acceleration = acceleration_deg_s2(self.acceleration, limits.as_ref());
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
             }
             (None, pose) => {
                 let mut motion = MoveL::absolute(pose.unwrap_or_default(), self.speed);
                 motion.acceleration = self.acceleration;
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, Form::of(self.json))
+                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
             }
         }
     }

@@ -49,10 +49,10 @@ impl Target {
         if self.is_simulated {
             return Ok(());
         }
-        eprintln!("{what} Then press Enter.");
+        eprint!("{what} Go on? [y/N] ");
         // Without a terminal there is no consent.
-        stdin().lock().lines().next().transpose()?.ok_or("there is no terminal on which to press Enter")?;
-        Ok(())
+        let answer = stdin().lock().lines().next().transpose()?.unwrap_or_default();
+        if matches!(answer.trim(), "y" | "yes") { Ok(()) } else { Err("not confirmed: nothing was sent".into()) }
     }
 }
 
