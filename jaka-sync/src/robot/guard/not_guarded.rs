@@ -44,7 +44,8 @@ pub enum NotGuarded {
         /// The even deceleration that the braking along the trajectory comes to, in mm/s².
         braking_mm_s2: f64,
     },
-    /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s. Needs the feature `stream`.
+    /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and leads the tool on further than the overtravel. Needs the feature
+    /// `stream`.
     #[cfg(feature = "stream")]
     CannotBrake {
         /// The last way-point before, counted from 1.
