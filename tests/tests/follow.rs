@@ -2,6 +2,7 @@
 
 mod curve;
 mod ends;
+mod filters;
 mod random;
 
 use std::time::{Duration, Instant};

@@ -1,0 +1,76 @@
+//! Trajectories on an arm that lags behind its set-points, by each filter of 4.60 or none, by a simulated clock.
+
+use jaka_sim::{DigitalInput, SimulatedClock};
+use jaka_sync::Numbering;
+use jaka_sync::servo::SetServoMoveFilter;
+use jaka_tests::simulated::clock_of;
+
+use super::*;
+
+const INPUT: Numbering = Numbering::FromZero;
+
+fn filters() -> [SetServoMoveFilter; 6] {
+    [
+        SetServoMoveFilter::disabled(),
+        SetServoMoveFilter::joint_low_pass(10.0),
+        SetServoMoveFilter::joint_nonlinear(180.0, 500.0, 5000.0),
+        SetServoMoveFilter::joint_mean(10, 0.1, 0.2, 0.6),
+        SetServoMoveFilter::cartesian_nonlinear(1000.0, 5000.0, 50_000.0, 180.0, 500.0, 5000.0),
+        SetServoMoveFilter::speed_lookahead(10, 0.1),
+    ]
+}
+
+fn lagging(filter: &SetServoMoveFilter, lag_ms: u64) -> (Controller, Robot, FollowConfig) {
+    let clock = SimulatedClock::new();
+    let builder = Controller::builder().clock(&clock).lag(Duration::from_millis(lag_ms));
+    let (controller, robot) = ready_of(builder, &Config::new().clock(&clock));
+    let servo = ServoConfig::new().step_count(CYCLES).filter(*filter);
+    (controller, robot, FollowConfig::new().servo(servo))
+}
+
+#[test]
+fn a_trajectory_is_completed_where_the_arm_is_at_its_end_whatever_the_filter() {
+    for filter in filters() {
+        let (controller, mut robot, config) = lagging(&filter, 80);
+        let end = robot.start_follow(&made(&to_and_fro()), &config).expect("the arm is at its start").wait();
+        judge(&controller, &to_and_fro(), &end);
+        assert_eq!((end.outcome, end.is_at_rest()), (FollowOutcome::Completed, true), "{filter:?}: {end}");
+        let (state, there) = (controller.state(), JointPosition(to_and_fro().at(3.0)));
+        let off = state.joint_position.max_distance(&there);
+        assert!(!state.servo_mode && off < 0.1, "{filter:?}: {off}");
+        let lag = end.lag.expect("the arm has moved");
+        assert!(lag.delay >= Duration::from_millis(60), "{filter:?}: {lag:?}");
+    }
+}
+
+#[test]
+fn a_guard_stops_it_on_its_curve_whatever_the_filter() {
+    for filter in filters() {
+        let (controller, mut robot, config) = lagging(&filter, 80);
+        let run = robot.start_follow_until(&made(&to_and_fro()), &config, INPUT.cabinet(3).is_high());
+        let run = run.expect("the input is low");
+        let rises = clock_of(&controller).elapsed() + Duration::from_secs(1);
+        controller.input(DigitalInput::cabinet(3).high_at(rises)).expect("there is such an input");
+        let end = run.wait();
+        judge(&controller, &to_and_fro(), &end);
+        assert_eq!((end.outcome, end.is_at_rest()), (FollowOutcome::Guard, true), "{filter:?}: {end}");
+        assert!(!end.has_left_curve && end.reached < Duration::from_millis(1500), "{filter:?}: {end:?}");
+        let there = JointPosition(to_and_fro().at(end.reached.as_secs_f64()));
+        let off = controller.state().joint_position.max_distance(&there);
+        assert!(off < 0.1, "{filter:?}: {off}");
+    }
+}
+
+#[test]
+fn an_arm_departs_where_it_does_not_follow_and_only_then_whatever_the_filter() {
+    for filter in filters() {
+        for (lag_ms, departs) in [(80, false), (2000, true)] {
+            let (controller, mut robot, config) = lagging(&filter, lag_ms);
+            let end = robot.start_follow(&made(&to_and_fro()), &config.max_departure(3.0));
+            let end = end.expect("the arm is at its start").wait();
+            judge(&controller, &to_and_fro(), &end);
+            let outcome = if departs { FollowOutcome::Departed } else { FollowOutcome::Completed };
+            assert_eq!(end.outcome, outcome, "{filter:?}, {lag_ms} ms: {end}");
+        }
+    }
+}
