@@ -1,8 +1,8 @@
 //! `docs/first-robot.md` against a controller that something is wrong with: the first command of the page that meets it names it.
 
-use std::io::Write;
+use std::io::{BufReader, Write};
 use std::net::TcpStream;
-use std::process::Child;
+use std::process::{Child, ChildStdout};
 
 use crate::common::{jaka, started};
 use crate::program::{self, Run};
@@ -10,6 +10,8 @@ use crate::program::{self, Run};
 /// `jaka sim`, which ends with the test.
 struct Controller {
     program: Child,
+    /// What it prints; it ends where nobody can read that.
+    _output: BufReader<ChildStdout>,
     commands: String,
     status: String,
 }
@@ -17,10 +19,10 @@ struct Controller {
 impl Controller {
     fn start(arguments: &[&str]) -> Self {
         let mut command = jaka(&["sim", "--firmware", "1.5.14", "--fast", "--commands", "0", "--status", "0"]);
-        let (program, _, line) = started(command.args(arguments));
+        let (program, output, line) = started(command.args(arguments));
         let ports: Vec<_> = line.trim().split(", ").filter_map(|part| part.rsplit_once(':')).collect();
         let [(_, commands), (_, status)] = ports[..] else { panic!("{line}") };
-        Self { program, commands: commands.to_owned(), status: status.to_owned() }
+        Self { program, _output: output, commands: commands.to_owned(), status: status.to_owned() }
     }
 
     /// Runs a line of the page; `--yes` in place of the person who is asked.
