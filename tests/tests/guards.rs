@@ -11,7 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
-use jaka_sim::{Controller, Delays, Fault, StatusFault};
+use jaka_sim::{Contact, Controller, Delays, Fault, StatusFault};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
 use jaka_sync::status::RobotStatus;
@@ -28,6 +28,17 @@ const IO: Numbering = Numbering::FromOne;
 
 /// How far the motion goes: for some four seconds.
 const FAR: f64 = 100.0;
+
+/// Powers an arm whose torque sensor works, this far above a plane of so many N/mm.
+fn stand_above_a_plane(controller: &Controller, above_mm: f64, stiffness: f64) {
+    controller.set_state(|state| {
+        (state.powered, state.enabled) = (true, true);
+        state.torque_sensor.working = true;
+    });
+    let pose = controller.state().tcp_pose;
+    let plane = Contact::plane([pose.x, pose.y, pose.z - above_mm], [0.0, 0.0, 1.0], stiffness);
+    controller.set_contact(Some(plane)).expect("it is one");
+}
 
 /// A controller that sends a packet each 10 ms, and a robot that is powered up.
 fn ready(config: &Config) -> (Controller, Robot) {

@@ -282,17 +282,22 @@ fn a_stream_that_is_dropped_or_unwinds_at_speed_lands() {
     }
 }
 
-/// By each filter of 4.60, or none, on an arm that lags.
-#[test]
-fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_then() {
-    let filters = [
+/// No filter, and each of 4.60.
+pub(crate) fn filters() -> [SetServoMoveFilter; 6] {
+    [
         SetServoMoveFilter::disabled(),
         SetServoMoveFilter::joint_low_pass(10.0),
         SetServoMoveFilter::joint_nonlinear(180.0, 500.0, 5000.0),
         SetServoMoveFilter::joint_mean(10, 0.1, 0.2, 0.6),
         SetServoMoveFilter::cartesian_nonlinear(1000.0, 5000.0, 50_000.0, 180.0, 500.0, 5000.0),
         SetServoMoveFilter::speed_lookahead(10, 0.1),
-    ];
+    ]
+}
+
+/// By each filter of 4.60, or none, on an arm that lags.
+#[test]
+fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_then() {
+    let filters = filters();
     let underruns = [Underrun::Hold, Underrun::Fault(Duration::from_millis(500)), Underrun::RunOut(300.0)];
     thread::scope(|scope| {
         scope.spawn(|| {

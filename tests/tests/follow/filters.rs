@@ -6,19 +6,9 @@ use jaka_sync::servo::SetServoMoveFilter;
 use jaka_tests::simulated::clock_of;
 
 use super::*;
+use crate::stream::filters;
 
 const INPUT: Numbering = Numbering::FromZero;
-
-fn filters() -> [SetServoMoveFilter; 6] {
-    [
-        SetServoMoveFilter::disabled(),
-        SetServoMoveFilter::joint_low_pass(10.0),
-        SetServoMoveFilter::joint_nonlinear(180.0, 500.0, 5000.0),
-        SetServoMoveFilter::joint_mean(10, 0.1, 0.2, 0.6),
-        SetServoMoveFilter::cartesian_nonlinear(1000.0, 5000.0, 50_000.0, 180.0, 500.0, 5000.0),
-        SetServoMoveFilter::speed_lookahead(10, 0.1),
-    ]
-}
 
 fn lagging(filter: &SetServoMoveFilter, lag_ms: u64) -> (Controller, Robot, FollowConfig) {
     let clock = SimulatedClock::new();

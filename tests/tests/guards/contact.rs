@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Contact, Controller, Delays, Port};
+use jaka_sim::{Controller, Delays, Port};
 use jaka_sync::motion::{EndMove, JointMove, MoveL};
 use jaka_sync::program::StopProgram;
 use jaka_sync::{
@@ -12,7 +12,7 @@ use jaka_sync::{
     Robot,
 };
 
-use super::{LONG, count, names};
+use super::{LONG, count, names, stand_above_a_plane};
 
 /// How long it takes from a packet until the controller has the stop, in its time: what is left of the 20 ms of reaction is less than the
 /// cycle in which it begins to brake.
@@ -47,13 +47,7 @@ impl Bench {
     fn new(period: Duration, above_mm: f64) -> (Self, Robot) {
         let builder = Controller::builder().delays(Delays::NONE).stepped_clock().status_period(period);
         let controller = builder.start().expect("loopback has free ports");
-        controller.set_state(|state| {
-            (state.powered, state.enabled) = (true, true);
-            state.torque_sensor.working = true;
-        });
-        let pose = controller.state().tcp_pose;
-        let plane = Contact::plane([pose.x, pose.y, pose.z - above_mm], [0.0, 0.0, 1.0], STIFFNESS);
-        controller.set_contact(Some(plane)).expect("it is one");
+        stand_above_a_plane(&controller, above_mm, STIFFNESS);
         let config = Config::new().stale_after(LONG).reply_timeout(LONG);
         let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");
         let client = config.connect_client(controller.command_addr()).expect("the controller listens");

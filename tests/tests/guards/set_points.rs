@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_sim::{Contact, Controller, Delays, Port, SimulatedClock};
+use jaka_sim::{Controller, Delays, Port, SimulatedClock};
 use jaka_sync::jaka_motion::{
     Exceeded, Limits, Model, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via,
 };
@@ -14,7 +14,7 @@ use jaka_sync::{
 };
 use jaka_tests::simulated::{beside, clock_of};
 
-use super::{LONG, count};
+use super::{LONG, count, stand_above_a_plane};
 
 /// How long a set-point is on its way to the controller. With the cycle in which it begins to act, that is the reaction of 20 ms.
 const ON_ITS_WAY: Duration = Duration::from_millis(12);
@@ -30,13 +30,7 @@ const USED: f64 = 0.95;
 fn bench(period: Duration, above_mm: f64) -> (Controller, Robot) {
     let builder = Controller::builder().clock(&SimulatedClock::new()).delays(Delays::NONE).status_period(period);
     let controller = builder.start().expect("loopback has free ports");
-    controller.set_state(|state| {
-        (state.powered, state.enabled) = (true, true);
-        state.torque_sensor.working = true;
-    });
-    let pose = controller.state().tcp_pose;
-    let plane = Contact::plane([pose.x, pose.y, pose.z - above_mm], [0.0, 0.0, 1.0], STIFFNESS);
-    controller.set_contact(Some(plane)).expect("it is one");
+    stand_above_a_plane(&controller, above_mm, STIFFNESS);
     controller.link(Port::Command).to_controller().delay(ON_ITS_WAY);
     let config = Config::new().clock(clock_of(&controller));
     let robot = config.connect_robot_at(controller.command_addr(), controller.status_addr());
