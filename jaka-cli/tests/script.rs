@@ -53,7 +53,8 @@ fn a_script_ends_at_the_first_motion_that_fails() {
     let run = script(&quick, "60", |_| {});
     assert_eq!(run.code, Some(0), "{run:?}");
     assert_eq!((count(&quick, "joint_move"), count(&quick, "power_off")), (2, 1));
-    let ends: [(&str, Happening, i32); 6] = [
+    let ends: [(&str, Happening, i32); 7] = [
+        ("60", |controller| (0..20).for_each(|_| refuse(controller, "get_joint_pos")), 21),
         ("60", Controller::collide, 23),
         ("60", Controller::press_emergency_stop, 24),
         ("60", Controller::cut_power, 25),
@@ -76,7 +77,6 @@ fn refuse(controller: &Controller, command: &str) {
     controller.inject_for(command, Fault::Instead(refusal.into()));
 }
 
-/// Code 21 is missing: an absolute motion of the joints determines its target.
 #[test]
 fn a_script_ends_with_what_is_refused() {
     let controller = controller();
