@@ -114,7 +114,7 @@ impl Controller {
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if the controller does not have the input.
     pub fn at(&self, time: Duration, fault: ArmFault) -> io::Result<()> {
-        self.shared.world().schedule_fault(time, fault)
+        self.shared.world().schedule(vec![(time, fault.happening())])
     }
 
     /// Puts a plane into the way of the tool centre point, or takes it away, and forgets how deep the tool has been.
@@ -136,22 +136,22 @@ impl Controller {
 
     /// Simulates a collision: a protective stop and the error `0xf0034`, until `clear_error`.
     pub fn collide(&self) {
-        self.set_state(|state| ArmFault::Collide.make(state));
+        self.set_state(|state| ArmFault::Collide.happening().make(state));
     }
 
     /// Presses the emergency stop: the arm is not enabled, and cannot be, until it is released.
     pub fn press_emergency_stop(&self) {
-        self.set_state(|state| ArmFault::PressEmergencyStop.make(state));
+        self.set_state(|state| ArmFault::PressEmergencyStop.happening().make(state));
     }
 
     /// Releases the emergency stop. The arm stays disabled until it is enabled again.
     pub fn release_emergency_stop(&self) {
-        self.set_state(|state| ArmFault::ReleaseEmergencyStop.make(state));
+        self.set_state(|state| ArmFault::ReleaseEmergencyStop.happening().make(state));
     }
 
     /// Cuts the arm's power.
     pub fn cut_power(&self) {
-        self.set_state(|state| ArmFault::CutPower.make(state));
+        self.set_state(|state| ArmFault::CutPower.happening().make(state));
     }
 
     /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack adds, and

@@ -1,4 +1,4 @@
-//! What can be wrong with replies, status packets and links, and what can happen to the arm.
+//! What can be wrong with replies, status packets and links, what can happen to the arm, and how that is written.
 
 mod arm;
 mod kinds;
@@ -12,17 +12,20 @@ mod status;
 mod token_reader;
 mod tokens;
 
-pub use self::arm::{ArmEvent, ArmEventError, ArmFault};
+pub(crate) use self::arm::Happening;
+pub use self::arm::{ArmEvent, ArmFault};
+pub(crate) use self::kinds::{Argument, kinds};
 pub(crate) use self::link::Passage;
 pub use self::link::{LinkEvent, LinkFault};
 pub use self::plan::FaultPlan;
 pub(crate) use self::reply::Delivery;
 pub use self::reply::Fault;
 pub use self::script::ScriptError;
+pub(crate) use self::script::quoted;
 use self::split_mix::SplitMix64;
 pub use self::status::StatusFault;
 pub(crate) use self::status::{PacketWrites, Sent};
-pub(crate) use self::token_reader::read_time;
+pub(crate) use self::token_reader::{TokenReader, read_time};
 
 /// The most bytes that a fault makes up: 256 MiB.
 const MOST_BYTES: usize = 256 << 20;

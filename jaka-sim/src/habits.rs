@@ -1,67 +1,73 @@
 //! What real controllers do and no document describes.
 
-mod text;
-
+use std::fmt;
+use std::str::FromStr;
 use std::time::Duration;
 
-pub use self::text::HabitError;
+use crate::ScriptError;
+use crate::fault::{kinds, quoted};
 
-/// Something that some real controllers do, and that a client must handle.
-///
-/// [`Builder::habits`](crate::Builder::habits) makes a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
-/// `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time that is left out is that of
-/// [`one_of_each`](Self::one_of_each).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Habit {
+/// The times of real controllers.
+const PAUSE: Duration = Duration::from_millis(100);
+const LEAD: Duration = Duration::from_millis(16);
+
+kinds! {
+    /// Something that some real controllers do, and that a client must handle.
+    ///
+    /// [`Builder::habits`](crate::Builder::habits) makes a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
+    /// `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time that is left out is that of
+    /// [`one_of_each`](Self::one_of_each).
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum Habit("a habit", unknown);
+
+    pub(crate) fn set(&self, habits: &mut Habits) -> ();
+
     /// The arm rests this long, in position, between two motions of the queue. `pause 100ms` as a text.
     ///
     /// What waits for the arm to be in position alone takes the first motion's end for the last one's.
-    Pause(Duration),
+    Pause(time: Duration as time_or(PAUSE) = PAUSE): "pause" => habits.pause = Some(*time);
+
     /// `get_joint_pos`, `get_tcp_pos` and the commanded positions of status packets are those that the arm will have this much later.
     /// `lead 16ms` as a text.
     ///
     /// At rest they are where the arm is. At 5 deg/s, 16 ms are 0.08 deg.
-    Lead(Duration),
+    Lead(time: Duration as time_or(LEAD) = LEAD): "lead" => habits.lead = Some(*time);
+
     /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for this long in the controller's time, whichever
     /// is the sooner. `late-queries` or `late-queries 2s` as a text.
     ///
     /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests are carried out.
-    LateQueries(Option<Duration>),
+    LateQueries(time: Option<Duration> as optional_time = None): "late-queries" => {
+        habits.late_queries = Some(time.unwrap_or(Duration::MAX));
+    };
+
     /// `power_on` and `enable_robot` are answered when the arm has power and is enabled, as with firmware 1.5.14. `late-power` as a
     /// text.
     ///
     /// Later replies wait until that reply is sent. Without this habit they are answered at once, as by newer firmware.
-    LatePower,
+    LatePower: "late-power" => habits.late_power = true;
+
     /// A motion with a tolerance that another one follows does not come to rest: where it is nearer to its end than the tolerance, the
     /// next begins, and the arm rounds the corner. `blend` as a text.
     ///
     /// `moveL` and `movc` have a tolerance. Without this habit each motion ends at its target.
-    Blend,
+    Blend: "blend" => habits.blend = true;
+
     /// `servo_move` is acknowledged while the arm moves, and servo mode is not entered. `servo-at-rest` as a text.
     ///
     /// `is_in_servomove` stays false, and `servo_j` is refused with -1.
-    ServoAtRest,
+    ServoAtRest: "servo-at-rest" => habits.servo_at_rest = true;
+
     /// Information is put into the error code of status packets: enabling and disabling, servo mode on and off, the start of a
     /// program. `events` as a text.
     ///
     /// It stays until the next, or until `clear_error`. An error is not replaced by it.
-    Events,
+    Events: "events" => habits.events = true;
 }
 
-impl Habit {
-    /// One habit of each kind, with the times of real controllers, for tests that go through all of them.
-    pub fn one_of_each() -> Vec<Self> {
-        vec![
-            Self::Pause(Duration::from_millis(100)),
-            Self::Lead(Duration::from_millis(16)),
-            Self::LateQueries(None),
-            Self::LatePower,
-            Self::Blend,
-            Self::ServoAtRest,
-            Self::Events,
-        ]
-    }
+fn unknown(_word: &str) -> String {
+    format!("not a habit; the habits are {}, and `all`", quoted(&Habit::one_of_each()))
 }
 
 /// What a controller does as real ones do: some [`Habit`]s, or none.
@@ -118,17 +124,7 @@ impl Habits {
 
 impl Extend<Habit> for Habits {
     fn extend<T: IntoIterator<Item = Habit>>(&mut self, habits: T) {
-        for habit in habits {
-            match habit {
-                Habit::Pause(time) => self.pause = Some(time),
-                Habit::Lead(time) => self.lead = Some(time),
-                Habit::LateQueries(time) => self.late_queries = Some(time.unwrap_or(Duration::MAX)),
-                Habit::LatePower => self.late_power = true,
-                Habit::Blend => self.blend = true,
-                Habit::ServoAtRest => self.servo_at_rest = true,
-                Habit::Events => self.events = true,
-            }
-        }
+        habits.into_iter().for_each(|habit| habit.set(self));
     }
 }
 
@@ -149,5 +145,64 @@ impl<const N: usize> From<[Habit; N]> for Habits {
 impl From<Habit> for Habits {
     fn from(habit: Habit) -> Self {
         [habit].into()
+    }
+}
+
+impl fmt::Display for Habits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let texts: Vec<_> = self.iter().map(|habit| habit.to_string()).collect();
+        f.write_str(if texts.is_empty() { "none" } else { "" })?;
+        f.write_str(&texts.join(", "))
+    }
+}
+
+impl FromStr for Habits {
+    type Err = ScriptError;
+
+    /// Reads the text form of habits.
+    ///
+    /// # Errors
+    /// One of them is not a habit.
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
+        match text.trim() {
+            "all" => Ok(Self::all()),
+            "none" => Ok(Self::none()),
+            text => text.split(',').map(|habit| habit.trim().parse::<Habit>()).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_habit_has_a_text() {
+        let two_seconds = Duration::from_secs(2);
+        let more = [Habit::LateQueries(Some(two_seconds)), Habit::Pause(two_seconds), Habit::Lead(two_seconds)];
+        for habit in Habit::one_of_each().into_iter().chain(more) {
+            assert_eq!(habit.to_string().parse(), Ok(habit));
+            assert_eq!(habit.to_string().parse(), Ok(Habits::from(habit)));
+        }
+        for habits in [Habits::all(), Habits::none(), [Habit::Blend, Habit::Events].into()] {
+            assert_eq!(habits.to_string().parse(), Ok(habits));
+        }
+        assert_eq!("all".parse(), Ok(Habits::all()));
+        assert_eq!(" lead,blend , pause 1s".parse::<Habits>().map(|habits| habits.to_string()), {
+            Ok("pause 1s, lead 16ms, blend".to_owned())
+        });
+    }
+
+    #[test]
+    fn an_error_says_what_there_is() {
+        for text in ["", "pauses", "pause 3", "pause 1s 2s", "blend 1s", "all, pause", "pause,"] {
+            assert!(text.parse::<Habits>().is_err(), "{text}");
+        }
+        let error = "blend, pauses".parse::<Habits>().expect_err("there is no such habit").to_string();
+        assert_eq!(
+            error,
+            "`pauses`: not a habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `late-power`, `blend`, \
+             `servo-at-rest`, `events`, and `all`"
+        );
     }
 }

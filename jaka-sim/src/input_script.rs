@@ -134,20 +134,10 @@ impl InputChange {
 
     pub(crate) fn make(self, state: &mut State) {
         match self {
-            Self::Digital(side, index, is_high) => {
-                let inputs = match side {
-                    Side::Cabinet => &mut state.digital_inputs,
-                    Side::Tool => &mut state.tool_digital_inputs,
-                };
-                set(inputs, index, is_high);
-            }
-            Self::Analog(side, index, value) => {
-                let inputs = match side {
-                    Side::Cabinet => &mut state.analog_inputs,
-                    Side::Tool => &mut state.tool_analog_inputs,
-                };
-                set(inputs, index, value);
-            }
+            Self::Digital(Side::Cabinet, index, is_high) => set(&mut state.digital_inputs, index, is_high),
+            Self::Digital(Side::Tool, index, is_high) => set(&mut state.tool_digital_inputs, index, is_high),
+            Self::Analog(Side::Cabinet, index, value) => set(&mut state.analog_inputs, index, value),
+            Self::Analog(Side::Tool, index, value) => set(&mut state.tool_analog_inputs, index, value),
         }
     }
 }

@@ -38,9 +38,9 @@ pub use builder::{Builder, Takeover};
 pub use contact::Contact;
 pub use controller::{Controller, Link};
 pub use delays::Delays;
-pub use fault::{ArmEvent, ArmEventError, ArmFault, Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
+pub use fault::{ArmEvent, ArmFault, Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
 pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
-pub use habits::{Habit, HabitError, Habits};
+pub use habits::{Habit, Habits};
 pub use input_script::{AnalogInput, DigitalInput, InputScript};
 /// The clock of tests that take no time.
 pub use jaka_clock::{self, SimulatedClock};
@@ -59,5 +59,5 @@ pub use state::{
     AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
 };
 pub use trigger::Trigger;
-pub use trips::{Trip, TripError};
-pub use underrun::{Underrun, UnderrunError};
+pub use trips::Trip;
+pub use underrun::Underrun;

@@ -1,10 +1,10 @@
 //! What the arm does when set-points stop.
 
-use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 use std::time::Duration;
 
+use crate::ScriptError;
 use crate::fault::read_time;
 
 /// What the arm does in servo mode when no set-point is there in its cycle, and the last one had speed.
@@ -28,20 +28,6 @@ pub enum Underrun {
     RunOut(f64),
 }
 
-/// The text is not that of an [`Underrun`].
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnderrunError {
-    text: String,
-}
-
-impl fmt::Display for UnderrunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`", self.text)
-    }
-}
-
-impl Error for UnderrunError {}
-
 impl fmt::Display for Underrun {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -54,13 +40,13 @@ impl fmt::Display for Underrun {
 }
 
 impl FromStr for Underrun {
-    type Err = UnderrunError;
+    type Err = ScriptError;
 
     /// Reads the text form.
     ///
     /// # Errors
     /// It is none of these, the time is not one, or the deceleration is not a number greater than 0.
-    fn from_str(text: &str) -> Result<Self, UnderrunError> {
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
         let words: Vec<_> = text.split_whitespace().collect();
         let read = match *words {
             ["hold"] => Some(Self::Hold),
@@ -71,7 +57,7 @@ impl FromStr for Underrun {
             }
             _ => None,
         };
-        read.ok_or_else(|| UnderrunError { text: text.to_owned() })
+        read.ok_or_else(|| ScriptError::of_text(text, "not one of `hold`, `fault`, `fault 40ms` and `run-out 300`"))
     }
 }
 
@@ -92,7 +78,7 @@ mod tests {
         }
         assert_eq!(
             "run-out".parse::<Underrun>().expect_err("a number is missing").to_string(),
-            "`run-out` is not one of `hold`, `fault`, `fault 40ms` and `run-out 300`"
+            "`run-out`: not one of `hold`, `fault`, `fault 40ms` and `run-out 300`"
         );
     }
 }

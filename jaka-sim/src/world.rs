@@ -109,7 +109,7 @@ impl World {
         };
         options.firmware.fit(&mut world.state);
         options.inputs.iter().try_for_each(|script| world.schedule_inputs(script))?;
-        options.faults_at.iter().try_for_each(|(at, fault)| world.schedule_fault(*at, *fault))?;
+        options.faults_at.iter().try_for_each(|(at, fault)| world.schedule(vec![(*at, fault.happening())]))?;
         world.make_consistent();
         Ok(world)
     }

@@ -1,12 +1,11 @@
 //! What can happen to the arm.
 
-use std::error::Error;
 use std::fmt;
 use std::io;
 use std::str::FromStr;
 use std::time::Duration;
 
-use super::read_time;
+use super::{ScriptError, quoted, read_time};
 use crate::State;
 use crate::input_script::{InputChange, Side};
 
@@ -65,31 +64,42 @@ impl ArmFault {
         })
     }
 
-    /// The change of an input, if it is one.
-    fn input(self) -> Option<InputChange> {
+    /// What it does.
+    pub(crate) fn happening(self) -> Happening {
+        let input = |side, index, is_high| Happening::Input(InputChange::Digital(side, index, is_high));
         match self {
-            Self::Collide | Self::PressEmergencyStop | Self::ReleaseEmergencyStop | Self::CutPower => None,
-            Self::InputHigh(index) => Some(InputChange::Digital(Side::Cabinet, index, true)),
-            Self::InputLow(index) => Some(InputChange::Digital(Side::Cabinet, index, false)),
-            Self::ToolInputHigh(index) => Some(InputChange::Digital(Side::Tool, index, true)),
-            Self::ToolInputLow(index) => Some(InputChange::Digital(Side::Tool, index, false)),
+            Self::Collide => Happening::Arm(State::collide),
+            Self::PressEmergencyStop => Happening::Arm(|state| state.emergency_stop = true),
+            Self::ReleaseEmergencyStop => Happening::Arm(|state| state.emergency_stop = false),
+            Self::CutPower => Happening::Arm(|state| state.powered = false),
+            Self::InputHigh(index) => input(Side::Cabinet, index, true),
+            Self::InputLow(index) => input(Side::Cabinet, index, false),
+            Self::ToolInputHigh(index) => input(Side::Tool, index, true),
+            Self::ToolInputLow(index) => input(Side::Tool, index, false),
         }
     }
+}
 
+/// A change of the state, and of what.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Happening {
+    Arm(fn(&mut State)),
+    Input(InputChange),
+}
+
+impl Happening {
     /// An input that the controller does not have is an error.
     pub(crate) fn check(self, state: &State) -> io::Result<()> {
-        self.input().map_or(Ok(()), |change| change.check(state))
+        match self {
+            Self::Arm(_) => Ok(()),
+            Self::Input(change) => change.check(state),
+        }
     }
 
     pub(crate) fn make(self, state: &mut State) {
         match self {
-            Self::Collide => state.collide(),
-            Self::PressEmergencyStop => state.emergency_stop = true,
-            Self::ReleaseEmergencyStop => state.emergency_stop = false,
-            Self::CutPower => state.powered = false,
-            Self::InputHigh(_) | Self::InputLow(_) | Self::ToolInputHigh(_) | Self::ToolInputLow(_) => {
-                self.input().into_iter().for_each(|change| change.make(state));
-            }
+            Self::Arm(change) => change(state),
+            Self::Input(change) => change.make(state),
         }
     }
 }
@@ -104,7 +114,7 @@ impl ArmFault {
 ///     let ArmEvent { fault, at } = event.parse()?;
 ///     builder = builder.at(at, fault);
 /// }
-/// # Ok::<(), jaka_sim::ArmEventError>(())
+/// # Ok::<(), jaka_sim::ScriptError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ArmEvent {
@@ -114,39 +124,31 @@ pub struct ArmEvent {
     pub at: Duration,
 }
 
-/// The text is not that of an [`ArmFault`] or of an [`ArmEvent`].
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ArmEventError {
-    text: String,
-    /// What is followed by something else than a time.
-    fault: Option<ArmFault>,
-}
-
 impl FromStr for ArmFault {
-    type Err = ArmEventError;
+    type Err = ScriptError;
 
     /// Reads the text form.
     ///
     /// # Errors
     /// It is none of these.
-    fn from_str(text: &str) -> Result<Self, ArmEventError> {
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
         let found = Self::read(&words(text)).filter(|(_, rest)| rest.is_empty()).map(|(fault, _)| fault);
-        found.ok_or_else(|| ArmEventError { text: text.trim().to_owned(), fault: None })
+        found.ok_or_else(|| unknown(text))
     }
 }
 
 impl FromStr for ArmEvent {
-    type Err = ArmEventError;
+    type Err = ScriptError;
 
     /// Reads the text form.
     ///
     /// # Errors
     /// There is no such fault, or what follows it is not a time.
-    fn from_str(text: &str) -> Result<Self, ArmEventError> {
-        let unfit = |fault| ArmEventError { text: text.trim().to_owned(), fault };
-        let (fault, rest) = ArmFault::read(&words(text)).ok_or_else(|| unfit(None))?;
+    fn from_str(text: &str) -> Result<Self, ScriptError> {
+        let (fault, rest) = ArmFault::read(&words(text)).ok_or_else(|| unknown(text))?;
         let at = if rest.is_empty() { Some(Duration::ZERO) } else { rest.strip_prefix(" at ").and_then(read_time) };
-        Ok(Self { fault, at: at.ok_or_else(|| unfit(Some(fault)))? })
+        let unfit = || format!("`{fault}` may be followed by a time, as in `{fault} at 2s` or `… at 500ms`");
+        Ok(Self { fault, at: at.ok_or_else(|| ScriptError::of_text(text, unfit()))? })
     }
 }
 
@@ -171,18 +173,10 @@ impl fmt::Display for ArmEvent {
     }
 }
 
-impl fmt::Display for ArmEventError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(fault) = self.fault {
-            return write!(f, "`{fault}` may be followed by a time, as in `{fault} at 2s` or `… at 500ms`");
-        }
-        write!(f, "`{}` is not one of", self.text)?;
-        let all = ArmFault::one_of_each(0).into_iter().enumerate();
-        all.into_iter().try_for_each(|(i, fault)| write!(f, "{} `{fault}`", if i == 0 { "" } else { "," }))
-    }
+/// The error of a text that does not begin with one of these.
+fn unknown(text: &str) -> ScriptError {
+    ScriptError::of_text(text, format!("not one of {}", quoted(&ArmFault::one_of_each(0))))
 }
-
-impl Error for ArmEventError {}
 
 /// A text with one blank between two words.
 fn words(text: &str) -> String {
@@ -211,10 +205,13 @@ mod tests {
         let read = |text: &str| text.parse::<ArmEvent>().expect_err(text).to_string();
         assert_eq!(
             read(" crash "),
-            "`crash` is not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, \
+            "`crash`: not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, \
              `input 0 low`, `tool-input 0 high`, `tool-input 0 low`"
         );
-        assert_eq!(read("collide at 2"), "`collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`");
+        assert_eq!(
+            read("collide at 2"),
+            "`collide at 2`: `collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`"
+        );
         for bad in [
             "",
             "at 2s",

@@ -1,19 +1,20 @@
-//! Kinds of faults, one row each.
+//! Kinds of faults, trips and habits, one row each.
 
 use std::fmt;
 use std::time::Duration;
 
 use super::tokens::{Name, Quoted};
 
-/// Makes an enum of a table of faults, with the text form of each and what it does.
+/// Makes an enum of a table of kinds, with the text form of each and what it does.
 ///
 /// A row is `Kind(argument: Type as reader = example): "word" => effect`, where the reader is a method of
-/// [`TokenReader`](super::token_reader::TokenReader), the example is the one in `one_of_each`, and the effect is the value of the
-/// function that is declared before the rows. A kind whose row lacks a part does not compile.
-macro_rules! fault_kinds {
+/// [`TokenReader`](super::token_reader::TokenReader), perhaps with what it reads where nothing is written, as `reader(usual)`, the
+/// example is the one in `one_of_each`, and the effect is the value of the function that is declared before the rows. A kind whose row
+/// lacks a part does not compile.
+macro_rules! kinds {
     (
         $(#[$meta:meta])*
-        pub enum $Fault:ident($what:literal, $unknown:expr);
+        pub enum $Kinds:ident($what:literal, $unknown:expr);
 
         $(#[$effect_meta:meta])*
         pub(crate) fn $effect:ident(&self, $($input:ident: $Input:ty),*) -> $Effect:ty;
@@ -21,7 +22,7 @@ macro_rules! fault_kinds {
         $(
             $(#[$kind_meta:meta])*
             $Kind:ident
-                $(($arg:ident: $Arg:ty as $read:ident = $example:expr))?
+                $(($arg:ident: $Arg:ty as $read:ident $(($usual:expr))? = $example:expr))?
                 $({ $(
                     $(#[$field_meta:meta])*
                     $field:ident: $Field:ty as $field_read:ident = $field_example:expr
@@ -30,12 +31,12 @@ macro_rules! fault_kinds {
         )*
     ) => {
         $(#[$meta])*
-        pub enum $Fault {
+        pub enum $Kinds {
             $( $(#[$kind_meta])* $Kind $(($Arg))? $({ $( $(#[$field_meta])* $field: $Field ),* })? ),*
         }
 
-        impl $Fault {
-            /// One fault of each kind, [`None`](Self::None) first, for tests that go through all of them.
+        impl $Kinds {
+            /// One of each kind, for tests that go through all of them.
             pub fn one_of_each() -> Vec<Self> {
                 vec![$( Self::$Kind $(($example))? $({ $($field: $field_example),* })? ),*]
             }
@@ -47,17 +48,18 @@ macro_rules! fault_kinds {
                 }
             }
 
-            pub(super) fn read(tokens: &mut TokenReader<'_, '_>) -> Result<Self, ScriptError> {
+            pub(crate) fn read(tokens: &mut $crate::fault::TokenReader<'_, '_>) -> Result<Self, $crate::ScriptError> {
                 Ok(match tokens.word($what)?.text {
-                    $( $word => Self::$Kind $((tokens.$read()?))? $({ $($field: tokens.$field_read()?),* })?, )*
+                    $( $word => Self::$Kind $((tokens.$read($($usual)?)?))? $({ $($field: tokens.$field_read()?),* })?, )*
                     other => return Err(tokens.unfit($unknown(other))),
                 })
             }
         }
 
         /// The text form, as in a script.
-        impl fmt::Display for $Fault {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        impl std::fmt::Display for $Kinds {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                use $crate::fault::Argument as _;
                 match self {
                     $( Self::$Kind $(($arg))? $({ $($field),* })? => {
                         f.write_str($word)?;
@@ -69,24 +71,24 @@ macro_rules! fault_kinds {
             }
         }
 
-        impl FromStr for $Fault {
-            type Err = ScriptError;
+        impl std::str::FromStr for $Kinds {
+            type Err = $crate::ScriptError;
 
             /// Reads the text form.
             ///
             /// # Errors
             /// A word does not fit, or one is missing.
-            fn from_str(text: &str) -> Result<Self, ScriptError> {
-                TokenReader::read_all(text, Self::read)
+            fn from_str(text: &str) -> Result<Self, $crate::ScriptError> {
+                $crate::fault::TokenReader::read_all(text, Self::read)
             }
         }
     };
 }
 
-pub(super) use fault_kinds;
+pub(crate) use kinds;
 
-/// What follows the word of a fault in its text form.
-pub(super) trait Argument {
+/// What follows the word of a kind in its text form.
+pub(crate) trait Argument {
     /// Writes it, after a blank.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
 }
@@ -97,15 +99,21 @@ impl Argument for Duration {
     }
 }
 
-impl Argument for usize {
-    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, " {self}")
-    }
+macro_rules! numbers {
+    ($($Number:ty),*) => {
+        $(impl Argument for $Number {
+            fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, " {self}")
+            }
+        })*
+    };
 }
 
-impl Argument for u64 {
+numbers!(usize, u64, f64);
+
+impl Argument for Option<Duration> {
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, " {self}")
+        self.iter().try_for_each(|time| time.write(f))
     }
 }
 

@@ -1,12 +1,9 @@
 //! What can be wrong with a link between a port and its clients.
 
 use std::fmt;
-use std::str::FromStr;
 use std::time::Duration;
 
-use super::ScriptError;
-use super::kinds::{Argument, fault_kinds};
-use super::token_reader::TokenReader;
+use super::kinds::kinds;
 use crate::link_selector::LinkSelector;
 use crate::{Direction, Port};
 
@@ -25,7 +22,7 @@ pub(crate) enum Passage {
     Lost,
 }
 
-fault_kinds! {
+kinds! {
     /// Something wrong with a link: what passes between a port and its clients in one direction, and when.
     ///
     /// [`Controller::link`](crate::Controller::link) sets it on a running controller, and [`FaultPlan::link`] from the start. It

@@ -1,16 +1,13 @@
 //! What can be wrong with a reply.
 
-use std::fmt;
-use std::str::FromStr;
 use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::payload::GetPayload;
 
-use super::kinds::{Argument, fault_kinds};
+use super::kinds::kinds;
 use super::rename::rename;
-use super::token_reader::TokenReader;
-use super::{MOST_BYTES, ScriptError, garbage};
+use super::{MOST_BYTES, garbage};
 
 /// What becomes of a reply on its way to the client.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -39,7 +36,7 @@ impl Delivery {
     }
 }
 
-fault_kinds! {
+kinds! {
     /// Something wrong with one reply of the command port.
     ///
     /// [`Controller::inject`](crate::Controller::inject) queues faults, and each reply takes the next one from the queue; a

@@ -8,7 +8,8 @@ use super::token_reader::TokenReader;
 use super::tokens::{self, Name, Token};
 use super::{Fault, FaultPlan, LinkEvent, StatusFault};
 
-/// What is wrong with the text of a [`FaultPlan`], a [`Fault`], a [`StatusFault`] or a [`LinkFault`](crate::LinkFault), and where.
+/// What is wrong with a text that says what the simulator does, such as that of a [`FaultPlan`], a [`Trip`](crate::Trip) or a
+/// [`Habit`](crate::Habit), and where.
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -17,18 +18,27 @@ use super::{Fault, FaultPlan, LinkEvent, StatusFault};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ScriptError {
-    line: usize,
+    line: Option<usize>,
     word: String,
     reason: String,
 }
 
 impl ScriptError {
     pub(super) fn new(line: usize, word: &str, reason: impl Into<String>) -> Self {
-        Self { line, word: word.to_owned(), reason: reason.into() }
+        Self { line: Some(line), word: word.to_owned(), reason: reason.into() }
     }
 
-    /// The number of the line, from 1.
-    pub fn line(&self) -> usize {
+    /// An error of a text that is one thing alone.
+    pub(crate) fn of_text(text: &str, reason: impl Into<String>) -> Self {
+        Self { line: None, word: text.trim().to_owned(), reason: reason.into() }
+    }
+
+    pub(super) fn without_line(self) -> Self {
+        Self { line: None, ..self }
+    }
+
+    /// The number of the line of a [`FaultPlan`], from 1.
+    pub fn line(&self) -> Option<usize> {
         self.line
     }
 
@@ -40,11 +50,18 @@ impl ScriptError {
 
 impl fmt::Display for ScriptError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}: `{}`: {}", self.line, self.word, self.reason)
+        self.line.map_or(Ok(()), |line| write!(f, "line {line}: "))?;
+        write!(f, "`{}`: {}", self.word, self.reason)
     }
 }
 
 impl Error for ScriptError {}
+
+/// Texts as errors list them.
+pub(crate) fn quoted(texts: &[impl fmt::Display]) -> String {
+    let texts: Vec<_> = texts.iter().map(|text| format!("`{text}`")).collect();
+    texts.join(", ")
+}
 
 impl FromStr for FaultPlan {
     type Err = ScriptError;

@@ -1,12 +1,9 @@
 //! What can be wrong on the status port.
 
-use std::fmt;
-use std::str::FromStr;
 use std::time::Duration;
 
-use super::kinds::{Argument, fault_kinds};
-use super::token_reader::TokenReader;
-use super::{ScriptError, garbage};
+use super::garbage;
+use super::kinds::kinds;
 
 /// What has been sent to a reader since its fault was set.
 #[derive(Debug, Default)]
@@ -32,7 +29,7 @@ impl PacketWrites {
     }
 }
 
-fault_kinds! {
+kinds! {
     /// Something wrong with the packets of the status port, for all readers and until another fault is set.
     ///
     /// [`Controller::status_fault`](crate::Controller::status_fault) sets it, and [`FaultPlan::status`] from the start. It

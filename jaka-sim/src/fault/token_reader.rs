@@ -13,7 +13,7 @@ const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 
 
 /// The tokens that have not been read yet.
 #[derive(Debug)]
-pub(super) struct TokenReader<'w, 's> {
+pub(crate) struct TokenReader<'w, 's> {
     rest: &'w [Token<'s>],
     last: Option<&'w Token<'s>>,
 }
@@ -24,12 +24,15 @@ impl<'w, 's> TokenReader<'w, 's> {
     }
 
     /// Reads all of a text as one thing.
-    pub(super) fn read_all<T>(
+    pub(crate) fn read_all<T>(
         text: &str,
         read: impl FnOnce(&mut TokenReader<'_, '_>) -> Result<T, ScriptError>,
     ) -> Result<T, ScriptError> {
-        let tokens: Vec<_> = tokens::lines(text)?.into_iter().flatten().collect();
-        TokenReader::new(&tokens).last_item(read)
+        let read = tokens::lines(text).and_then(|lines| {
+            let tokens: Vec<_> = lines.into_iter().flatten().collect();
+            TokenReader::new(&tokens).last_item(read)
+        });
+        read.map_err(ScriptError::without_line)
     }
 
     /// Reads what has to be the last thing in a line.
@@ -102,7 +105,7 @@ impl<'w, 's> TokenReader<'w, 's> {
     }
 
     /// An error at the word that was read last.
-    pub(super) fn unfit(&self, reason: impl Into<String>) -> ScriptError {
+    pub(crate) fn unfit(&self, reason: impl Into<String>) -> ScriptError {
         match self.last {
             Some(word) => word.error(reason),
             None => ScriptError::new(1, "", reason),
@@ -140,11 +143,25 @@ impl<'w, 's> TokenReader<'w, 's> {
         read_time(word.text).ok_or_else(|| word.error(format!("expected {WANTED}")))
     }
 
+    pub(crate) fn time_or(&mut self, usual: Duration) -> Result<Duration, ScriptError> {
+        Ok(self.optional_time()?.unwrap_or(usual))
+    }
+
+    pub(crate) fn optional_time(&mut self) -> Result<Option<Duration>, ScriptError> {
+        if self.at_item_end() { Ok(None) } else { self.time().map(Some) }
+    }
+
+    pub(crate) fn threshold(&mut self) -> Result<f64, ScriptError> {
+        const WANTED: &str = "a threshold, a number from 0";
+        let most: f64 = self.number(WANTED)?;
+        if most >= 0.0 && most.is_finite() { Ok(most) } else { Err(self.unfit(format!("expected {WANTED}"))) }
+    }
+
     fn at_item_end(&self) -> bool {
         self.rest.first().is_none_or(|word| word.text == ",")
     }
 
-    pub(super) fn word(&mut self, what: &str) -> Result<&'w Token<'s>, ScriptError> {
+    pub(crate) fn word(&mut self, what: &str) -> Result<&'w Token<'s>, ScriptError> {
         self.advance().ok_or_else(|| self.unfit(format!("expected {what} next")))
     }
 

@@ -9,9 +9,9 @@ const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
 
 /// A word, as it is written and as it is meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Token<'s> {
+pub(crate) struct Token<'s> {
     pub(super) line: usize,
-    pub(super) text: &'s str,
+    pub(crate) text: &'s str,
     /// What is in the quotes, without escapes.
     pub(super) quoted: Option<Vec<u8>>,
 }

@@ -14,7 +14,7 @@ use self::filter::Filter;
 pub(crate) use self::filter::can_follow;
 use super::path::Joints;
 use crate::clock::CYCLE;
-use crate::trips::{self, Trip};
+use crate::trips::{self, Observed, Trip};
 use crate::underrun::Underrun;
 
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
@@ -113,7 +113,7 @@ impl Servo {
     pub(crate) fn push(&mut self, set_point: SetPoint) {
         let speed = set_point.speed(self.tail());
         let within = speed.iter().all(|speed| speed.abs() <= MAX_SPEED + 1e-6);
-        let is_taken = within || trips::of_set_point(&self.trips, speed, [0.0; 6]).is_some();
+        let is_taken = within || self.trip(speed, [0.0; 6]).is_some();
         if is_taken && self.waiting.len() < MOST {
             let is_held = self.waiting.is_empty() && !matches!(self.underrun, Underrun::RunOut(_));
             if is_held && set_point.time > self.last + GAP {
@@ -175,12 +175,17 @@ impl Servo {
         }
     }
 
+    /// The event of a set-point that asks for these speeds and accelerations, if there is one.
+    fn trip(&self, command_speed: Joints, command_acceleration: Joints) -> Option<u32> {
+        trips::error(&self.trips, &Observed { command_speed, command_acceleration, ..Observed::default() })
+    }
+
     /// Judges a set-point by the one before, each over its period.
     fn begin(&mut self, next: SetPoint) {
         let Reference { joints, speed: before, .. } = self.reference;
         let speed = next.speed(joints);
         let acceleration = std::array::from_fn(|i| (speed[i] - before[i]) / next.period());
-        self.error = trips::of_set_point(&self.trips, speed, acceleration);
+        self.error = self.trip(speed, acceleration);
         self.reference = Reference { joints, speed, space: next.space };
         self.left = next.cycles.max(1);
         self.dry = Duration::ZERO;

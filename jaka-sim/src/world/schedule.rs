@@ -4,18 +4,12 @@ use std::io;
 use std::time::Duration;
 
 use super::World;
-use crate::input_script::{InputChange, InputScript};
-use crate::{ArmFault, State};
+use crate::InputScript;
+use crate::fault::Happening;
 
 /// What is to happen, in order.
 #[derive(Debug, Default)]
 pub(super) struct Schedule(Vec<(Duration, Happening)>);
-
-#[derive(Debug, Clone, Copy)]
-enum Happening {
-    Input(InputChange),
-    Arm(ArmFault),
-}
 
 impl Schedule {
     /// When the next of it is due.
@@ -33,17 +27,14 @@ impl Schedule {
 impl World {
     /// Has inputs change from now on.
     pub(crate) fn schedule_inputs(&mut self, script: &InputScript) -> io::Result<()> {
-        script.0.iter().try_for_each(|(_, change)| change.check(&self.state))?;
         let at = |after: &Duration| self.now.saturating_add(*after);
-        self.schedule.add(script.0.iter().map(|(after, change)| (at(after), Happening::Input(*change))));
-        self.run_schedule();
-        Ok(())
+        self.schedule(script.0.iter().map(|(after, change)| (at(after), Happening::Input(*change))).collect())
     }
 
-    /// Has something happen at this time of the controller, or at once where that has passed.
-    pub(crate) fn schedule_fault(&mut self, at: Duration, fault: ArmFault) -> io::Result<()> {
-        fault.check(&self.state)?;
-        self.schedule.add([(at, Happening::Arm(fault))]);
+    /// Has something happen at these times of the controller, or at once where they have passed.
+    pub(crate) fn schedule(&mut self, happenings: Vec<(Duration, Happening)>) -> io::Result<()> {
+        happenings.iter().try_for_each(|(_, happening)| happening.check(&self.state))?;
+        self.schedule.add(happenings);
         self.run_schedule();
         Ok(())
     }
@@ -56,14 +47,5 @@ impl World {
         }
         self.schedule.0.drain(..due).for_each(|(_, happening)| happening.make(&mut self.state));
         self.make_consistent();
-    }
-}
-
-impl Happening {
-    fn make(self, state: &mut State) {
-        match self {
-            Self::Input(change) => change.make(state),
-            Self::Arm(fault) => fault.make(state),
-        }
     }
 }

@@ -19,9 +19,10 @@ impl World {
             deviation: drives.deviation(),
             speed: drives.speed(),
             speed_deviation: drives.speed_deviation(),
+            ..Observed::default()
         };
         let of_servo = self.engine.servo.as_mut().and_then(Servo::take_error);
-        of_servo.or_else(|| trips::of_motion(&self.trips, &observed))
+        of_servo.or_else(|| trips::error(&self.trips, &observed))
     }
 
     /// Stops with an error, as the drives do.
