@@ -4,11 +4,11 @@ use std::time::Duration;
 
 use crate::Source;
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
-use crate::item::{Item, Placed, parse};
-use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic};
+use crate::item::{Item, parse};
+use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic, Type};
 use crate::names::{RESERVED_MODULES, is_snake};
 use crate::report::{At, Report};
-use crate::resolve::Index;
+use crate::resolve::{Index, Need};
 use crate::scalar::Scalar;
 use crate::version::Versions;
 
@@ -184,7 +184,8 @@ fn reply<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Reply {
         return Reply::Raw;
     }
     let id = index.type_id(&name.value);
-    index.reply_use(item, Placed { at: name.at, value: id });
+    index.needs(item, name.at, Need::Type(Type::Named(id)));
+    index.needs(item, name.at, Need::Reply(id));
     Reply::Object(id)
 }
 

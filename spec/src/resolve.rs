@@ -30,22 +30,22 @@ pub(crate) struct Index<'s> {
     /// All types that are defined or used, each at the place of its id; without content as long as it is not defined.
     types: Vec<TypeDef>,
     defined: BTreeSet<TypeId>,
-    uses: Vec<TypeUse<'s>>,
-    /// Where an enum is wanted, and the type that is there.
-    enum_uses: Vec<(String, Placed<'s, TypeId>)>,
-    /// Fields next to each other, where something is advised of one, and where they stand.
-    advised: Vec<(String, Placed<'s, Vec<Field>>)>,
-    /// Where the keys of an object are those of a reply, and the type that is there.
-    reply_uses: Vec<(String, Placed<'s, TypeId>)>,
+    needs: Vec<(String, Placed<'s, Need>)>,
     /// The trait with a pack's methods.
     own_trait: Option<String>,
 }
 
+/// What is to be so once all files are read.
 #[derive(Debug)]
-struct TypeUse<'s> {
-    what: String,
-    at: At<'s>,
-    ty: Type,
+pub(crate) enum Need {
+    /// The type exists, and is not too large.
+    Type(Type),
+    /// The type is an enum.
+    Enum(TypeId),
+    /// The type is an object that can stand next to the keys of every reply.
+    Reply(TypeId),
+    /// What is advised of these fields, which stand next to each other, makes sense.
+    Advised(Vec<Field>),
 }
 
 impl<'s> Index<'s> {
@@ -135,26 +135,14 @@ impl<'s> Index<'s> {
         &self.types[id.0]
     }
 
-    /// The type `ty` is to be an enum.
-    pub(crate) fn enum_use(&mut self, item: &Item<'_, 's>, ty: Placed<'s, TypeId>) {
-        self.enum_uses.push((item.what.clone(), ty));
+    pub(crate) fn needs(&mut self, item: &Item<'_, 's>, at: At<'s>, value: Need) {
+        self.needs.push((item.what.clone(), Placed { at, value }));
     }
 
-    /// What is advised of these fields, which stand next to each other, is to make sense.
     pub(crate) fn advised(&mut self, item: &Item<'_, 's>, fields: &[Field]) {
         if fields.iter().any(|field| !field.advised.is_empty()) {
-            self.advised.push((item.what.clone(), Placed { at: item.at, value: fields.to_vec() }));
+            self.needs(item, item.at, Need::Advised(fields.to_vec()));
         }
-    }
-
-    /// The type `ty` is to be an object that can stand next to the keys of every reply.
-    pub(crate) fn reply_use(&mut self, item: &Item<'_, 's>, ty: Placed<'s, TypeId>) {
-        self.type_use(item, ty.at, &Type::Named(ty.value));
-        self.reply_uses.push((item.what.clone(), ty));
-    }
-
-    pub(crate) fn type_use(&mut self, item: &Item<'_, 's>, at: At<'s>, ty: &Type) {
-        self.uses.push(TypeUse { what: item.what.clone(), at, ty: ty.clone() });
     }
 
     pub(crate) fn error_code(&mut self, item: &Item<'_, 's>, wire: &Placed<'s, i64>, name: &Placed<'s, String>) {
@@ -190,39 +178,38 @@ fn message_types(command: &str) -> [String; 2] {
 
 /// Runs the checks that need all files.
 pub(crate) fn check(index: &Index<'_>, report: &Report) {
-    for (what, ty) in &index.enum_uses {
-        if !matches!(index.types[ty.value.0].kind, TypeKind::IntEnum(_) | TypeKind::TextEnum(_)) {
-            report.error(ty.at, format!("{what}: {NO_ENUM}"));
-        }
-    }
-    for (what, fields) in &index.advised {
-        if let Some(problem) = advice::problem(&fields.value, &index.types) {
-            report.error(fields.at, format!("{what}: {problem}"));
-        }
-    }
-    for (what, ty) in &index.reply_uses {
-        if index.defined.contains(&ty.value) && !can_be_reply(&index.types[ty.value.0].kind) {
-            report.error(ty.at, format!("{what}: {NO_REPLY}"));
-        }
-    }
-    for TypeUse { what, at, ty } in &index.uses {
-        let problem = ty.named().and_then(|id| {
-            let name = &index.types[id.0].name;
-            if !index.defined.contains(&id) {
-                return Some(format!("there is no `[[type]]` named `{name}`"));
-            }
-            reaches_itself(index, id).then(|| format!("the type `{name}` contains itself"))
-        });
-        let too_many = || {
-            let ty = notation(ty, &|id| &index.types[id.0].name);
-            format!(
-                "the type `{ty}` holds more than {MOST_VALUES} values, or more than {MOST_LEVELS} types in each other"
-            )
+    for (what, Placed { at, value }) in &index.needs {
+        let problem = match value {
+            Need::Type(ty) => type_problem(index, ty),
+            Need::Enum(id) => (!is_enum(&index.types[id.0].kind)).then(|| NO_ENUM.to_owned()),
+            Need::Reply(id) if !index.defined.contains(id) => None,
+            Need::Reply(id) => (!can_be_reply(&index.types[id.0].kind)).then(|| NO_REPLY.to_owned()),
+            Need::Advised(fields) => advice::problem(fields, &index.types),
         };
-        if let Some(problem) = problem.or_else(|| weight(index, ty, 0).is_none().then(too_many)) {
+        if let Some(problem) = problem {
             report.error(*at, format!("{what}: {problem}"));
         }
     }
+}
+
+fn type_problem(index: &Index<'_>, ty: &Type) -> Option<String> {
+    if let Some(id) = ty.named() {
+        let name = &index.types[id.0].name;
+        if !index.defined.contains(&id) {
+            return Some(format!("there is no `[[type]]` named `{name}`"));
+        }
+        if reaches_itself(index, id) {
+            return Some(format!("the type `{name}` contains itself"));
+        }
+    }
+    weight(index, ty, 0).is_none().then(|| {
+        let ty = notation(ty, &|id| &index.types[id.0].name);
+        format!("the type `{ty}` holds more than {MOST_VALUES} values, or more than {MOST_LEVELS} types in each other")
+    })
+}
+
+fn is_enum(kind: &TypeKind) -> bool {
+    matches!(kind, TypeKind::IntEnum(_) | TypeKind::TextEnum(_))
 }
 
 const NO_REPLY: &str = "a reply is fields, or an object without the keys that every reply has";

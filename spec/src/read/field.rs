@@ -6,7 +6,7 @@ use crate::item::{Item, Placed};
 use crate::model::{Field, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::range::Range;
-use crate::resolve::{Index, NO_ENUM};
+use crate::resolve::{Index, NO_ENUM, Need};
 use crate::scalar::Scalar;
 use crate::type_text;
 use crate::unique::Unique;
@@ -109,7 +109,7 @@ fn constructors<'s>(item: &Item<'_, 's>, ty: &Type, index: &mut Index<'s>) -> bo
         item.error(flag.at, "`constructors` is for a field that is always there");
     }
     match ty {
-        Type::Named(id) => index.enum_use(item, Placed { at: flag.at, value: *id }),
+        Type::Named(id) => index.needs(item, flag.at, Need::Enum(*id)),
         _ => item.error(flag.at, NO_ENUM),
     }
     true
@@ -259,7 +259,7 @@ fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
         }
     };
     written(item, &mut ty);
-    index.type_use(item, text.at, &ty);
+    index.needs(item, text.at, Need::Type(ty.clone()));
     ty
 }
 

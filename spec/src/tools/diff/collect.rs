@@ -2,7 +2,6 @@
 
 use std::fmt::Display;
 
-use super::rust;
 use super::{Change, Impact};
 use crate::Spec;
 
@@ -77,8 +76,7 @@ impl<'s> Differ<'s> {
     }
 
     /// Notes that the generated item is `Copy` in one spec alone.
-    pub(super) fn copies(&mut self, place: &str, is_copy: impl Fn(&rust::Interface<'_>) -> bool) {
-        let values = (is_copy(&rust::Interface(self.old)), is_copy(&rust::Interface(self.new)));
+    pub(super) fn copies(&mut self, place: &str, values: (bool, bool)) {
         self.flag(place, values, ("becomes `Copy`", Impact::Minor), ("is no longer `Copy`", Impact::Major));
     }
 

@@ -1,5 +1,7 @@
 //! Commands.
 
+use std::slice::from_ref;
+
 use super::collect::Differ;
 use super::field::{Holder, fields};
 use super::{Impact, types};
@@ -69,7 +71,7 @@ fn reply(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     };
     fields(d, place, &Holder::reply(was), was, is);
     if !was.is_empty() && !is.is_empty() {
-        d.copies(&format!("{place}, reply"), |rust| rust.reply_is_copy(&new.wire));
+        d.copies(&format!("{place}, reply"), (d.old.all_copy(was), d.new.all_copy(is)));
     }
 }
 
@@ -83,5 +85,6 @@ fn request(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
         (Request::Fields(_), Request::Choice(_)) => d.note(place, "the request becomes a choice", Impact::Major),
         (Request::Choice(_), Request::Fields(_)) => d.note(place, "the request is no longer a choice", Impact::Major),
     }
-    d.copies(&format!("{place}, request"), |rust| rust.request_is_copy(&new.wire));
+    let is_copy = |spec: &Spec, command: &Command| command.request.fields().all(|field| spec.all_copy(from_ref(field)));
+    d.copies(&format!("{place}, request"), (is_copy(d.old, old), is_copy(d.new, new)));
 }

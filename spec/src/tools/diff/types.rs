@@ -6,7 +6,7 @@ use super::Impact;
 use super::collect::{Differ, pairs};
 use super::command::versions;
 use super::field::{Checks, Holder, field_type, fields, unit};
-use crate::{EnumValue, TypeDef, TypeKind, Variant};
+use crate::{EnumValue, Spec, Type, TypeDef, TypeKind, Variant};
 
 /// Compares one type of both specs.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &TypeDef, new: &TypeDef) {
@@ -32,7 +32,8 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &TypeDef, new: &Type
         }
         (was, is) => return d.value(place, "kind", &kind(was), &kind(is), Impact::Major),
     }
-    d.copies(place, |rust| rust.named_is_copy(&new.name));
+    let is_copy = |spec: &Spec| spec.type_id(&new.name).is_some_and(|id| spec.is_copy(&Type::Named(id)));
+    d.copies(place, (is_copy(d.old), is_copy(d.new)));
 }
 
 fn kind(kind: &TypeKind) -> &'static str {
