@@ -3,7 +3,6 @@
 //! Each topic of the spec has a module of its own that changes the state and replies. Commands without a handler
 //! get the spec's example, so a new command in the spec is answered without code.
 
-mod beyond;
 mod collision;
 mod force;
 mod frames;
@@ -71,7 +70,7 @@ impl Outcome {
 
 type Topic = fn(&Request, &mut World, &mut Draft<'_>) -> Outcome;
 
-const TOPICS: [Topic; 15] = [
+const TOPICS: [Topic; 14] = [
     power::answer,
     motion::answer,
     servo::answer,
@@ -86,7 +85,6 @@ const TOPICS: [Topic; 15] = [
     force::answer,
     torque_sensor::answer,
     network::answer,
-    beyond::answer,
 ];
 
 /// Carries out a request, and writes the reply.

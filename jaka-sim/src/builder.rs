@@ -51,6 +51,79 @@ pub struct Builder {
     pub(crate) replay_timing: ReplayTiming,
 }
 
+/// Makes a method of [`Builder`] of each row, which sets the field of that name.
+macro_rules! setters {
+    ($( $(#[$meta:meta])* $option:ident: $Type:ty; )*) => {
+        impl Builder {
+            $(
+                $(#[$meta])*
+                #[must_use]
+                pub fn $option(mut self, $option: $Type) -> Self {
+                    self.$option = $option.into();
+                    self
+                }
+            )*
+        }
+    };
+}
+
+setters! {
+    /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated arm.
+    address: IpAddr;
+
+    /// Sets the arm: a Zu 5 if not set.
+    model: Model;
+
+    /// Sets how long changes of state take, other than motion: [`Delays::REAL`] if not set.
+    delays: Delays;
+
+    /// Sets by how much the arm lags behind its commanded positions, as the time constant of a first-order lag: none if not set.
+    ///
+    /// So an arm in motion is behind by its speed times the lag, 1.6 deg at 100 deg/s and 16 ms, and comes to rest later. It never
+    /// overshoots. On a real arm, commanded and actual joints were seen to differ by up to 0.023 deg; its lag is not known.
+    ///
+    /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets are the commanded ones. Without a lag the arm is
+    /// where it is commanded to be, so that a test can compare places in each cycle.
+    lag: Duration;
+
+    /// Sets what the arm does in servo mode when set-points stop while it has speed: [`Underrun::Hold`] if not set.
+    underrun: Underrun;
+
+    /// Puts a plane into the way of the tool centre point: none if not set.
+    ///
+    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) says how far the tool went in.
+    contact: Contact;
+
+    /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: 1 if not set.
+    ///
+    /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps real time: the
+    /// times of faults, replays, and clients with their timeouts and servo periods. With any other number the controller does not start.
+    ///
+    /// A stepped clock is not affected.
+    time_scale: f64;
+
+    /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
+    takeover: Takeover;
+
+    /// Sets what goes wrong from the start: nothing if not set.
+    faults: FaultPlan;
+
+    /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
+    firmware: Firmware;
+
+    /// Sets how replies are written: as the firmware does if not set.
+    reply_style: ReplyStyle;
+
+    /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
+    ///
+    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
+    /// [`Controller::publish`](crate::Controller::publish).
+    status_period: Duration;
+
+    /// Sets when a replay sends what it sends: [`ReplayTiming::Recorded`] if not set.
+    replay_timing: ReplayTiming;
+}
+
 impl Builder {
     pub(crate) fn new() -> Self {
         Self {
@@ -82,13 +155,6 @@ impl Builder {
         }
     }
 
-    /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated arm.
-    #[must_use]
-    pub fn address(mut self, address: IpAddr) -> Self {
-        self.address = address;
-        self
-    }
-
     /// Sets the ports for commands and for status packets: 0, for free ones, if not set. Real controllers have 10001 and 10000.
     #[must_use]
     pub fn ports(mut self, commands: u16, status: u16) -> Self {
@@ -97,37 +163,10 @@ impl Builder {
         self
     }
 
-    /// Sets the arm: a Zu 5 if not set.
-    #[must_use]
-    pub fn model(mut self, model: Model) -> Self {
-        self.model = model;
-        self
-    }
-
-    /// Sets how long changes of state take, other than motion: [`Delays::REAL`] if not set.
-    #[must_use]
-    pub fn delays(mut self, delays: Delays) -> Self {
-        self.delays = delays;
-        self
-    }
-
     /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: those of the firmware if not set.
     #[must_use]
     pub fn habits(mut self, habits: impl Into<Habits>) -> Self {
         self.habits = Some(habits.into());
-        self
-    }
-
-    /// Sets by how much the arm lags behind its commanded positions, as the time constant of a first-order lag: none if not set.
-    ///
-    /// So an arm in motion is behind by its speed times the lag, 1.6 deg at 100 deg/s and 16 ms, and comes to rest later. It never
-    /// overshoots. On a real arm, commanded and actual joints were seen to differ by up to 0.023 deg; its lag is not known.
-    ///
-    /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets are the commanded ones. Without a lag the arm is
-    /// where it is commanded to be, so that a test can compare places in each cycle.
-    #[must_use]
-    pub fn lag(mut self, lag: Duration) -> Self {
-        self.lag = lag;
         self
     }
 
@@ -146,13 +185,6 @@ impl Builder {
     #[must_use]
     pub fn trips(mut self, trips: impl IntoIterator<Item = Trip>) -> Self {
         self.trips = trips.into_iter().collect();
-        self
-    }
-
-    /// Sets what the arm does in servo mode when set-points stop while it has speed: [`Underrun::Hold`] if not set.
-    #[must_use]
-    pub fn underrun(mut self, underrun: Underrun) -> Self {
-        self.underrun = underrun;
         self
     }
 
@@ -185,33 +217,12 @@ impl Builder {
         self
     }
 
-    /// Puts a plane into the way of the tool centre point: none if not set.
-    ///
-    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) says how far the tool went in.
-    #[must_use]
-    pub fn contact(mut self, contact: Contact) -> Self {
-        self.contact = Some(contact);
-        self
-    }
-
     /// Lets time go on by [`Controller::advance`](crate::Controller::advance) alone, so that a test decides when the arm moves.
     ///
     /// Status packets are sent as time goes on, and each reader gets one on connecting.
     #[must_use]
     pub fn stepped_clock(mut self) -> Self {
         self.stepped = true;
-        self
-    }
-
-    /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: 1 if not set.
-    ///
-    /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps real time: the
-    /// times of faults, replays, and clients with their timeouts and servo periods. With any other number the controller does not start.
-    ///
-    /// A stepped clock is not affected.
-    #[must_use]
-    pub fn time_scale(mut self, scale: f64) -> Self {
-        self.time_scale = scale;
         self
     }
 
@@ -261,44 +272,6 @@ impl Builder {
         Ok(programs)
     }
 
-    /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
-    #[must_use]
-    pub fn takeover(mut self, takeover: Takeover) -> Self {
-        self.takeover = takeover;
-        self
-    }
-
-    /// Sets what goes wrong from the start: nothing if not set.
-    #[must_use]
-    pub fn faults(mut self, plan: FaultPlan) -> Self {
-        self.faults = plan;
-        self
-    }
-
-    /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
-    #[must_use]
-    pub fn firmware(mut self, firmware: Firmware) -> Self {
-        self.firmware = firmware;
-        self
-    }
-
-    /// Sets how replies are written: as the firmware does if not set.
-    #[must_use]
-    pub fn reply_style(mut self, style: ReplyStyle) -> Self {
-        self.reply_style = Some(style);
-        self
-    }
-
-    /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
-    ///
-    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
-    /// [`Controller::publish`](crate::Controller::publish).
-    #[must_use]
-    pub fn status_period(mut self, period: Duration) -> Self {
-        self.status_period = Some(period);
-        self
-    }
-
     /// Answers from a recording instead of by the simulated arm, whose state and faults then have no effect on replies.
     ///
     /// Status packets of the recording are sent at their times; after the last one of a connection, it is repeated each
@@ -328,13 +301,6 @@ impl Builder {
     #[must_use]
     pub fn replay(mut self, recording: Recording, mode: Replay) -> Self {
         self.replay = Some(ReplaySource { recording: Arc::new(recording), mode });
-        self
-    }
-
-    /// Sets when a replay sends what it sends: [`ReplayTiming::Recorded`] if not set.
-    #[must_use]
-    pub fn replay_timing(mut self, timing: ReplayTiming) -> Self {
-        self.replay_timing = timing;
         self
     }
 

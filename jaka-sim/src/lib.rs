@@ -55,9 +55,7 @@ pub use jaka_spec::Requirement;
 pub use json_text::Separators;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};
-pub use state::{
-    AdmittanceControl, Frame, NetworkException, Payload, State, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
-};
+pub use state::{AdmittanceControl, Frame, NetworkException, State, TorqueSensor, Trajectory};
 pub use trigger::Trigger;
 pub use trips::Trip;
 pub use underrun::Underrun;

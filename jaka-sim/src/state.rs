@@ -6,17 +6,16 @@ mod parts;
 use std::collections::HashMap;
 
 use jaka_proto::ControllerEvent;
-use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, ExtioStatus, FunctionInput};
+use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, ExtioStatus, FunctionInput, GetTioVoutParamReply};
 use jaka_proto::messages::kinematics::GetDhParamReply;
+use jaka_proto::messages::payload::GetPayloadReply;
 use jaka_proto::messages::program::ProgramState;
 use jaka_proto::messages::servo::SetServoMoveFilter;
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::messages::variables::UserVariable;
 use jaka_spec::Requirement;
 
-pub use parts::{
-    AdmittanceControl, Frame, NetworkException, Payload, ToolVoltage, TorqueSensor, Trajectory, TrajectoryConfig,
-};
+pub use parts::{AdmittanceControl, Frame, NetworkException, TorqueSensor, Trajectory};
 
 /// How many frames of a kind a controller holds: the fixed one and ten that can be set.
 pub(crate) const FRAMES: usize = 11;
@@ -98,7 +97,7 @@ pub struct State {
     /// All analog inputs of the tool.
     pub tool_analog_inputs: Vec<f64>,
     /// The voltage output of the tool, raw as sent.
-    pub tool_voltage: ToolVoltage,
+    pub tool_voltage: GetTioVoutParamReply,
     /// The input of each function.
     pub function_inputs: Vec<FunctionInput>,
     /// The extension I/O modules and their state.
@@ -116,7 +115,7 @@ pub struct State {
     /// User-defined system variables.
     pub variables: Vec<UserVariable>,
     /// What the arm carries.
-    pub payload: Payload,
+    pub payload: GetPayloadReply,
     /// Collision level, from 0 to 5; 0 is off.
     pub collision_level: i64,
     /// What the arm does when the network fails, as last set.

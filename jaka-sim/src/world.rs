@@ -333,7 +333,8 @@ impl World {
 
     fn identified(&mut self) {
         self.identifying = false;
-        self.state.torque_sensor.identified = self.state.payload;
+        let (payload, identified) = (&self.state.payload, &mut self.state.torque_sensor.identified);
+        (identified.mass, identified.centroid) = (payload.mass, payload.centroid);
         self.state.torque_sensor.identify_status = IdentifyStatus::Done;
     }
 

@@ -1,4 +1,4 @@
-//! Collision detection and protective stop.
+//! Collision detection, protective stop and emergency stop.
 
 use jaka_proto::Request;
 
@@ -12,6 +12,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             reply(command, out, |reply| reply.protective_stop = state.protective_stop)
         }
         // The levels of newer firmware.
+        Request::EmergencyStopStatus(command) => {
+            reply(command, out, |reply| reply.emergency_stop = state.emergency_stop)
+        }
         Request::SetClsnSensitivity(command) if !(0..=7).contains(&command.level) => Outcome::Refused,
         Request::SetClsnSensitivity(command) => {
             state.collision_level = command.level;

@@ -16,6 +16,8 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::SetUserOffsets(command) => set(&mut state.user_frames, command.id, command.offset, &command.name),
         Request::SetToolId(command) => choose(&mut state.tool_frame_id, command.tool_id),
         Request::SetUserId(command) => choose(&mut state.user_frame_id, command.user_frame_id),
+        Request::GetCurrToolId(command) => reply(command, out, |reply| reply.id = state.tool_frame_id),
+        Request::GetCurrUserId(command) => reply(command, out, |reply| reply.id = state.user_frame_id),
         _ => Outcome::Unhandled,
     }
 }

@@ -4,7 +4,6 @@ use jaka_proto::Request;
 
 use super::{Draft, Outcome, is_on, reply};
 use crate::State;
-use crate::state::ToolVoltage;
 use crate::world::World;
 
 /// Outputs with this index and above are refused, so that clients cannot make the state grow without limit.
@@ -21,7 +20,8 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         }
         Request::SetDigitalOutput(_) | Request::SetAnalogOutput(_) => return Outcome::Refused,
         Request::SetTioVoutParam(command) => {
-            state.tool_voltage = ToolVoltage { enable: command.output_enable, voltage: command.output_voltage };
+            let voltage = &mut state.tool_voltage;
+            (voltage.output_enable, voltage.output_voltage) = (command.output_enable, command.output_voltage);
         }
         _ => return query(request, state, out),
     }
@@ -37,10 +37,13 @@ fn query(request: &Request, state: &State, out: &mut Draft<'_>) -> Outcome {
             reply(command, out, |reply| reply.function_inputs.clone_from(&state.function_inputs))
         }
         Request::GetExtioStatus(command) => reply(command, out, |reply| reply.extio_status.clone_from(&state.extio)),
-        Request::GetTioVoutParam(command) => {
-            let ToolVoltage { enable, voltage } = state.tool_voltage;
-            reply(command, out, |reply| (reply.output_enable, reply.output_voltage) = (enable, voltage))
-        }
+        Request::GetTioVoutParam(command) => reply(command, out, |reply| *reply = state.tool_voltage),
+        Request::GetDigitalOutput(command) => reply(command, out, |reply| {
+            reply.value = state.digital_outputs.get(&(command.kind, command.index)).copied().unwrap_or_default();
+        }),
+        Request::GetAnalogOutput(command) => reply(command, out, |reply| {
+            reply.value = state.analog_outputs.get(&(command.kind, command.index)).copied().unwrap_or_default();
+        }),
         _ => Outcome::Unhandled,
     }
 }

@@ -14,6 +14,8 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             reply(command, out, |reply| reply.joint_position = state.joint_commanded_position)
         }
         Request::GetTcpPos(command) => reply(command, out, |reply| reply.pose = state.tcp_commanded_pose),
+        Request::GetActualJointPos(command) => reply(command, out, |reply| reply.joint_position = state.joint_position),
+        Request::GetActualTcpPos(command) => reply(command, out, |reply| reply.pose = state.tcp_pose),
         Request::GetDhParam(command) => reply(command, out, |reply| *reply = state.dh_parameters),
         Request::KineForward(command) => reply(command, out, |reply| reply.pose = world.pose(command.joint_position.0)),
         Request::KineInverse(command) => {

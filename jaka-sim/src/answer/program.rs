@@ -15,6 +15,10 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::GetProgramState(command) => {
             reply(command, out, |reply| reply.program_state.clone_from(&world.state.program_state))
         }
+        Request::GetMotionState(command) => reply(command, out, |reply| {
+            let is_paused = world.state.program_state == ProgramState::Paused;
+            (reply.in_position, reply.paused) = (world.state.in_position, is_paused);
+        }),
         _ => run(request, world),
     }
 }

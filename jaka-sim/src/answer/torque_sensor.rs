@@ -4,7 +4,7 @@ use jaka_proto::Request;
 use jaka_proto::messages::force::{IdentifyStatus, StartTorqSensorPayloadIdentify};
 
 use super::{Draft, Outcome, reply};
-use crate::state::{Payload, TorqueSensor};
+use crate::state::TorqueSensor;
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
@@ -40,7 +40,7 @@ fn set(request: &Request, sensor: &mut TorqueSensor) -> Outcome {
             sensor.port = command.port;
         }
         Request::SetToolPayload(command) => {
-            sensor.payload = Payload { mass: command.mass, centroid: command.centroid };
+            (sensor.payload.mass, sensor.payload.centroid) = (command.mass, command.centroid);
         }
         _ => return Outcome::Unhandled,
     }
@@ -54,17 +54,11 @@ fn get(request: &Request, sensor: &TorqueSensor, out: &mut Draft<'_>) -> Outcome
             reply.address.clone_from(&sensor.address);
             (reply.communication, reply.port) = (sensor.communication, sensor.port);
         }),
-        Request::GetToolPayload(command) => {
-            let Payload { mass, centroid } = sensor.payload;
-            reply(command, out, |reply| (reply.mass, reply.centroid) = (mass, centroid))
-        }
+        Request::GetToolPayload(command) => reply(command, out, |reply| *reply = sensor.payload),
         Request::GetTorqSensorIdentifyStatus(command) => {
             reply(command, out, |reply| reply.status = sensor.identify_status)
         }
-        Request::GetTorqSensorPayloadIdentifyResult(command) => {
-            let Payload { mass, centroid } = sensor.identified;
-            reply(command, out, |reply| (reply.mass, reply.centroid) = (mass, centroid))
-        }
+        Request::GetTorqSensorPayloadIdentifyResult(command) => reply(command, out, |reply| *reply = sensor.identified),
         _ => Outcome::Unhandled,
     }
 }

@@ -5,7 +5,6 @@ use jaka_proto::messages::trajectory::SetTrajSampleMode;
 
 use super::{Draft, Outcome, is_on, reply};
 use crate::programs::replay;
-use crate::state::TrajectoryConfig;
 use crate::world::{TrajectoryRecorder, World};
 
 /// How many trajectory files a controller keeps.
@@ -15,19 +14,13 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
     let trajectory = &mut world.state.trajectory;
     match request {
         Request::SetTrajConfig(command) => {
-            trajectory.config = TrajectoryConfig {
-                acceleration: command.acceleration,
-                speed: command.speed,
-                position_interval: command.position_interval,
-                orientation_interval: command.orientation_interval,
-            };
+            let config = &mut trajectory.config;
+            (config.acceleration, config.speed) = (command.acceleration, command.speed);
+            config.position_interval = command.position_interval;
+            config.orientation_interval = command.orientation_interval;
             Outcome::Accepted
         }
-        Request::GetTrajConfig(command) => reply(command, out, |reply| {
-            let TrajectoryConfig { acceleration, speed, position_interval, orientation_interval } = trajectory.config;
-            (reply.acceleration, reply.speed) = (acceleration, speed);
-            (reply.position_interval, reply.orientation_interval) = (position_interval, orientation_interval);
-        }),
+        Request::GetTrajConfig(command) => reply(command, out, |reply| *reply = trajectory.config),
         Request::SetTrajSampleMode(command) => Outcome::accepted_if(sample(command, world)),
         Request::GetTrajSampleStatus(command) => reply(command, out, |reply| reply.sampling = trajectory.sampling),
         Request::GetExistTrajFileName(command) => {

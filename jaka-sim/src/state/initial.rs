@@ -10,10 +10,7 @@ use jaka_proto::messages::{
 };
 use jaka_proto::wire::Typed;
 
-use super::{
-    AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, Payload, State, ToolVoltage, TorqueSensor,
-    Trajectory, TrajectoryConfig,
-};
+use super::{AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, State, TorqueSensor, Trajectory};
 use crate::spec_index::SpecIndex;
 
 /// Joint positions at the start: the arm bent, its flange down, and no joint near its end.
@@ -57,7 +54,7 @@ impl State {
             analog_outputs: HashMap::new(),
             tool_digital_inputs: Vec::new(),
             tool_analog_inputs: Vec::new(),
-            tool_voltage: tool_voltage(spec_index)?,
+            tool_voltage: spec_index.example::<pins::GetTioVoutParam>()?,
             function_inputs: spec_index.example::<pins::GetFuncdiStatus>()?.function_inputs,
             extio: spec_index.example::<pins::GetExtioStatus>()?.extio_status,
             tool_frames: frames(&tools.offsets),
@@ -65,7 +62,7 @@ impl State {
             user_frames: frames(&users.offsets),
             user_frame_id: 0,
             variables: spec_index.example::<variables::QueryUserDefinedVariable>()?.variables,
-            payload: payload(spec_index)?,
+            payload: spec_index.example::<payload::GetPayload>()?,
             collision_level: spec_index.example::<collision::GetClsnSensitivity>()?.level,
             network_exception: NetworkException { delay_ms: 0, action: network::NetworkExceptionAction::Keep },
             trajectory: trajectory(spec_index)?,
@@ -85,25 +82,9 @@ fn dh_parameters(spec_index: &SpecIndex, model: &Model) -> io::Result<kinematics
     Ok(reply)
 }
 
-fn tool_voltage(spec_index: &SpecIndex) -> io::Result<ToolVoltage> {
-    let reply = spec_index.example::<pins::GetTioVoutParam>()?;
-    Ok(ToolVoltage { enable: reply.output_enable, voltage: reply.output_voltage })
-}
-
-fn payload(spec_index: &SpecIndex) -> io::Result<Payload> {
-    let reply = spec_index.example::<payload::GetPayload>()?;
-    Ok(Payload { mass: reply.mass, centroid: reply.centroid })
-}
-
 fn trajectory(spec_index: &SpecIndex) -> io::Result<Trajectory> {
-    let config = spec_index.example::<trajectory::GetTrajConfig>()?;
     Ok(Trajectory {
-        config: TrajectoryConfig {
-            acceleration: config.acceleration,
-            speed: config.speed,
-            position_interval: config.position_interval,
-            orientation_interval: config.orientation_interval,
-        },
+        config: spec_index.example::<trajectory::GetTrajConfig>()?,
         sampling: spec_index.example::<trajectory::GetTrajSampleStatus>()?.sampling,
         file_names: spec_index.example::<trajectory::GetExistTrajFileName>()?.file_names,
     })
@@ -111,8 +92,6 @@ fn trajectory(spec_index: &SpecIndex) -> io::Result<Trajectory> {
 
 fn torque_sensor(spec_index: &SpecIndex) -> io::Result<TorqueSensor> {
     let comm = spec_index.example::<force::GetTorqueSensorComm>()?;
-    let payload = spec_index.example::<force::GetToolPayload>()?;
-    let identified = spec_index.example::<force::GetTorqSensorPayloadIdentifyResult>()?;
     Ok(TorqueSensor {
         brand: spec_index.example::<force::GetTorqueSensorBrand>()?.brand,
         mode: 0,
@@ -121,9 +100,9 @@ fn torque_sensor(spec_index: &SpecIndex) -> io::Result<TorqueSensor> {
         communication: comm.communication,
         address: comm.address,
         port: comm.port,
-        payload: Payload { mass: payload.mass, centroid: payload.centroid },
+        payload: spec_index.example::<force::GetToolPayload>()?,
         identify_status: spec_index.example::<force::GetTorqSensorIdentifyStatus>()?.status,
-        identified: Payload { mass: identified.mass, centroid: identified.centroid },
+        identified: spec_index.example::<force::GetTorqSensorPayloadIdentifyResult>()?,
     })
 }
 

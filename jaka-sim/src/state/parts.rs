@@ -1,10 +1,11 @@
 //! Parts of the state that belong together.
 
 use jaka_proto::messages::force::{
-    AdmittanceAxis, ComplianceType, IdentifyStatus, TorqueSensorBrand, TorqueSensorCommunication, VelocityCompliance,
+    AdmittanceAxis, ComplianceType, GetToolPayloadReply, GetTorqSensorPayloadIdentifyResultReply, IdentifyStatus,
+    TorqueSensorBrand, TorqueSensorCommunication, VelocityCompliance,
 };
 use jaka_proto::messages::network::NetworkExceptionAction;
-use jaka_proto::messages::payload::Centroid;
+use jaka_proto::messages::trajectory::GetTrajConfigReply;
 use jaka_proto::messages::types::Pose;
 
 /// A tool frame or a user frame.
@@ -14,24 +15,6 @@ pub struct Frame {
     pub offset: Pose,
     /// Name of the frame.
     pub name: String,
-}
-
-/// Mass and centroid of something carried.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Payload {
-    /// Mass, in kilograms.
-    pub mass: f64,
-    /// Centroid, in millimetres.
-    pub centroid: Centroid,
-}
-
-/// The voltage output of the tool. Sources contradict each other on both values, so they stay raw.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ToolVoltage {
-    /// Raw switch of the output, 0 or 1.
-    pub enable: i64,
-    /// Raw choice of the voltage, 0 or 1.
-    pub voltage: i64,
 }
 
 /// What the arm does when the network fails.
@@ -48,24 +31,11 @@ pub struct NetworkException {
 #[non_exhaustive]
 pub struct Trajectory {
     /// How finely is recorded, and how fast it is run later.
-    pub config: TrajectoryConfig,
+    pub config: GetTrajConfigReply,
     /// Whether recording is on.
     pub sampling: bool,
     /// Names of the trajectory files.
     pub file_names: Vec<String>,
-}
-
-/// How finely a trajectory is recorded, and how fast it is run later.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TrajectoryConfig {
-    /// Acceleration, in mm/s².
-    pub acceleration: f64,
-    /// Speed, in mm/s.
-    pub speed: f64,
-    /// Interval at which displacement is recorded. Unit not stated.
-    pub position_interval: f64,
-    /// Interval at which rotation is recorded. Unit not stated.
-    pub orientation_interval: f64,
 }
 
 /// The torque sensor at the end of the arm.
@@ -88,11 +58,11 @@ pub struct TorqueSensor {
     /// Port of the sensor.
     pub port: i64,
     /// Payload at the sensor.
-    pub payload: Payload,
+    pub payload: GetToolPayloadReply,
     /// How far the identification of the payload is.
     pub identify_status: IdentifyStatus,
     /// What the identification found, or will find.
-    pub identified: Payload,
+    pub identified: GetTorqSensorPayloadIdentifyResultReply,
 }
 
 /// Control that yields to forces.

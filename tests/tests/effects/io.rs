@@ -71,7 +71,7 @@ fn the_tools_voltage_is_given_back(arm: &mut Arm) {
 }
 
 fn the_tools_voltage_is_read(arm: &mut Arm) {
-    arm.controller.set_state(|state| (state.tool_voltage.enable, state.tool_voltage.voltage) = (1, 1));
+    arm.controller.set_state(|state| (state.tool_voltage.output_enable, state.tool_voltage.output_voltage) = (1, 1));
     let reply = arm.client.get_tio_vout_param().expect("it answers");
     assert_eq!((reply.output_enable, reply.output_voltage), (1, 1));
 }
