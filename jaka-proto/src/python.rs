@@ -7,6 +7,10 @@
 use std::error::Error;
 use std::fmt::{self, Write};
 
+use serde_json::Value;
+
+use crate::wire::{DecodeError, Reader};
+
 /// The most brackets that may be open at once.
 const MAX_DEPTH: usize = 64;
 
@@ -24,7 +28,12 @@ const MAX_DEPTH: usize = 64;
 /// # Ok::<(), jaka_proto::python::PythonError>(())
 /// ```
 pub fn to_json(literal: &str) -> Result<String, PythonError> {
-    Transcoder::new(Language::Python, literal).run(Transcoder::python_value)
+    let mut transcoder = Transcoder { text: literal, at: 0, depth: 0, out: String::with_capacity(literal.len()) };
+    transcoder.value()?;
+    match transcoder.token() {
+        None => Ok(transcoder.out),
+        Some(_) => Err(transcoder.expected("the end")),
+    }
 }
 
 /// Turns JSON text into a Python literal in the controller's style.
@@ -34,16 +43,81 @@ pub fn to_json(literal: &str) -> Result<String, PythonError> {
 /// ```
 /// let literal = jaka_proto::python::from_json(r#"[1, [8], {"on": true}]"#)?;
 /// assert_eq!(literal, "(1, (8,), {'on': True})");
-/// # Ok::<(), jaka_proto::python::PythonError>(())
+/// # Ok::<(), jaka_proto::wire::DecodeError>(())
 /// ```
-pub fn from_json(json: &str) -> Result<String, PythonError> {
-    Transcoder::new(Language::Json, json).run(Transcoder::json_value)
+///
+/// # Errors
+/// The text is not JSON, or has a number that is not one in Python, such as `1e999`.
+pub fn from_json(json: &str) -> Result<String, DecodeError> {
+    let mut reader = Reader::new(json);
+    let mut out = String::with_capacity(json.len());
+    write_value(&mut reader, MAX_DEPTH, &mut out)?;
+    reader.end()?;
+    Ok(out)
 }
 
-/// Text that cannot be read: where that shows, and what was expected there.
+/// Writes a value in which so many brackets may be open at once.
+fn write_value(reader: &mut Reader<'_>, depth: usize, out: &mut String) -> Result<(), DecodeError> {
+    if reader.is_array() {
+        let inner = depth.checked_sub(1).ok_or_else(|| reader.too_deep())?;
+        let mut count = 0;
+        out.push('(');
+        reader.begin_array()?;
+        while reader.next_element()? {
+            out.push_str(if count > 0 { ", " } else { "" });
+            write_value(reader, inner, out)?;
+            count += 1;
+        }
+        out.push_str(if count == 1 { ",)" } else { ")" });
+    } else if reader.is_object() {
+        let inner = depth.checked_sub(1).ok_or_else(|| reader.too_deep())?;
+        let mut separator = "";
+        out.push('{');
+        reader.begin_object()?;
+        while let Some(key) = reader.next_key()? {
+            out.push_str(separator);
+            write_string(&key, out);
+            out.push_str(": ");
+            write_value(reader, inner, out)?;
+            separator = ", ";
+        }
+        out.push('}');
+    } else if reader.is_text() {
+        write_string(&reader.text()?, out);
+    } else {
+        out.push_str(match reader.raw()? {
+            "true" => "True",
+            "false" => "False",
+            "null" => "None",
+            number if to_json(number).is_ok_and(|same| same == number) => number,
+            other => return Err(DecodeError::unfit("a finite number", other)),
+        });
+    }
+    Ok(())
+}
+
+fn write_string(text: &str, out: &mut String) {
+    out.push('\'');
+    for c in text.chars() {
+        match c {
+            '\'' => out.push_str("\\'"),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\r' => out.push_str("\\r"),
+            '\t' => out.push_str("\\t"),
+            '\0'..' ' | '\x7f' => {
+                // A string takes all that is written.
+                let _ = write!(out, "\\x{:02x}", u32::from(c));
+            }
+            _ => out.push(c),
+        }
+    }
+    out.push('\'');
+}
+
+/// A literal that cannot be read: where that shows, and what was expected there.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PythonError {
-    language: Language,
     position: usize,
     expected: &'static str,
 }
@@ -62,28 +136,16 @@ impl PythonError {
 
 impl fmt::Display for PythonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let language = match self.language {
-            Language::Python => "python literal",
-            Language::Json => "json text",
-        };
-        write!(f, "{language}: expected {} at byte {}", self.expected, self.position)
+        write!(f, "python literal: expected {} at byte {}", self.expected, self.position)
     }
 }
 
 impl Error for PythonError {}
 
-/// The language that is read; the other one is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Language {
-    Python,
-    Json,
-}
-
 type Step = Result<(), PythonError>;
 
-/// Reads one language from the front of `text` and writes the other to `out`.
+/// Reads Python from the front of `text` and writes JSON to `out`.
 struct Transcoder<'a> {
-    language: Language,
     text: &'a str,
     /// Offset of the next byte to read, always between two characters.
     at: usize,
@@ -97,24 +159,23 @@ struct Items {
     commas: usize,
 }
 
-/// Reading Python, writing JSON.
-impl Transcoder<'_> {
-    fn python_value(&mut self) -> Step {
+impl<'a> Transcoder<'a> {
+    fn value(&mut self) -> Step {
         match self.token() {
-            Some(b'(') => self.python_tuple(),
-            Some(b'[') => self.python_items(b']', Self::python_value),
-            Some(b'{') => self.python_items(b'}', Self::python_entry),
-            Some(b'\'' | b'"' | b'u' | b'U') => self.python_string(),
+            Some(b'(') => self.tuple(),
+            Some(b'[') => self.bracketed(b']', Self::value),
+            Some(b'{') => self.bracketed(b'}', Self::entry),
+            Some(b'\'' | b'"' | b'u' | b'U') => self.string(),
             Some(b'0'..=b'9' | b'-' | b'+' | b'.') => self.number(),
-            _ => self.word([("True", "true"), ("False", "false"), ("None", "null")]),
+            _ => self.word(),
         }
     }
 
     /// Reads a tuple, or a value in parentheses: only a comma tells the two apart.
-    fn python_tuple(&mut self) -> Step {
+    fn tuple(&mut self) -> Step {
         let begin = self.out.len();
         self.out.push('[');
-        let items = self.items(b')', Self::python_value)?;
+        let items = self.items(b')', Self::value)?;
         if items.count == 1 && items.commas == 0 {
             self.out.remove(begin);
         } else {
@@ -124,51 +185,54 @@ impl Transcoder<'_> {
     }
 
     /// Reads a list or a dict, whose brackets are JSON's.
-    fn python_items(&mut self, close: u8, item: fn(&mut Self) -> Step) -> Step {
+    fn bracketed(&mut self, close: u8, item: fn(&mut Self) -> Step) -> Step {
         self.out.push(if close == b']' { '[' } else { '{' });
         self.items(close, item)?;
         self.out.push(char::from(close));
         Ok(())
     }
 
-    fn python_entry(&mut self) -> Step {
-        self.python_string()?;
-        self.colon(":")?;
-        self.python_value()
+    fn entry(&mut self) -> Step {
+        self.string()?;
+        self.token();
+        if !self.eat(b':') {
+            return Err(self.expected("':'"));
+        }
+        self.out.push(':');
+        self.value()
     }
 
-    fn python_string(&mut self) -> Step {
+    fn string(&mut self) -> Step {
         let unicode = self.eat(b'u') || self.eat(b'U');
         let Some(quote @ (b'\'' | b'"')) = self.peek() else { return Err(self.expected("a string")) };
         self.at += 1;
-        self.out.push('"');
+        let mut text = String::new();
         while !self.eat(quote) {
             if !unicode && self.rest().starts_with("\\x") {
-                self.python_bytes()?;
+                self.bytes(&mut text)?;
             } else {
-                let c = self.python_char()?;
-                self.write_json_char(c);
+                text.push(self.char()?);
             }
         }
-        self.out.push('"');
+        self.out.push_str(&Value::from(text).to_string());
         Ok(())
     }
 
     /// Reads adjacent `\xNN`.
-    fn python_bytes(&mut self) -> Step {
+    fn bytes(&mut self, out: &mut String) -> Step {
         let mut bytes = Vec::new();
         while self.rest().starts_with("\\x") {
             self.at += 2;
             bytes.extend(u8::try_from(self.hex(2)?));
         }
         match std::str::from_utf8(&bytes) {
-            Ok(text) => text.chars().for_each(|c| self.write_json_char(c)),
-            Err(_) => bytes.into_iter().for_each(|byte| self.write_json_char(char::from(byte))),
+            Ok(text) => out.push_str(text),
+            Err(_) => out.extend(bytes.into_iter().map(char::from)),
         }
         Ok(())
     }
 
-    fn python_char(&mut self) -> Result<char, PythonError> {
+    fn char(&mut self) -> Result<char, PythonError> {
         let begin = self.at;
         match self.next_char()? {
             '\\' => {}
@@ -186,112 +250,6 @@ impl Transcoder<'_> {
         }
     }
 
-    fn write_json_char(&mut self, c: char) {
-        match c {
-            '"' => self.out.push_str("\\\""),
-            '\\' => self.out.push_str("\\\\"),
-            '\u{8}' => self.out.push_str("\\b"),
-            '\u{c}' => self.out.push_str("\\f"),
-            '\n' => self.out.push_str("\\n"),
-            '\r' => self.out.push_str("\\r"),
-            '\t' => self.out.push_str("\\t"),
-            '\0'..' ' => self.write(format_args!("\\u{:04x}", u32::from(c))),
-            _ => self.out.push(c),
-        }
-    }
-}
-
-/// Reading JSON, writing Python.
-impl Transcoder<'_> {
-    fn json_value(&mut self) -> Step {
-        match self.token() {
-            Some(b'[') => self.json_array(),
-            Some(b'{') => self.json_object(),
-            Some(b'"') => self.json_string(),
-            Some(b'0'..=b'9' | b'-') => self.number(),
-            _ => self.word([("true", "True"), ("false", "False"), ("null", "None")]),
-        }
-    }
-
-    fn json_array(&mut self) -> Step {
-        self.out.push('(');
-        let items = self.items(b']', Self::json_value)?;
-        self.out.push_str(if items.count == 1 { ",)" } else { ")" });
-        Ok(())
-    }
-
-    fn json_object(&mut self) -> Step {
-        self.out.push('{');
-        self.items(b'}', Self::json_entry)?;
-        self.out.push('}');
-        Ok(())
-    }
-
-    fn json_entry(&mut self) -> Step {
-        self.json_string()?;
-        self.colon(": ")?;
-        self.json_value()
-    }
-
-    fn json_string(&mut self) -> Step {
-        if !self.eat(b'"') {
-            return Err(self.expected("a string"));
-        }
-        self.out.push('\'');
-        while !self.eat(b'"') {
-            let c = self.json_char()?;
-            self.write_python_char(c);
-        }
-        self.out.push('\'');
-        Ok(())
-    }
-
-    fn json_char(&mut self) -> Result<char, PythonError> {
-        let begin = self.at;
-        match self.next_char()? {
-            '\\' => {}
-            '\0'..' ' => return Err(self.expected_at(begin, "an escape")),
-            c => return Ok(c),
-        }
-        match self.next_char()? {
-            c @ ('\\' | '/' | '"') => Ok(c),
-            'b' => Ok('\u{8}'),
-            'f' => Ok('\u{c}'),
-            'n' => Ok('\n'),
-            'r' => Ok('\r'),
-            't' => Ok('\t'),
-            'u' => self.utf16(begin),
-            _ => Err(self.expected_at(begin, "an escape")),
-        }
-    }
-
-    fn write_python_char(&mut self, c: char) {
-        match c {
-            '\'' => self.out.push_str("\\'"),
-            '\\' => self.out.push_str("\\\\"),
-            '\n' => self.out.push_str("\\n"),
-            '\r' => self.out.push_str("\\r"),
-            '\t' => self.out.push_str("\\t"),
-            '\0'..' ' | '\x7f' => self.write(format_args!("\\x{:02x}", u32::from(c))),
-            _ => self.out.push(c),
-        }
-    }
-}
-
-/// What the two languages share.
-impl<'a> Transcoder<'a> {
-    fn new(language: Language, text: &'a str) -> Self {
-        Self { language, text, at: 0, depth: 0, out: String::with_capacity(text.len()) }
-    }
-
-    fn run(mut self, value: fn(&mut Self) -> Step) -> Result<String, PythonError> {
-        value(&mut self)?;
-        match self.token() {
-            None => Ok(self.out),
-            Some(_) => Err(self.expected("the end")),
-        }
-    }
-
     /// Reads an opening bracket and what follows, up to and with `close`; writes only the items and commas.
     fn items(&mut self, close: u8, item: fn(&mut Self) -> Step) -> Result<Items, PythonError> {
         if self.depth >= MAX_DEPTH {
@@ -300,40 +258,26 @@ impl<'a> Transcoder<'a> {
         self.depth += 1;
         self.at += 1;
         let mut items = Items { count: 0, commas: 0 };
-        while !self.closes(close, &items) {
+        while self.token() != Some(close) {
             if items.commas < items.count {
                 return Err(self.expected(comma_or(close)));
             }
             if items.count > 0 {
-                self.out.push_str(if self.language == Language::Python { "," } else { ", " });
+                self.out.push(',');
             }
             item(self)?;
             items.count += 1;
             self.token();
             items.commas += usize::from(self.eat(b','));
         }
+        self.at += 1;
         self.depth -= 1;
         Ok(items)
     }
 
-    /// Reads `close` if it comes next and may; JSON has no comma before it.
-    fn closes(&mut self, close: u8, items: &Items) -> bool {
-        self.token();
-        let behind_comma = items.count > 0 && items.commas == items.count;
-        (self.language == Language::Python || !behind_comma) && self.eat(close)
-    }
-
-    fn colon(&mut self, written: &str) -> Step {
-        self.token();
-        if !self.eat(b':') {
-            return Err(self.expected("':'"));
-        }
-        self.out.push_str(written);
-        Ok(())
-    }
-
-    /// Reads one of the words on the left and writes its neighbour.
-    fn word(&mut self, words: [(&str, &str); 3]) -> Step {
+    /// Reads a word and writes that of JSON.
+    fn word(&mut self) -> Step {
+        let words = [("True", "true"), ("False", "false"), ("None", "null")];
         let Some((read, written)) = words.into_iter().find(|(read, _)| self.rest().starts_with(read)) else {
             return Err(self.expected("a value"));
         };
@@ -342,20 +286,19 @@ impl<'a> Transcoder<'a> {
         Ok(())
     }
 
-    /// Copies a number, in Python also with `+`, with a bare point at either end, or with a final `L`.
+    /// Copies a number, without a `+`, with a digit on both sides of its point, and without a final `L`.
     fn number(&mut self) -> Step {
-        let python = self.language == Language::Python;
         let (begin, written) = (self.at, self.out.len());
-        if !self.copy(b"-") && python {
+        if !self.copy(b"-") {
             self.eat(b'+');
         }
         self.whole()?;
-        let fraction = self.fraction()?;
+        let fraction = self.fraction();
         let exponent = self.exponent()?;
         if !self.out[written..].parse().is_ok_and(f64::is_finite) {
             return Err(self.expected_at(begin, "a finite number"));
         }
-        if python && !fraction && !exponent && !self.eat(b'L') {
+        if !fraction && !exponent && !self.eat(b'L') {
             self.eat(b'l');
         }
         Ok(())
@@ -363,7 +306,7 @@ impl<'a> Transcoder<'a> {
 
     fn whole(&mut self) -> Step {
         let begin = self.at;
-        if self.language == Language::Python && matches!(self.rest().as_bytes(), [b'.', b'0'..=b'9', ..]) {
+        if matches!(self.rest().as_bytes(), [b'.', b'0'..=b'9', ..]) {
             self.out.push('0');
             return Ok(());
         }
@@ -376,17 +319,14 @@ impl<'a> Transcoder<'a> {
     }
 
     /// Copies the point and the digits after it; false if there is none.
-    fn fraction(&mut self) -> Result<bool, PythonError> {
+    fn fraction(&mut self) -> bool {
         if !self.copy(b".") {
-            return Ok(false);
+            return false;
         }
         if self.digits() == 0 {
-            match self.language {
-                Language::Python => self.out.push('0'),
-                Language::Json => return Err(self.expected("a digit")),
-            }
+            self.out.push('0');
         }
-        Ok(true)
+        true
     }
 
     /// Copies the exponent; false if there is none.
@@ -472,17 +412,12 @@ impl<'a> Transcoder<'a> {
         &self.text[self.at..]
     }
 
-    fn write(&mut self, text: fmt::Arguments<'_>) {
-        // A string takes all that is written.
-        let _ = self.out.write_fmt(text);
-    }
-
     fn expected(&self, expected: &'static str) -> PythonError {
         self.expected_at(self.at, expected)
     }
 
     fn expected_at(&self, position: usize, expected: &'static str) -> PythonError {
-        PythonError { language: self.language, position, expected }
+        PythonError { position, expected }
     }
 }
 

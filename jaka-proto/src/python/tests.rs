@@ -126,28 +126,28 @@ fn malformed_python_is_refused() {
 #[test]
 fn malformed_json_is_refused() {
     let cases = [
-        ("", "a value at byte 0"),
-        ("True", "a value at byte 0"),
-        ("(1)", "a value at byte 0"),
-        ("[1,]", "a value at byte 3"),
-        (r#"{"a":1,}"#, "a string at byte 7"),
-        ("{'a': 1}", "a string at byte 1"),
-        (r#"{"a" 1}"#, "':' at byte 5"),
-        ("[1 2]", "',' or ']' at byte 3"),
-        ("+1", "a value at byte 0"),
-        ("[1e999]", "a finite number at byte 1"),
-        (".5", "a value at byte 0"),
-        ("5.", "a digit at byte 2"),
-        ("01", "a number without leading zeros at byte 0"),
-        ("8L", "the end at byte 1"),
-        ("\"a\nb\"", "an escape at byte 2"),
-        (r#""\x41""#, "an escape at byte 1"),
-        (r#""\udd16""#, "an escape of a character at byte 1"),
-        (r#""abc"#, "a closing quote at byte 4"),
+        ("", "a value at byte 0, where the text ends"),
+        ("True", "a value at byte 0, found `True`"),
+        ("(1)", "a value at byte 0, found `(1)`"),
+        ("[1,]", "a value after the comma at byte 3, found `]`"),
+        (r#"{"a":1,}"#, "a value after the comma at byte 7, found `}`"),
+        ("{'a': 1}", "a key at byte 1, found `'a': 1}`"),
+        (r#"{"a" 1}"#, "`:` at byte 5, found `1}`"),
+        ("[1 2]", "`,` or `]` at byte 3, found `2]`"),
+        ("+1", "a value at byte 0, found `+1`"),
+        (".5", "a value at byte 0, found `.5`"),
+        ("8L", "the end of the message at byte 1, found `L`"),
+        (r#""\x41""#, r#"valid escapes in a string at byte 1, found `\x41"`"#),
+        (r#""\udd16""#, r#"valid escapes in a string at byte 1, found `\udd16"`"#),
+        (r#""abc"#, "the end of a string at byte 4, where the text ends"),
     ];
     for (json, expected) in cases {
         let error = from_json(json).expect_err(json);
-        assert_eq!(error.to_string(), format!("json text: expected {expected}"), "{json}");
+        assert_eq!(error.to_string(), format!("not JSON: expected {expected}"), "{json}");
+    }
+    for number in ["1e999", "5.", "01"] {
+        let error = from_json(&format!("[{number}]")).expect_err(number);
+        assert_eq!(error.to_string(), format!("expected a finite number, found `{number}`"));
     }
 }
 

@@ -222,23 +222,23 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether the next value is a string.
-    pub(super) fn is_text(&mut self) -> bool {
+    pub(crate) fn is_text(&mut self) -> bool {
         self.peek() == Some(b'"')
     }
 
     /// Whether the next value is an array.
-    pub(super) fn is_array(&mut self) -> bool {
+    pub(crate) fn is_array(&mut self) -> bool {
         self.peek() == Some(b'[')
     }
 
     /// Whether the next value is an object.
-    pub(super) fn is_object(&mut self) -> bool {
+    pub(crate) fn is_object(&mut self) -> bool {
         self.peek() == Some(b'{')
     }
 
     /// The error for a value that nests too deep.
     #[cold]
-    pub(super) fn too_deep(&self) -> DecodeError {
+    pub(crate) fn too_deep(&self) -> DecodeError {
         self.malformed("at most 64 levels of nesting")
     }
 
