@@ -178,7 +178,7 @@ impl SimulatedClock {
     /// Has this thread take part, unless it does or is at its end.
     pub(crate) fn take_part(&self) {
         if presence::membership(self).is_none() {
-            presence::enter(self, MovesTime::Yes);
+            presence::enter(self.work(), MovesTime::Yes);
         }
     }
 
@@ -215,7 +215,7 @@ impl Drop for Back<'_> {
     fn drop(&mut self) {
         // It may have waited by the clock meanwhile.
         if presence::membership(self.clock).is_none() {
-            presence::enter(self.clock, self.moves_time);
+            presence::enter(self.clock.work(), self.moves_time);
         }
     }
 }

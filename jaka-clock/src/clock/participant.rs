@@ -24,8 +24,7 @@ impl Participant {
             drop(work);
             return act();
         }
-        presence::enter(&clock, moves_time);
-        drop(work);
+        presence::enter(work, moves_time);
         let _leaves = Leaves(clock);
         act()
     }
@@ -45,7 +44,7 @@ impl Drop for Leaves {
 #[derive(Debug)]
 #[must_use = "dropped, it keeps nothing"]
 pub struct Work {
-    clock: SimulatedClock,
+    pub(super) clock: SimulatedClock,
 }
 
 impl Work {

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use super::SimulatedClock;
+use super::{SimulatedClock, Work};
 use crate::seat::Seat;
 use crate::state::MovesTime;
 
@@ -19,14 +19,8 @@ struct Presence {
 
 /// That a thread takes part in the time of a clock, to its end or until this is dropped.
 struct Membership {
-    clock: SimulatedClock,
+    work: Work,
     moves_time: MovesTime,
-}
-
-impl Drop for Membership {
-    fn drop(&mut self) {
-        self.clock.lock().end_work();
-    }
 }
 
 /// This thread's seat; another one where the thread ends.
@@ -38,15 +32,14 @@ pub(super) fn seat() -> Arc<Seat> {
 pub(super) fn membership(clock: &SimulatedClock) -> Option<MovesTime> {
     let find = |presence: &Presence| {
         let clocks = presence.clocks.borrow();
-        clocks.iter().find(|membership| membership.clock == *clock).map(|membership| membership.moves_time)
+        clocks.iter().find(|membership| membership.work.clock == *clock).map(|membership| membership.moves_time)
     };
     PRESENCE.try_with(find).ok().flatten()
 }
 
 /// From now on this thread takes part, and is at work; not where it is at its end.
-pub(super) fn enter(clock: &SimulatedClock, moves_time: MovesTime) {
-    clock.lock().begin_work();
-    let membership = Membership { clock: clock.clone(), moves_time };
+pub(super) fn enter(work: Work, moves_time: MovesTime) {
+    let membership = Membership { work, moves_time };
     // Where it is not kept, it is dropped, and ends the work.
     let _ = PRESENCE.try_with(|presence| presence.clocks.borrow_mut().push(membership));
 }
@@ -55,7 +48,7 @@ pub(super) fn enter(clock: &SimulatedClock, moves_time: MovesTime) {
 pub(super) fn leave(clock: &SimulatedClock) {
     let remove = |presence: &Presence| {
         let mut clocks = presence.clocks.borrow_mut();
-        clocks.iter().position(|membership| membership.clock == *clock).map(|place| clocks.remove(place))
+        clocks.iter().position(|membership| membership.work.clock == *clock).map(|place| clocks.remove(place))
     };
     // Dropped here, without the list.
     drop(PRESENCE.try_with(remove));
