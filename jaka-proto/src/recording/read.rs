@@ -1,5 +1,8 @@
 //! How a recording is read, line by line.
 
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::collections::hash_map;
 use std::fmt;
 use std::str;
 use std::time::Duration;
@@ -44,25 +47,14 @@ impl Header {
     /// # Errors
     /// It is not a header, or one of another version of the format.
     pub fn read(line: &str) -> Result<Self, DecodeError> {
-        let mut reader = Reader::new(line);
-        let (mut format, mut started, mut software) = (None, None, None);
-        reader.begin_object()?;
-        while let Some(key) = reader.next_key()? {
-            match &*key {
-                "jaka_recording" => reader.field::<i64>("jaka_recording", &mut format)?,
-                "started" => reader.field("started", &mut started)?,
-                "software" => reader.field("software", &mut software)?,
-                _ => reader.skip()?,
-            }
-        }
-        reader.end()?;
-        let format = required("jaka_recording", format)?;
+        let line = Line::read(line)?;
+        let format: i64 = line.required("jaka_recording")?;
         if format != i64::from(FORMAT) {
             let expected = format!("version {FORMAT} of the format");
             return Err(DecodeError::unfit(expected, &format.to_string()).in_field("jaka_recording"));
         }
-        let Seconds(started) = required("started", started)?;
-        Ok(Self { started, software: software.unwrap_or_default() })
+        let Seconds(started) = line.required("started")?;
+        Ok(Self { started, software: line.optional("software")?.unwrap_or_default() })
     }
 }
 
@@ -72,93 +64,77 @@ impl Entry {
     /// # Errors
     /// It is not an entry.
     pub fn read(line: &str) -> Result<Self, DecodeError> {
-        let mut reader = Reader::new(line);
-        let mut keys = Keys::default();
-        reader.begin_object()?;
-        while let Some(key) = reader.next_key()? {
-            keys.read(&key, &mut reader)?;
-        }
-        reader.end()?;
-        let Seconds(time) = required("time", keys.time.take())?;
-        let port = required("port", keys.port.take())?;
-        let port = one_of("port", "`command` or `status`", &port, Port::ALL, Port::word)?;
-        let connection = keys.connection.take().unwrap_or(1);
+        let line = Line::read(line)?;
+        let Seconds(time) = line.required("time")?;
+        let port = line.one_of("port", "`command` or `status`", Port::ALL, Port::word)?;
+        let connection = line.optional("connection")?.unwrap_or(1);
         let connection = u32::try_from(connection)
             .map_err(|_| DecodeError::unfit("a number", &connection.to_string()).in_field("connection"))?;
-        Ok(Self { time, port, connection, event: keys.event()? })
+        Ok(Self { time, port, connection, event: line.event()? })
     }
 }
 
-/// The keys of an entry, of whatever event.
-#[derive(Debug, Default)]
-struct Keys {
-    time: Option<Seconds>,
-    port: Option<String>,
-    connection: Option<i64>,
-    event: Option<String>,
-    text: Option<String>,
-    hex: Option<Hex>,
-    address: Option<String>,
-    by: Option<String>,
-    why: Option<String>,
-    count: Option<Count>,
-}
+/// The keys of a line, each with the text of its value.
+struct Line<'l>(HashMap<Cow<'l, str>, &'l str>);
 
-impl Keys {
-    fn read(&mut self, key: &str, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        match key {
-            "time" => reader.field("time", &mut self.time),
-            "port" => reader.field("port", &mut self.port),
-            "connection" => reader.field("connection", &mut self.connection),
-            "event" => reader.field("event", &mut self.event),
-            "text" => reader.field("text", &mut self.text),
-            "hex" => reader.field("hex", &mut self.hex),
-            "address" => reader.field("address", &mut self.address),
-            "by" => reader.field("by", &mut self.by),
-            "why" => reader.field("why", &mut self.why),
-            "count" => reader.field("count", &mut self.count),
-            _ => reader.skip(),
+impl<'l> Line<'l> {
+    fn read(line: &'l str) -> Result<Self, DecodeError> {
+        let (mut reader, mut values) = (Reader::new(line), HashMap::new());
+        reader.begin_object()?;
+        while let Some(key) = reader.next_key()? {
+            match values.entry(key) {
+                hash_map::Entry::Vacant(place) => place.insert(reader.raw()?),
+                hash_map::Entry::Occupied(taken) => return Err(DecodeError::repeated().in_field(taken.key())),
+            };
         }
+        reader.end()?;
+        Ok(Self(values))
     }
 
-    fn event(mut self) -> Result<Event, DecodeError> {
-        match &*required("event", self.event.take())? {
-            "connected" => Ok(Event::Connected { address: self.address.unwrap_or_default() }),
+    /// The value of a key. A null counts as absent.
+    fn optional<T: Decode>(&self, key: &'static str) -> Result<Option<T>, DecodeError> {
+        let value = self.0.get(key).filter(|value| **value != "null");
+        value.map(|value| T::decode(&mut Reader::new(value)).map_err(|error| error.in_field(key))).transpose()
+    }
+
+    fn required<T: Decode>(&self, key: &'static str) -> Result<T, DecodeError> {
+        self.optional(key)?.ok_or_else(|| DecodeError::missing(key, key))
+    }
+
+    fn one_of<T: Copy, const N: usize>(
+        &self,
+        key: &'static str,
+        expected: &str,
+        all: [T; N],
+        word: fn(T) -> &'static str,
+    ) -> Result<T, DecodeError> {
+        let found: String = self.required(key)?;
+        let value = all.into_iter().find(|value| word(*value) == found);
+        value.ok_or_else(|| DecodeError::unfit(expected, &found).in_field(key))
+    }
+
+    fn event(&self) -> Result<Event, DecodeError> {
+        match &*self.required::<String>("event")? {
+            "connected" => Ok(Event::Connected { address: self.optional("address")?.unwrap_or_default() }),
             "sent" => self.message().map(Event::Sent),
             "received" => self.message().map(Event::Received),
             "closed" => {
-                let by = required("by", self.by)?;
-                let by = one_of("by", "`client`, `controller` or `failure`", &by, Ending::ALL, Ending::word)?;
-                Ok(Event::Closed { by, why: self.why.unwrap_or_default() })
+                let by = self.one_of("by", "`client`, `controller` or `failure`", Ending::ALL, Ending::word)?;
+                Ok(Event::Closed { by, why: self.optional("why")?.unwrap_or_default() })
             }
-            "error" => Ok(Event::Error { text: required("text", self.text)? }),
-            "dropped" => required("count", self.count).map(|Count(count)| Event::Dropped { count }),
+            "error" => Ok(Event::Error { text: self.required("text")? }),
+            "dropped" => self.required("count").map(|Count(count)| Event::Dropped { count }),
             other => Err(DecodeError::unfit("an event of the format", other).in_field("event")),
         }
     }
 
-    fn message(self) -> Result<Message, DecodeError> {
-        match (self.text, self.hex) {
+    fn message(&self) -> Result<Message, DecodeError> {
+        match (self.optional::<String>("text")?, self.optional("hex")?) {
             (Some(text), _) => Ok(Message::new(text)),
             (None, Some(Hex(bytes))) => Ok(Message::new(bytes)),
             (None, None) => Err(DecodeError::missing("text", "text")),
         }
     }
-}
-
-fn required<T>(key: &'static str, value: Option<T>) -> Result<T, DecodeError> {
-    value.ok_or_else(|| DecodeError::missing(key, key))
-}
-
-fn one_of<T: Copy, const N: usize>(
-    field: &str,
-    expected: &str,
-    found: &str,
-    all: [T; N],
-    word: fn(T) -> &'static str,
-) -> Result<T, DecodeError> {
-    let value = all.into_iter().find(|value| word(*value) == found);
-    value.ok_or_else(|| DecodeError::unfit(expected, found).in_field(field))
 }
 
 /// A time in seconds, to the microsecond.
