@@ -36,16 +36,15 @@
 //! ```
 
 mod out_of_sync;
-mod pending;
 mod posted;
 pub(crate) mod sent;
 mod waiter;
 
 use std::borrow::Cow;
+use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 pub use self::out_of_sync::OutOfSync;
-use self::pending::{Pending, PendingReplies};
 use self::posted::Posted;
 pub use self::posted::{PostedOutcomes, PostedRequest};
 pub use self::sent::RequestId;
@@ -60,7 +59,17 @@ use crate::envelope::Envelope;
 pub struct Exchange {
     sent: SentRequests,
     posted: Posted,
-    pending: PendingReplies,
+    /// The outcomes of requests whose waiters have not asked yet, in the order of the requests: so they are completed.
+    pending: VecDeque<(RequestId, Pending)>,
+}
+
+/// The outcome of a request, until its waiter asks.
+#[derive(Debug)]
+enum Pending {
+    /// The text of the reply.
+    Reply(String),
+    /// A later request was answered: the reply will not come any more.
+    Lost,
 }
 
 /// A reply that was attributed.
@@ -101,12 +110,12 @@ impl Exchange {
 
     /// How many posted requests are outstanding, without those that were given up or abandoned.
     pub fn posted_outstanding(&self) -> usize {
-        self.posted.outstanding()
+        self.posted.outstanding.len()
     }
 
     /// The oldest of the posted requests that are outstanding.
     pub fn oldest_posted(&self) -> Option<PostedRequest> {
-        self.posted.oldest()
+        self.posted.outstanding.front().copied()
     }
 
     /// Enters a request that goes out next. A [`Waiter`] will ask for its reply, or [`give_up`](Self::give_up) or
@@ -118,7 +127,7 @@ impl Exchange {
     /// Enters a request that goes out next and whose outcome is counted; `now` is the time.
     pub fn post(&mut self, command: &'static str, now: Instant) -> RequestId {
         let id = self.sent.push(command.into(), Recipient::Counted);
-        self.posted.push(PostedRequest { id, command, sent_at: now });
+        self.posted.outstanding.push_back(PostedRequest { id, command, sent_at: now });
         id
     }
 
@@ -148,7 +157,7 @@ impl Exchange {
         let Self { sent, posted, pending } = self;
         let lost = |request: SentRequest| match request.recipient {
             Recipient::Waiter if waiter.is_for(request.id) => waiter.fail(Failure::Lost),
-            Recipient::Waiter => pending.push(request.id, Pending::Lost),
+            Recipient::Waiter => pending.push_back((request.id, Pending::Lost)),
             Recipient::Counted => posted.finish(request.id, Err(Failure::Lost)),
             Recipient::Nobody => {}
         };
@@ -159,7 +168,7 @@ impl Exchange {
                 Delivery::Waiter
             }
             Recipient::Waiter => {
-                pending.push(id, Pending::Reply(text.to_owned()));
+                pending.push_back((id, Pending::Reply(text.to_owned())));
                 Delivery::Pending
             }
             Recipient::Counted => {
@@ -173,14 +182,14 @@ impl Exchange {
 
     /// Gives a waiter what is pending for it, if something is.
     pub fn take_pending(&mut self, waiter: &mut Waiter<'_>) {
-        if let Some(pending) = waiter.request().and_then(|request| self.pending.take(request)) {
+        if let Some(pending) = waiter.request().and_then(|request| self.pending_for(request)) {
             waiter.take(pending);
         }
     }
 
     /// Drops what is pending for a request, if something is: the thread that waited for it has ended.
     pub fn discard_pending(&mut self, request: RequestId) {
-        self.pending.take(request);
+        self.pending_for(request);
     }
 
     /// The deadline of a request that was sent has passed. Its reply, if it comes, will be discarded. What is pending for it must
@@ -198,7 +207,7 @@ impl Exchange {
     /// # Errors
     /// As [`give_up`](Self::give_up).
     pub fn give_up_oldest_posted(&mut self, after: Duration) -> Result<(), OutOfSync> {
-        let Some(oldest) = self.posted.oldest() else { return Ok(()) };
+        let Some(oldest) = self.oldest_posted() else { return Ok(()) };
         self.sent.give_up(oldest.id)?;
         self.posted.finish(oldest.id, Err(Failure::TimedOut { after }));
         Ok(())
@@ -208,7 +217,7 @@ impl Exchange {
     ///
     /// This does not suggest that a reply is lost. Where it is in doubt whose a reply was, that still matters to those whose deadline passes.
     pub fn abandon(&mut self, request: RequestId) {
-        if self.pending.take(request).is_none() {
+        if self.pending_for(request).is_none() {
             self.sent.abandon(request);
         }
     }
@@ -216,8 +225,8 @@ impl Exchange {
     /// Abandons all posted requests that are outstanding, and says how many those were.
     pub fn abandon_posted(&mut self) -> u64 {
         let mut count = 0;
-        while let Some(request) = self.posted.abandon_oldest() {
-            self.sent.abandon(request);
+        while let Some(request) = self.posted.outstanding.pop_front() {
+            self.sent.abandon(request.id);
             count += 1;
         }
         count
@@ -225,6 +234,11 @@ impl Exchange {
 
     /// The outcomes of posted requests since this was last asked.
     pub fn take_posted_outcomes(&mut self) -> PostedOutcomes {
-        self.posted.take_outcomes()
+        std::mem::take(&mut self.posted.outcomes)
+    }
+
+    fn pending_for(&mut self, request: RequestId) -> Option<Pending> {
+        let place = self.pending.binary_search_by_key(&request, |(owner, _)| *owner).ok()?;
+        self.pending.remove(place).map(|(_, pending)| pending)
     }
 }

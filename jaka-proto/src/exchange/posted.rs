@@ -31,23 +31,11 @@ pub struct PostedOutcomes {
 #[derive(Debug, Default)]
 pub(super) struct Posted {
     /// In the order of their ids. Requests are completed, lost and given up from the front, and withdrawn from the back.
-    outstanding: VecDeque<PostedRequest>,
-    outcomes: PostedOutcomes,
+    pub(super) outstanding: VecDeque<PostedRequest>,
+    pub(super) outcomes: PostedOutcomes,
 }
 
 impl Posted {
-    pub(super) fn push(&mut self, request: PostedRequest) {
-        self.outstanding.push_back(request);
-    }
-
-    pub(super) fn outstanding(&self) -> usize {
-        self.outstanding.len()
-    }
-
-    pub(super) fn oldest(&self) -> Option<PostedRequest> {
-        self.outstanding.front().copied()
-    }
-
     /// Counts the outcome of a request, which is the oldest as a rule.
     pub(super) fn finish(&mut self, request: RequestId, outcome: Result<(), Failure>) {
         let place = self.outstanding.iter().position(|posted| posted.id == request);
@@ -63,14 +51,5 @@ impl Posted {
         if self.outstanding.back().is_some_and(|newest| newest.id == request) {
             self.outstanding.pop_back();
         }
-    }
-
-    /// Forgets the oldest request, and says which it was.
-    pub(super) fn abandon_oldest(&mut self) -> Option<RequestId> {
-        self.outstanding.pop_front().map(|oldest| oldest.id)
-    }
-
-    pub(super) fn take_outcomes(&mut self) -> PostedOutcomes {
-        std::mem::take(&mut self.outcomes)
     }
 }

@@ -3,8 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use super::RequestId;
-use super::pending::Pending;
+use super::{Pending, RequestId};
 use crate::command::CommandInfo;
 use crate::envelope::Envelope;
 use crate::refusal::Refusal;
