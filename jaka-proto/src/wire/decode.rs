@@ -46,20 +46,30 @@ pub trait Decode: Sized {
     }
 }
 
-/// A number, or a string that holds one. Correctly rounded; never NaN or infinite.
-impl Decode for f64 {
-    #[inline]
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        if let Some(value) = reader.usual() { Ok(value) } else { unusual_float(reader) }
-    }
+/// Implements [`Decode`] for a scalar, which is read in its usual form at once, and lists of it in one go.
+macro_rules! scalar {
+    ($(#[$doc:meta])* $type:ty, $unusual:ident) => {
+        $(#[$doc])*
+        impl Decode for $type {
+            #[inline]
+            fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+                if let Some(value) = reader.usual() { Ok(value) } else { $unusual(reader) }
+            }
 
-    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        scalar_list(list, reader)
-    }
+            fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+                scalar_list(list, reader)
+            }
 
-    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        scalar_array(reader)
-    }
+            fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
+                scalar_array(reader)
+            }
+        }
+    };
+}
+
+scalar! {
+    /// A number, or a string that holds one. Correctly rounded; never NaN or infinite.
+    f64, unusual_float
 }
 
 #[inline(never)]
@@ -69,21 +79,10 @@ fn unusual_float(reader: &mut Reader<'_>) -> Result<f64, DecodeError> {
     value.filter(|value| value.is_finite()).ok_or_else(|| unfit(reader, start, "a number"))
 }
 
-/// A whole number, or a string that holds one. With a fraction (of zero) or an exponent it must be less than 2^53; it is never
-/// rounded.
-impl Decode for i64 {
-    #[inline]
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        if let Some(value) = reader.usual() { Ok(value) } else { unusual_int(reader) }
-    }
-
-    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        scalar_list(list, reader)
-    }
-
-    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        scalar_array(reader)
-    }
+scalar! {
+    /// A whole number, or a string that holds one. With a fraction (of zero) or an exponent it must be less than 2^53; it is never
+    /// rounded.
+    i64, unusual_int
 }
 
 #[inline(never)]
@@ -93,20 +92,9 @@ fn unusual_int(reader: &mut Reader<'_>) -> Result<i64, DecodeError> {
     value.ok_or_else(|| unfit(reader, start, "a whole number"))
 }
 
-/// `true` and `false`, 0 and 1, or a string that holds one of these, in any case.
-impl Decode for bool {
-    #[inline]
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        if let Some(value) = reader.usual() { Ok(value) } else { unusual_truth(reader) }
-    }
-
-    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        scalar_list(list, reader)
-    }
-
-    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        scalar_array(reader)
-    }
+scalar! {
+    /// `true` and `false`, 0 and 1, or a string that holds one of these, in any case.
+    bool, unusual_truth
 }
 
 #[inline(never)]

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use self::capture::Capture;
 pub use fields::Keys;
 pub(crate) use odd::lossy_text;
-pub(super) use skip::MAX_DEPTH;
+use skip::MAX_DEPTH;
 
 use super::error::DecodeError;
 use super::number::{self, Scalar, whole};
@@ -25,6 +25,8 @@ pub struct Reader<'a> {
     at: usize,
     /// True where a comma must come before the next key or element.
     comma: bool,
+    /// How many arrays and objects of any shape are open.
+    depth: u32,
     capture: Capture<'a>,
     /// Whether odd values of unknown keys are passed over.
     tolerant: bool,
@@ -42,7 +44,7 @@ pub struct Mark {
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self { text, at: 0, comma: false, capture: Capture::NONE, tolerant: false, left_out: Vec::new() }
+        Self { text, at: 0, comma: false, depth: 0, capture: Capture::NONE, tolerant: false, left_out: Vec::new() }
     }
 
     /// Where the reader stands.
@@ -234,6 +236,22 @@ impl<'a> Reader<'a> {
     /// Whether the next value is an object.
     pub(crate) fn is_object(&mut self) -> bool {
         self.peek() == Some(b'{')
+    }
+
+    /// Reads an array or object of any shape.
+    pub(super) fn nested<T>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
+    ) -> Result<T, DecodeError> {
+        self.depth += 1;
+        let value = read(self);
+        self.depth -= 1;
+        value
+    }
+
+    /// Fails inside of too many of them.
+    pub(super) fn not_too_deep(&self) -> Result<(), DecodeError> {
+        if self.depth > MAX_DEPTH { Err(self.too_deep()) } else { Ok(()) }
     }
 
     /// The error for a value that nests too deep.

@@ -6,7 +6,7 @@ use crate::wire::error::DecodeError;
 use crate::wire::number;
 
 /// How deep arrays and objects may nest.
-pub(in crate::wire) const MAX_DEPTH: u32 = 64;
+pub(super) const MAX_DEPTH: u32 = 64;
 
 impl Reader<'_> {
     /// Skips the next value, and checks that it is JSON throughout.
