@@ -41,11 +41,8 @@ pub mod shapes {
     }
     impl proto::Command for Stop {
         type Reply = ();
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-            "stop",
-            "{\"cmdName\":\"stop\"",
-            "",
-            proto::Effect::Motion,
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "stop", "{\"cmdName\":\"stop\"", "", Motion,
         );
     }
     /// Moves all joints to a position. [`stop`](type@Stop) ends the motion.
@@ -280,22 +277,22 @@ pub mod shapes {
                 .check(
                     "tolerance",
                     &self.tolerance,
-                    &check::Limits::NONE.until([1, 6]),
+                    &check::Limits {
+                        firmware: proto::FirmwareRange::ALL.until([1, 6]),
+                        ..check::Limits::NONE
+                    },
                 )?;
             Ok(())
         }
     }
     impl proto::Command for MoveTo {
         type Reply = ();
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-                "moveTo",
-                "{\"cmdName\":\"moveTo\"",
-                "4.7",
-                proto::Effect::Motion,
-            )
-            .requires(&[proto::Requirement::Enabled, proto::Requirement::NotServoMode])
-            .deadline_ms(60000u64)
-            .since([1, 5]);
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "moveTo", "{\"cmdName\":\"moveTo\"", "4.7", Motion, requires : &
+            [proto::Requirement::Enabled, proto::Requirement::NotServoMode], deadline :
+            Some(::core::time::Duration::from_millis(60000u64)), firmware :
+            proto::FirmwareRange::ALL.since([1, 5]),
+        );
     }
     /// Names the robot.
     ///
@@ -361,11 +358,8 @@ pub mod shapes {
     }
     impl proto::Command for SetName {
         type Reply = ();
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-            "set_name",
-            "{\"cmdName\":\"set_name\"",
-            "",
-            proto::Effect::Setting,
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "set_name", "{\"cmdName\":\"set_name\"", "", Setting,
         );
     }
     /// Sets a filter.
@@ -480,11 +474,8 @@ pub mod shapes {
     }
     impl proto::Command for SetFilter {
         type Reply = ();
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-            "set_filter",
-            "{\"cmdName\":\"set_filter\"",
-            "",
-            proto::Effect::Setting,
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "set_filter", "{\"cmdName\":\"set_filter\"", "", Setting,
         );
     }
     /// Reads the state.
@@ -524,11 +515,8 @@ pub mod shapes {
     }
     impl proto::Command for GetState {
         type Reply = GetStateReply;
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-            "get_state",
-            "{\"cmdName\":\"get_state\"",
-            "",
-            proto::Effect::Query,
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "get_state", "{\"cmdName\":\"get_state\"", "", Query,
         );
     }
     /// What the controller answers to [`type@GetState`].
@@ -644,11 +632,8 @@ pub mod shapes {
     }
     impl proto::Command for GetData {
         type Reply = RobotStatus;
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-            "get_data",
-            "{\"cmdName\":\"get_data\"",
-            "",
-            proto::Effect::Query,
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "get_data", "{\"cmdName\":\"get_data\"", "", Query,
         );
     }
     /// Reads the modules.
@@ -688,13 +673,10 @@ pub mod shapes {
     }
     impl proto::Command for GetModules {
         type Reply = GetModulesReply;
-        const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-                "get_modules",
-                "{\"cmdName\":\"get_modules\"",
-                "",
-                proto::Effect::Query,
-            )
-            .bare_reply("modules");
+        const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+            "get_modules", "{\"cmdName\":\"get_modules\"", "", Query, bare_reply :
+            Some("modules"),
+        );
     }
     /// What the controller answers to [`type@GetModules`].
     #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::docs::{self, Docs, Place};
-use crate::scope::{Scope, ident};
+use crate::scope::{ModulePaths, Scope, ident};
 use crate::{construct, topic};
 
 /// The modules of the topics as jaka-sync has them: those of jaka-proto, where each request links to its method.
@@ -39,8 +39,8 @@ pub(crate) fn modules(spec: &Spec) -> TokenStream {
 /// An `impl Client` for each topic, with a method for each of its commands.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
     let docs = Docs::new(spec, Place::Client);
-    let (own, elsewhere, wire) = (TokenStream::new(), quote!(self), quote!(::jaka_proto::wire));
-    let scope = Scope { spec, topic: None, own: &own, elsewhere: &elsewhere, packs: &own, wire: &wire, docs };
+    let paths = ModulePaths { elsewhere: quote!(self), wire: quote!(::jaka_proto::wire), ..ModulePaths::default() };
+    let scope = Scope { spec, topic: None, paths: &paths, docs };
     let topics = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).map(|topic| {
         let module = scope.module(topic);
         let methods = topic.commands.iter().map(|command| {

@@ -76,20 +76,19 @@ fn info(command: &Command) -> TokenStream {
     let effect = variant(command.effect);
     let requires = (!command.requires.is_empty()).then(|| {
         let requires = command.requires.iter().map(variant);
-        quote!(.requires(&[#(proto::Requirement::#requires),*]))
+        quote!(requires: &[#(proto::Requirement::#requires),*],)
     });
     let deadline = command.deadline.map(|deadline| {
         let ms = u64::try_from(deadline.as_millis()).unwrap_or(u64::MAX);
-        quote!(.deadline_ms(#ms))
+        quote!(deadline: Some(::core::time::Duration::from_millis(#ms)),)
     });
-    let uncertain = (!command.reply_certain).then(|| quote!(.reply_uncertain()));
-    let ends = command.ends_session.then(|| quote!(.ends_session()));
-    let bare = bare_reply_key(command).map(|key| quote!(.bare_reply(#key)));
-    let firmware = validate::firmware(&command.versions);
-    quote! {
-        proto::CommandInfo::new(#name, #head, #section, proto::Effect::#effect)
-            #requires #deadline #uncertain #ends #bare #firmware
-    }
+    let uncertain = (!command.reply_certain).then(|| quote!(reply_certain: false,));
+    let ends = command.ends_session.then(|| quote!(ends_session: true,));
+    let bare = bare_reply_key(command).map(|key| quote!(bare_reply: Some(#key),));
+    let firmware = validate::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
+    quote!(
+        proto::__command_info!(#name, #head, #section, #effect, #requires #deadline #uncertain #ends #bare #firmware)
+    )
 }
 
 fn bare_reply_key(command: &Command) -> Option<&str> {

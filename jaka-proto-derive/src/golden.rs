@@ -97,23 +97,19 @@ doc = "Whether it is quiet."
                         &check::Limits {
                             min: Some(0f64),
                             unit: "s",
+                            firmware: proto::FirmwareRange::ALL.until([1, 6]),
                             ..check::Limits::NONE
-                        }
-                            .until([1, 6]),
+                        },
                     )?;
                 Ok(())
             }
         }
         impl proto::Command for SetFan {
             type Reply = ();
-            const INFO: &'static proto::CommandInfo = &proto::CommandInfo::new(
-                    "set_fan",
-                    "{\"cmdName\":\"set_fan\"",
-                    "",
-                    proto::Effect::Setting,
-                )
-                .since([1, 6, 5])
-                .until([1, 7]);
+            const INFO: &'static proto::CommandInfo = &proto::__command_info!(
+                "set_fan", "{\"cmdName\":\"set_fan\"", "", Setting, firmware :
+                proto::FirmwareRange::ALL.since([1, 6, 5]).until([1, 7]),
+            );
         }
         impl check::Validate for FanCurve {
             #[allow(unused_variables)]
@@ -123,7 +119,15 @@ doc = "Whether it is quiet."
                 place: &check::Place<'_>,
                 limits: &check::Limits,
             ) -> Result<(), check::NotSent> {
-                place.check("quiet", &self.quiet, &check::Limits::NONE.since([1, 7]))?;
+                place
+                    .check(
+                        "quiet",
+                        &self.quiet,
+                        &check::Limits {
+                            firmware: proto::FirmwareRange::ALL.since([1, 7]),
+                            ..check::Limits::NONE
+                        },
+                    )?;
                 Ok(())
             }
         }

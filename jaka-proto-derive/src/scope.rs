@@ -12,14 +12,7 @@ pub(crate) struct Scope<'s> {
     pub(crate) spec: &'s Spec,
     /// The topic whose module it is; none outside of all of them.
     pub(crate) topic: Option<&'s Topic>,
-    /// What stands before the names of the topic's own types.
-    pub(crate) own: &'s TokenStream,
-    /// The path of the module that has the other topics' modules.
-    pub(crate) elsewhere: &'s TokenStream,
-    /// The path of the module that has the modules of other packs.
-    pub(crate) packs: &'s TokenStream,
-    /// The path of the module `wire`.
-    pub(crate) wire: &'s TokenStream,
+    pub(crate) paths: &'s ModulePaths,
     /// What its docs link to.
     pub(crate) docs: Docs<'s>,
 }
@@ -28,8 +21,7 @@ impl<'s> Scope<'s> {
     /// The scope of a topic's module, where `proto`, `check` and `wire` are jaka-proto and its modules.
     pub(crate) fn of_module(spec: &'s Spec, topic: &'s Topic, paths: &'s ModulePaths) -> Self {
         let docs = Docs::new(spec, Place::Messages(Some(topic)));
-        let ModulePaths { own, elsewhere, packs, wire } = paths;
-        Self { spec, topic: Some(topic), own, elsewhere, packs, wire, docs }
+        Self { spec, topic: Some(topic), paths, docs }
     }
 
     /// The Rust type, as named from inside the topic's module.
@@ -40,7 +32,7 @@ impl<'s> Scope<'s> {
             Type::Scalar(Scalar::Float) => quote!(f64),
             Type::Scalar(Scalar::Text) => quote!(String),
             Type::Scalar(Scalar::Json) => {
-                let wire = self.wire;
+                let wire = &self.paths.wire;
                 quote!(#wire::Value)
             }
             Type::Python(inner) => self.rust_type(inner),
@@ -68,7 +60,7 @@ impl<'s> Scope<'s> {
     pub(crate) fn path(self, id: TypeId) -> TokenStream {
         let is_own = self.topic.is_some_and(|topic| topic.types.contains(&id));
         let topic = self.spec.topic_of(id).filter(|_| !is_own);
-        let module = topic.map_or_else(|| self.own.clone(), |topic| self.module(topic));
+        let module = topic.map_or_else(|| self.paths.own.clone(), |topic| self.module(topic));
         let name = ident(&self.spec[id].name);
         quote!(#module #name)
     }
@@ -88,7 +80,7 @@ impl<'s> Scope<'s> {
 
     /// The path of another topic's module.
     pub(crate) fn module(self, topic: &Topic) -> TokenStream {
-        let elsewhere = if topic.is_pack { self.packs } else { self.elsewhere };
+        let elsewhere = if topic.is_pack { &self.paths.packs } else { &self.paths.elsewhere };
         let module = ident(&topic.name);
         quote!(#elsewhere::#module::)
     }
@@ -105,7 +97,7 @@ impl<'s> Scope<'s> {
         if !field.or_raw {
             return ty;
         }
-        let wire = self.wire;
+        let wire = &self.paths.wire;
         quote!(#wire::Typed<#ty>)
     }
 
@@ -121,12 +113,17 @@ impl<'s> Scope<'s> {
     }
 }
 
-/// The paths that a topic's module uses.
+/// The paths that generated code uses.
+#[derive(Default)]
 pub(crate) struct ModulePaths {
-    own: TokenStream,
-    elsewhere: TokenStream,
-    packs: TokenStream,
-    wire: TokenStream,
+    /// What stands before the names of the topic's own types.
+    pub(crate) own: TokenStream,
+    /// The path of the module that has the other topics' modules.
+    pub(crate) elsewhere: TokenStream,
+    /// The path of the module that has the modules of other packs.
+    pub(crate) packs: TokenStream,
+    /// The path of the module `wire`.
+    pub(crate) wire: TokenStream,
 }
 
 impl ModulePaths {

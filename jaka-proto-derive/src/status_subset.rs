@@ -9,7 +9,7 @@ use syn::{Token, braced, bracketed, parenthesized};
 
 use crate::codec::{Manner, read_object_in_place};
 use crate::docs::{Docs, Place};
-use crate::scope::Scope;
+use crate::scope::{ModulePaths, Scope};
 
 /// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the fields.
 pub(crate) struct Input {
@@ -37,8 +37,8 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let Input { sync, head, name, .. } = input;
     let wire = quote!(#sync::proto::wire);
     let docs = Docs::new(&spec, Place::User);
-    let own = TokenStream::new();
-    let scope = Scope { spec: &spec, topic: None, own: &own, elsewhere: sync, packs: &own, wire: &wire, docs };
+    let paths = ModulePaths { elsewhere: sync.clone(), wire: wire.clone(), ..ModulePaths::default() };
+    let scope = Scope { spec: &spec, topic: None, paths: &paths, docs };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
     let read = read_object_in_place(&fields, Manner::StatusSubset);

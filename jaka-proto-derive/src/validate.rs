@@ -133,25 +133,25 @@ fn limits(field: &Field, advised: Option<TokenStream>) -> TokenStream {
     let advisory = field.range.advisory.then(|| quote!(advisory: true,));
     let ascii = field.ascii.then(|| quote!(ascii: true,));
     let unit = field.unit.as_deref().map(|unit| quote!(unit: #unit,));
-    let firmware = firmware(&field.versions);
+    let firmware = firmware(&field.versions).map(|firmware| quote!(firmware: #firmware,));
     let advised = advised.map(|advised| quote!(advised: #advised,));
-    let set = [min, max, advisory, advised, ascii, unit];
+    let set = [min, max, advisory, advised, ascii, unit, firmware];
     if set.iter().all(Option::is_none) {
-        return quote!(check::Limits::NONE #firmware);
+        return quote!(check::Limits::NONE);
     }
     let set = set.iter().flatten();
-    quote!(check::Limits { #(#set)* ..check::Limits::NONE } #firmware)
+    quote!(check::Limits { #(#set)* ..check::Limits::NONE })
 }
 
-/// What follows limits, or a command's information, of something that not all firmware has.
-pub(crate) fn firmware(versions: &Versions) -> TokenStream {
+/// The firmware that has something, unless all has it.
+pub(crate) fn firmware(versions: &Versions) -> Option<TokenStream> {
     let numbers = |version: &Version| {
         let numbers = version.numbers().iter().map(|number| Literal::u32_unsuffixed(*number));
         quote!([#(#numbers),*])
     };
     let since = versions.since.as_ref().map(numbers).map(|numbers| quote!(.since(#numbers)));
     let until = versions.until.as_ref().map(numbers).map(|numbers| quote!(.until(#numbers)));
-    quote!(#since #until)
+    (versions != &Versions::default()).then(|| quote!(proto::FirmwareRange::ALL #since #until))
 }
 
 fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {
@@ -166,14 +166,12 @@ fn enum_body<T>(values: &[EnumValue<T>], allowed: &str, wire: &TokenStream) -> T
     };
     let listed = arm(false, quote!(Listed));
     let newer = arm(true, quote!(Advisory));
-    let bounded: Vec<_> = values.iter().filter(|value| value.versions != Versions::default()).collect();
-    let versions = (!bounded.is_empty()).then(|| {
-        let arms = bounded.iter().map(|value| {
-            let (name, firmware) = (ident(&value.name), firmware(&value.versions));
-            quote!(Self::#name => place.takes(&#wire, &check::Limits::NONE #firmware)?,)
-        });
-        quote!(match self { #(#arms)* _ => {} })
+    let bounded = values.iter().filter_map(|value| {
+        let (name, firmware) = (ident(&value.name), firmware(&value.versions)?);
+        Some(quote!(Self::#name => place.takes(&#wire, &#firmware)?,))
     });
+    let arms: Vec<_> = bounded.collect();
+    let versions = (!arms.is_empty()).then(|| quote!(match self { #(#arms)* _ => {} }));
     quote! {
         let standing = match self {
             #listed

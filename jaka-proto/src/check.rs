@@ -40,20 +40,6 @@ impl Limits<'_> {
         firmware: FirmwareRange::ALL,
     };
 
-    /// The same for a field that firmware has since this version.
-    #[must_use]
-    pub const fn since<const N: usize>(mut self, numbers: [u32; N]) -> Self {
-        self.firmware.since = Some(FirmwareVersion::new(numbers));
-        self
-    }
-
-    /// The same for a field that firmware has until this version.
-    #[must_use]
-    pub const fn until<const N: usize>(mut self, numbers: [u32; N]) -> Self {
-        self.firmware.until = Some(FirmwareVersion::new(numbers));
-        self
-    }
-
     /// True for a number within the range, whatever is advised.
     pub fn allow(&self, value: f64) -> bool {
         self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
@@ -248,12 +234,12 @@ impl<'p> Place<'p> {
         Err(NotSent::NotInFirmware(Box::new(NotInFirmware::new(self.command, field, firmware, *range))))
     }
 
-    /// Checks that the controller's firmware takes a value of an enum, where the firmware is known; the limits say which takes it.
+    /// Checks that the controller's firmware takes a value of an enum, where the firmware is known.
     ///
     /// # Errors
     /// It does not.
-    pub fn takes(&self, value: &dyn fmt::Display, limits: &Limits<'_>) -> Result<(), NotSent> {
-        self.exists(&limits.firmware).map_err(|missing| match missing {
+    pub fn takes(&self, value: &dyn fmt::Display, range: &FirmwareRange) -> Result<(), NotSent> {
+        self.exists(range).map_err(|missing| match missing {
             NotSent::NotInFirmware(missing) => NotSent::NotInFirmware(Box::new(missing.with_value(value.to_string()))),
             other @ NotSent::InvalidArgument(_) => other,
         })

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::check::{Limits, NotSent, Place, Rules, Validate};
-use crate::firmware::{FirmwareRange, FirmwareVersion};
+use crate::firmware::FirmwareRange;
 use crate::wire::{Fields, Writer};
 
 /// A request, with the type of its reply.
@@ -75,10 +75,22 @@ pub struct CommandInfo {
     pub firmware: FirmwareRange,
 }
 
+/// What the spec says about a command: of its fields those that are not as for most, which are answered within the client's default
+/// time. For generated code.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __command_info {
+    ($name:expr, $head:expr, $section:expr, $effect:ident $(, $field:ident: $value:expr)* $(,)?) => {{
+        #[allow(unused_mut)]
+        let mut info = $crate::CommandInfo::usual($name, $head, $section, $crate::Effect::$effect);
+        $(info.$field = $value;)*
+        info
+    }};
+}
+
 impl CommandInfo {
-    /// A command that is answered within the client's default time. For generated code.
     #[doc(hidden)]
-    pub const fn new(name: &'static str, head: &'static str, section: &'static str, effect: Effect) -> Self {
+    pub const fn usual(name: &'static str, head: &'static str, section: &'static str, effect: Effect) -> Self {
         Self {
             name,
             head,
@@ -91,62 +103,6 @@ impl CommandInfo {
             bare_reply: None,
             firmware: FirmwareRange::ALL,
         }
-    }
-
-    /// The same for a command that needs some state.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn requires(mut self, requires: &'static [Requirement]) -> Self {
-        self.requires = requires;
-        self
-    }
-
-    /// The same with a deadline of its own.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn deadline_ms(mut self, ms: u64) -> Self {
-        self.deadline = Some(Duration::from_millis(ms));
-        self
-    }
-
-    /// The same for a command whose reply may never come.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn reply_uncertain(mut self) -> Self {
-        self.reply_certain = false;
-        self
-    }
-
-    /// The same for a command that ends the session.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn ends_session(mut self) -> Self {
-        self.ends_session = true;
-        self
-    }
-
-    /// The same for a command that may be answered by a bare Python tuple.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn bare_reply(mut self, key: &'static str) -> Self {
-        self.bare_reply = Some(key);
-        self
-    }
-
-    /// The same for a command that firmware has since this version.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn since<const N: usize>(mut self, numbers: [u32; N]) -> Self {
-        self.firmware.since = Some(FirmwareVersion::new(numbers));
-        self
-    }
-
-    /// The same for a command that firmware has until this version.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn until<const N: usize>(mut self, numbers: [u32; N]) -> Self {
-        self.firmware.until = Some(FirmwareVersion::new(numbers));
-        self
     }
 }
 

@@ -112,6 +112,18 @@ impl FirmwareRange {
     /// All versions.
     pub const ALL: Self = Self { since: None, until: None };
 
+    /// The same, but for versions before this one.
+    #[must_use]
+    pub const fn since<const N: usize>(self, numbers: [u32; N]) -> Self {
+        Self { since: Some(FirmwareVersion::new(numbers)), until: self.until }
+    }
+
+    /// The same, but for versions after this one.
+    #[must_use]
+    pub const fn until<const N: usize>(self, numbers: [u32; N]) -> Self {
+        Self { since: self.since, until: Some(FirmwareVersion::new(numbers)) }
+    }
+
     /// True if the version has it. A number that a version does not give counts as zero: 1.7 has what is there since 1.7.0.
     pub fn contains(&self, version: FirmwareVersion) -> bool {
         let is_begun = self.since.is_none_or(|since| version.numbers >= since.numbers);

@@ -1,5 +1,6 @@
 //! What a field may hold: the ends of a range, text, arrays, what is raw or absent, and the words of a refusal.
 
+use jaka_proto::FirmwareRange;
 use jaka_proto::check::{AdvisoryRanges, InvalidArgument, Limits, NotSent, Place, Rules, Standing, Validate};
 use jaka_proto::wire::{Typed, Value};
 
@@ -84,7 +85,7 @@ fn what_is_absent_or_raw_is_not_checked() {
 fn an_absent_field_may_be_one_that_the_firmware_does_not_have() {
     let firmware = Some("1.5".parse().expect("it is a version"));
     let place = Place::request("set_fan", Rules { firmware, ..Rules::default() });
-    let limits = Limits::NONE.since([1, 6]);
+    let limits = Limits { firmware: FirmwareRange::ALL.since([1, 6]), ..Limits::NONE };
     assert_eq!(place.check("fan", &None::<f64>, &limits), Ok(()));
     for value in [&Some(1.0) as &dyn Validate, &1.0, &Typed::Known(1.0), &vec![1.0]] {
         assert!(matches!(place.check("fan", value, &limits), Err(NotSent::NotInFirmware(_))));
@@ -135,7 +136,8 @@ fn why_a_request_was_not_sent() {
     assert_eq!(NotSent::InvalidArgument(invalid(true)).to_string(), format!("{text}{hint}"));
     let firmware = Some("1.5".parse().expect("it is a version"));
     let place = Place::request("set_fan", Rules { firmware, ..Rules::default() });
-    let missing = place.check("speed", &1.0, &Limits::NONE.since([1, 6])).expect_err("the firmware is older");
+    let limits = Limits { firmware: FirmwareRange::ALL.since([1, 6]), ..Limits::NONE };
+    let missing = place.check("speed", &1.0, &limits).expect_err("the firmware is older");
     let NotSent::NotInFirmware(inner) = &missing else { panic!("the firmware is older, yet {missing:?}") };
     assert_eq!(missing.to_string(), inner.to_string());
     assert!(missing.to_string().contains("1.6"), "{missing}");

@@ -3,7 +3,7 @@
 use jaka_proto::check::{AdvisoryRanges, Limits, NotSent, Place, Rules, Validate};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::wire::{DecodeError, Encode, Fields, Reader, Writer};
-use jaka_proto::{Command, CommandInfo, Effect, FirmwareRange, FirmwareVersion, NotInFirmware, Request};
+use jaka_proto::{Command, CommandInfo, FirmwareRange, FirmwareVersion, NotInFirmware, Request};
 
 fn version(text: &str) -> FirmwareVersion {
     text.parse().expect("the text is a version")
@@ -85,24 +85,29 @@ impl Fields for SetFan {
     }
 }
 
+fn in_firmware(firmware: FirmwareRange) -> Limits<'static> {
+    Limits { firmware, ..Limits::NONE }
+}
+
 impl Validate for SetFan {
     fn validate(&self, place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
-        place.check("curve", &self.curve, &Limits::NONE.since([1, 6]))?;
+        place.check("curve", &self.curve, &in_firmware(FirmwareRange::ALL.since([1, 6])))?;
         place.check("points", &self.points, &Limits::NONE)?;
-        place.check("delay", &self.delay, &Limits { min: Some(0.0), ..Limits::NONE }.until([1, 6]))
+        place.check("delay", &self.delay, &Limits { min: Some(0.0), ..in_firmware(FirmwareRange::ALL.until([1, 6])) })
     }
 }
 
 impl Validate for FanCurve {
     fn validate(&self, place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
-        place.check("quiet", &self.quiet, &Limits::NONE.since([1, 7]))
+        place.check("quiet", &self.quiet, &in_firmware(FirmwareRange::ALL.since([1, 7])))
     }
 }
 
 impl Command for SetFan {
     type Reply = ();
-    const INFO: &'static CommandInfo =
-        &CommandInfo::new("set_fan", "{\"cmdName\":\"set_fan\"", "", Effect::Setting).since([1, 5]).until([1, 7]);
+    const INFO: &'static CommandInfo = &jaka_proto::__command_info!(
+        "set_fan", "{\"cmdName\":\"set_fan\"", "", Setting, firmware: FirmwareRange::ALL.since([1, 5]).until([1, 7]),
+    );
 }
 
 fn check(request: &SetFan, firmware: &str) -> Result<(), NotSent> {
