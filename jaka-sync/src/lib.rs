@@ -29,6 +29,7 @@ mod stop;
 #[cfg(feature = "stream")]
 mod stream;
 mod sync;
+mod worded;
 
 pub use call::Call;
 pub use client::Client;

@@ -5,38 +5,41 @@ use std::fmt;
 use std::time::Duration;
 
 use super::{FollowLag, FollowProgress};
+use crate::worded::worded;
 use crate::{Error, ErrorKind, Outcome, ServoReport};
 
-/// How the following of a trajectory ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum FollowOutcome {
-    /// The arm is at rest at the end of the trajectory, as far as status packets can show that.
-    Completed,
-    /// It was stopped, by a handle or by a [`RobotStop`](crate::RobotStop).
-    Stopped,
-    /// It was not done by its deadline, and stopped along the trajectory.
-    Deadline,
-    /// A guard has tripped, before the arm was at rest: [`FollowEnd::error`] has which, and the packet.
-    Guard,
-    /// The controller refused a set-point.
-    Refused,
-    /// The robot is in a protective stop.
-    ProtectiveStop,
-    /// The emergency stop is pressed.
-    EmergencyStop,
-    /// A set-point was too late: the machine was too busy ([`FollowConfig::max_gap`](crate::FollowConfig::max_gap)).
-    Underrun,
-    /// A joint does not follow its set-points ([`FollowConfig::max_departure`](crate::FollowConfig::max_departure)).
-    Departed,
-    /// The status is stale or cannot be read, or does not show the joints: it is not known whether the robot is stopped, or whether the joints follow.
-    StatusLost,
-    /// The connection for commands is lost, or it stalls.
-    LinkLost,
-    /// The last set-point is the end of the trajectory, and no status packet has shown the arm at rest there.
-    RestNotSeen,
-    /// Something else, which the error says.
-    Failed,
+worded! {
+    /// How the following of a trajectory ended.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum FollowOutcome {
+        /// The arm is at rest at the end of the trajectory, as far as status packets can show that.
+        Completed => "the trajectory was completed",
+        /// It was stopped, by a handle or by a [`RobotStop`](crate::RobotStop).
+        Stopped => "the trajectory was stopped before its end",
+        /// It was not done by its deadline, and stopped along the trajectory.
+        Deadline => "the trajectory was not done by its deadline, and was stopped",
+        /// A guard has tripped, before the arm was at rest: [`FollowEnd::error`] has which, and the packet.
+        Guard => "the trajectory was stopped by a guard",
+        /// The controller refused a set-point.
+        Refused => "the controller refused a set-point",
+        /// The robot is in a protective stop.
+        ProtectiveStop => "the robot is in a protective stop",
+        /// The emergency stop is pressed.
+        EmergencyStop => "the emergency stop is pressed",
+        /// A set-point was too late: the machine was too busy ([`FollowConfig::max_gap`](crate::FollowConfig::max_gap)).
+        Underrun => "a set-point was too late",
+        /// A joint does not follow its set-points ([`FollowConfig::max_departure`](crate::FollowConfig::max_departure)).
+        Departed => "a joint does not follow its set-points",
+        /// The status is stale or cannot be read, or does not show the joints: it is not known whether the robot is stopped, or whether the joints follow.
+        StatusLost => "the state of the robot is no longer known",
+        /// The connection for commands is lost, or it stalls.
+        LinkLost => "the connection for commands is lost or stalls",
+        /// The last set-point is the end of the trajectory, and no status packet has shown the arm at rest there.
+        RestNotSeen => "the arm was not seen at rest at the end of the trajectory",
+        /// Something else, which the error says.
+        Failed => "the trajectory could not be followed",
+    }
 }
 
 impl FollowOutcome {
@@ -68,26 +71,6 @@ impl FollowOutcome {
             ErrorKind::SetPointsUnanswered { .. } => Self::LinkLost,
             _ => Self::Failed,
         }
-    }
-}
-
-impl fmt::Display for FollowOutcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Completed => "the trajectory was completed",
-            Self::Stopped => "the trajectory was stopped before its end",
-            Self::Deadline => "the trajectory was not done by its deadline, and was stopped",
-            Self::Guard => "the trajectory was stopped by a guard",
-            Self::Refused => "the controller refused a set-point",
-            Self::ProtectiveStop => "the robot is in a protective stop",
-            Self::EmergencyStop => "the emergency stop is pressed",
-            Self::Underrun => "a set-point was too late",
-            Self::Departed => "a joint does not follow its set-points",
-            Self::StatusLost => "the state of the robot is no longer known",
-            Self::LinkLost => "the connection for commands is lost or stalls",
-            Self::RestNotSeen => "the arm was not seen at rest at the end of the trajectory",
-            Self::Failed => "the trajectory could not be followed",
-        })
     }
 }
 

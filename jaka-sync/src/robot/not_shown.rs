@@ -1,53 +1,43 @@
 //! What status packets do not show.
 
 use std::error::Error as StdError;
-use std::fmt;
 
 #[cfg(feature = "stream")]
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::wire::DecodeError;
 
 use crate::Snapshot;
+use crate::worded::worded;
 
-/// Why status packets do not show what is asked of them.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum NotShown {
-    /// The packet does not have the field.
-    Absent {
-        /// Its name in [`RobotStatus`](crate::status::RobotStatus).
-        field: String,
-    },
-    /// The packet has the field in a form that does not fit.
-    Unfit {
-        /// Which field, and why.
-        source: DecodeError,
-    },
-    /// The list does not have so many elements.
-    TooShort {
-        /// The list's name in [`RobotStatus`](crate::status::RobotStatus).
-        field: String,
-        /// How many it has.
-        count: usize,
-    },
-    /// The force sensor does not report that it works: switch it on.
-    SensorOff,
-    /// The force sensor reports an error.
-    SensorError {
-        /// Its code, as the controller writes it.
-        code: String,
-    },
-}
-
-impl fmt::Display for NotShown {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Absent { field } => write!(f, "status packets of this controller do not have `{field}`"),
-            Self::Unfit { source } => write!(f, "the newest status packet cannot be read: {source}"),
-            Self::TooShort { field, count } => write!(f, "`{field}` of the status packet has {count} elements"),
-            Self::SensorOff => f.write_str("the sensor does not report that it works; switch it on"),
-            Self::SensorError { code } => write!(f, "the sensor reports error {code}"),
-        }
+worded! {
+    /// Why status packets do not show what is asked of them.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum NotShown {
+        /// The packet does not have the field.
+        Absent {
+            /// Its name in [`RobotStatus`](crate::status::RobotStatus).
+            field: String,
+        } => "status packets of this controller do not have `{field}`",
+        /// The packet has the field in a form that does not fit.
+        Unfit {
+            /// Which field, and why.
+            source: DecodeError,
+        } => "the newest status packet cannot be read: {source}",
+        /// The list does not have so many elements.
+        TooShort {
+            /// The list's name in [`RobotStatus`](crate::status::RobotStatus).
+            field: String,
+            /// How many it has.
+            count: usize,
+        } => "`{field}` of the status packet has {count} elements",
+        /// The force sensor does not report that it works: switch it on.
+        SensorOff => "the sensor does not report that it works; switch it on",
+        /// The force sensor reports an error.
+        SensorError {
+            /// Its code, as the controller writes it.
+            code: String,
+        } => "the sensor reports error {code}",
     }
 }
 
