@@ -16,7 +16,7 @@ use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
 use crate::clock::Clock;
-use crate::link::{Gate, Link, Outgoing, Posting, unexpected};
+use crate::link::{Dispatched, Gate, Link, Outgoing, unexpected};
 use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connection};
 
 /// A connection to a controller's command port.
@@ -161,7 +161,7 @@ impl Client {
     }
 
     /// Sends the first of some commands that have been checked, at least one, in one write.
-    pub(crate) fn post_some<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<Posting, Error> {
+    pub(crate) fn post_some<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<Dispatched, Error> {
         let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
         self.link.post(C::INFO.name, self.config.reply_timeout, gate, commands.len(), write)
     }

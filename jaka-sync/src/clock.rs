@@ -135,7 +135,7 @@ pub(crate) type End = Option<Channel>;
 #[derive(Debug)]
 pub(crate) struct Signal {
     condvar: Condvar,
-    clock: Clock,
+    pub(crate) clock: Clock,
 }
 
 impl Signal {

@@ -18,8 +18,8 @@ mod wait;
 use std::borrow::Cow;
 use std::io;
 use std::net::{Shutdown, SocketAddr};
+use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
-use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::{ReadReply, RequestId};
@@ -31,13 +31,14 @@ use jaka_proto::{Command, CommandInfo};
 pub(crate) use self::failure::unexpected;
 use self::failure::{Progress, disconnected};
 use self::inbound::Inbound;
+pub(crate) use self::outbound::Dispatched;
 pub(crate) use self::outgoing::{Gate, Outgoing, Right};
 pub(crate) use self::posted::{Answers, MOST_OUTSTANDING};
-pub(crate) use self::question::Question;
 use self::state::{Mode, State};
-use crate::clock::{Clock, Signal};
+use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::socket::Socket;
+use crate::sync::Watched;
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.
@@ -51,7 +52,7 @@ use crate::{Config, Disconnect, Error};
 /// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which are the state of
 ///    a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue (`recorder/queue.rs`).
 ///
-/// `turned` goes with `state`. The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
+/// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
 /// a thread takes out of the state and puts back.
 #[derive(Debug)]
 pub(crate) struct Link {
@@ -59,11 +60,10 @@ pub(crate) struct Link {
     clock: Clock,
     /// How long a command may take to go out if no time for its reply is given.
     reply_timeout: Duration,
-    state: Mutex<State>,
+    /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
+    state: Watched<State>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
     stops: AtomicUsize,
-    /// Signalled when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
-    turned: Signal,
 }
 
 /// What changes the frames to which poses refer.
@@ -91,15 +91,6 @@ impl Sent<'_> {
     }
 }
 
-/// What was posted.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Posting {
-    /// How many commands were sent.
-    pub(crate) sent: usize,
-    /// How many posted commands are outstanding.
-    pub(crate) outstanding: usize,
-}
-
 impl Link {
     pub(crate) fn new(stream: impl Into<Socket>, tap: Tap, config: &Config) -> Self {
         let state = State::new(stream.into(), Inbound::new(config.max_frame));
@@ -107,9 +98,8 @@ impl Link {
             tap,
             clock: config.clock.clone(),
             reply_timeout: config.reply_timeout,
-            state: Mutex::new(state),
+            state: Watched::new(&config.clock, state),
             stops: AtomicUsize::new(0),
-            turned: Signal::new(&config.clock),
         }
     }
 
@@ -119,35 +109,35 @@ impl Link {
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
-        let state = self.lock();
+        let state = self.state.lock();
         state.stream.as_ref().map_or_else(|| Err(io::ErrorKind::NotConnected.into()), |stream| stream.peer_addr())
-    }
-
-    /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
-    fn lock(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
     /// What broke the connection, if something did.
     pub(crate) fn broken(&self) -> Option<Arc<Disconnect>> {
-        self.lock().broken.clone()
+        self.state.lock().broken.clone()
     }
 
     /// Fails where the connection is broken, for a command that is not sent.
     pub(crate) fn check_open(&self, command: &str) -> Result<(), Error> {
-        let broken = self.broken();
-        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, Progress::NotSent, cause))))
+        self.check(&self.state.lock(), command, Progress::NotSent)
+    }
+
+    /// Fails where the connection is broken.
+    fn check(&self, state: &State, command: &str, progress: Progress) -> Result<(), Error> {
+        let broken = state.broken.clone();
+        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, progress, cause))))
     }
 
     /// How often commands have gone out that change what poses refer to.
     pub(crate) fn frame_changes(&self) -> u64 {
-        self.lock().frame_changes
+        self.state.lock().frame_changes
     }
 
     /// How many stops have gone out.
     #[cfg_attr(not(feature = "motion"), allow(dead_code, reason = "limits ask"))]
     pub(crate) fn stop_count(&self) -> u64 {
-        self.lock().stops
+        self.state.lock().stops
     }
 
     /// The same error, with the last messages where they are recorded.
@@ -186,10 +176,9 @@ impl Link {
         gate: Gate<'_>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
-    ) -> Result<Posting, Error> {
+    ) -> Result<Dispatched, Error> {
         let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).through(gate).posted();
-        let dispatched = self.transmit(&outgoing, count, write)?;
-        Ok(Posting { sent: dispatched.count, outstanding: dispatched.posted })
+        self.transmit(&outgoing, count, write)
     }
 
     /// Has the socket block or not. It must block where somebody reads it.
@@ -209,13 +198,13 @@ impl Link {
         }
         self.tap.broken(&cause);
         let cause = Arc::clone(state.broken.get_or_insert_with(|| Arc::new(cause)));
-        self.wake(state);
+        self.state.wake();
         cause
     }
 
     /// Closes the connection in good order, since its client is dropped: what is queued is still delivered.
     pub(crate) fn close(&self) {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         if state.broken.is_none() {
             // Unread bytes would turn the close into a reset. A logger's panic must not meet another one here.
             if !std::thread::panicking() {
@@ -229,13 +218,7 @@ impl Link {
     /// Ends the session after a command that ends it.
     pub(crate) fn end(&self, by: &CommandInfo) {
         let cause = Disconnect::Ended { by: by.name.to_owned() };
-        self.break_off(&mut self.lock(), cause);
-    }
-
-    fn wake(&self, state: &State) {
-        if state.sleepers > 0 {
-            self.turned.notify_all();
-        }
+        self.break_off(&mut self.state.lock(), cause);
     }
 }
 

@@ -12,7 +12,7 @@ mod interleavings;
 use std::any::Any;
 use std::fmt::{self, Display};
 use std::ops::ControlFlow;
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -24,12 +24,12 @@ use self::observer::Observers;
 pub use self::reconnect::Reconnect;
 use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
-use self::subscription::Queue;
 pub use self::subscription::Subscription;
+use self::subscription::{Items, Queue};
 use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::socket::Socket;
-use crate::sync::{Mutex, MutexGuard, Signal};
+use crate::sync::{MutexGuard, Watched};
 use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
 
 /// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that wait for a state.
@@ -101,11 +101,7 @@ impl<S> Snapshot<S> {
 /// What the thread and the monitor share.
 ///
 /// The order of locks stands at [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.
-#[derive(Debug)]
-struct Board<S> {
-    state: Mutex<State<S>>,
-    changed: Signal,
-}
+type Board<S> = Watched<State<S>>;
 
 #[derive(Debug)]
 struct State<S> {
@@ -127,13 +123,11 @@ struct State<S> {
     resumed: Option<Instant>,
     /// How often waiting threads were told to check again.
     wakes: u64,
-    /// Threads that wait for a change.
-    sleepers: usize,
 }
 
-impl<S> Board<S> {
-    fn new(clock: &Clock, stream: Option<Arc<Socket>>, tap: Tap) -> Self {
-        let state = State {
+impl<S> State<S> {
+    fn new(stream: Option<Arc<Socket>>, tap: Tap) -> Self {
+        Self {
             latest: None,
             counters: Counters::default(),
             queues: Vec::new(),
@@ -146,31 +140,16 @@ impl<S> Board<S> {
             reconnecting: false,
             resumed: None,
             wakes: 0,
-            sleepers: 0,
-        };
-        Self { state: Mutex::new(state), changed: Signal::new(clock) }
-    }
-
-    fn lock(&self) -> MutexGuard<'_, State<S>> {
-        // Every change is made whole before the lock is left.
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn wait<'b>(&'b self, mut state: MutexGuard<'b, State<S>>, time: Duration) -> MutexGuard<'b, State<S>> {
-        state.sleepers += 1;
-        let mut state = self.changed.wait(&self.state, state, time);
-        state.sleepers -= 1;
-        state
-    }
-
-    /// Wakes the threads that wait. If none does, which is usual, it takes no system call.
-    fn wake(&self, mut state: MutexGuard<'_, State<S>>) {
-        state.wakes += 1;
-        let sleepers = state.sleepers;
-        drop(state);
-        if sleepers > 0 {
-            self.changed.notify_all();
         }
+    }
+}
+
+impl<S> Board<S> {
+    /// Has the threads that wait check again.
+    fn tell(&self, mut state: MutexGuard<'_, State<S>>) {
+        state.wakes += 1;
+        drop(state);
+        self.wake();
     }
 }
 
@@ -188,7 +167,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let (stream, tap) = connection::connect(address, Port::Status, config)?;
         let stream = Arc::new(stream);
-        let board = Arc::new(Board::new(&config.clock, Some(Arc::clone(&stream)), tap.clone()));
+        let board = Arc::new(Board::new(&config.clock, State::new(Some(Arc::clone(&stream)), tap.clone())));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let place = config.clock.servant();
@@ -306,7 +285,9 @@ impl<S: 'static> Monitor<S> {
     where
         S: Send + Sync,
     {
-        Waker { board: Arc::<Board<S>>::clone(&self.board) }
+        let board = Arc::clone(&self.board);
+        // With the lock, so that no thread is between checking and waiting.
+        Waker(Arc::new(move || board.tell(board.lock())))
     }
 
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
@@ -330,14 +311,14 @@ impl<S: 'static> Monitor<S> {
 
     /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and counted.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
-        let queue = Arc::new(Queue::new(&self.clock, capacity));
+        let queue = Arc::new(Queue::new(&self.clock, Items::new(capacity)));
         let mut state = self.board.lock();
         if state.ended.is_some() {
             queue.close();
         } else {
             state.queues.push(Arc::clone(&queue));
         }
-        Subscription::new(queue)
+        Subscription { queue }
     }
 
     /// Calls `call` with every packet from now on, on the monitor's own thread, until it returns `Break`.
@@ -365,31 +346,17 @@ impl<S: 'static> Monitor<S> {
 
 /// Wakes the threads that watch a monitor.
 #[derive(Clone)]
-pub(crate) struct Waker {
-    board: Arc<dyn Wake>,
-}
+pub(crate) struct Waker(Arc<dyn Fn() + Send + Sync>);
 
 impl Waker {
     pub(crate) fn wake(&self) {
-        self.board.wake_all();
+        (self.0)();
     }
 }
 
 impl fmt::Debug for Waker {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Waker").finish_non_exhaustive()
-    }
-}
-
-/// A board, whatever is kept of packets.
-trait Wake: Send + Sync {
-    fn wake_all(&self);
-}
-
-impl<S: Send + Sync> Wake for Board<S> {
-    fn wake_all(&self) {
-        // With the lock, so that no thread is between checking and waiting.
-        self.wake(self.lock());
     }
 }
 
@@ -427,7 +394,7 @@ impl<S> Drop for Monitor<S> {
             // An error here means that the connection has ended already.
             let _ = stream.shutdown(std::net::Shutdown::Both);
         }
-        self.board.wake(state);
+        self.board.tell(state);
         // An observer may drop the monitor: the thread that calls it cannot wait for its own end.
         if let Some(thread) = self.thread.take().filter(|thread| thread.thread().id() != std::thread::current().id()) {
             // A panic there has been reported.

@@ -21,15 +21,6 @@ pub(crate) enum Chunk {
     TimeUp,
 }
 
-/// What a read of what has come left.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Rest {
-    /// There may be more.
-    Perhaps,
-    /// It was all that had come by then: there was room for more.
-    Nothing,
-}
-
 /// The read timeout that the socket has, so that it is set only where it must change.
 #[derive(Debug, Default)]
 pub(crate) struct Timeout(Duration);
@@ -69,33 +60,23 @@ pub(crate) fn chunk(
         return Ok(Chunk::TimeUp);
     }
     timeout.set(stream, left).map_err(Disconnect::Read)?;
-    let room = framer.spare().len();
-    Ok(match once(stream, tap, framer, left)? {
-        Some(0) => Chunk::TimeUp,
-        Some(len) if len < room => Chunk::All,
-        _ => Chunk::Part,
-    })
+    arrived(stream, tap, framer, left)
 }
 
-/// Reads once what has come, from a socket that does not block.
-pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer) -> Result<Rest, Disconnect> {
+/// Reads once. From a socket that does not block, what has come; from another one as long as its timeout, or, by a simulated clock, for `left`.
+pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Chunk, Disconnect> {
     let room = framer.spare().len();
-    let len = once(stream, tap, framer, Duration::ZERO)?;
-    Ok(if len.is_some_and(|len| len < room) { Rest::Nothing } else { Rest::Perhaps })
-}
-
-/// Reads once: how many bytes, with 0 for nothing in time; `None` if a signal came first.
-fn once(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Option<usize>, Disconnect> {
     match stream.read(framer.spare(), left) {
         Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
         Ok(len) => {
             framer.filled(len);
             tap.arrived();
-            Ok(Some(len))
+            Ok(if len < room { Chunk::All } else { Chunk::Part })
         }
         Err(error) => match error.kind() {
-            ErrorKind::WouldBlock | ErrorKind::TimedOut => Ok(Some(0)),
-            ErrorKind::Interrupted => Ok(None),
+            ErrorKind::WouldBlock | ErrorKind::TimedOut => Ok(Chunk::TimeUp),
+            // A signal came first.
+            ErrorKind::Interrupted => Ok(Chunk::Part),
             _ => Err(Disconnect::Read(error)),
         },
     }

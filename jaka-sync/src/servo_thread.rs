@@ -1,10 +1,11 @@
 //! Threads with a robot of their own, whose set-points go out while the program does something else.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 use std::{mem, thread};
 
-use crate::clock::{Clock, Signal};
+use crate::clock::Clock;
+use crate::sync::Watched;
 use crate::{Error, ErrorKind, MotionStatus, Robot};
 
 /// A thread that has a lent robot. Who waits for it waits in the clock's time.
@@ -37,7 +38,7 @@ impl<T: Send + 'static> ServoThread<T> {
         };
         let spawned = thread::Builder::new().name(name.to_owned()).spawn(move || place.run(act));
         spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
-        let begun = begun.wait().ok_or_else(panicked)??;
+        let begun = begun.take().ok_or_else(panicked)??;
         Ok((Self { end, was_awaited: false }, begun))
     }
 
@@ -49,7 +50,7 @@ impl<T: Send + 'static> ServoThread<T> {
     /// Waits for the end.
     pub(crate) fn join(&mut self) -> Result<T, Error> {
         self.was_awaited = true;
-        self.end.wait().ok_or_else(panicked)
+        self.end.take().ok_or_else(panicked)
     }
 }
 
@@ -58,11 +59,7 @@ fn panicked() -> Error {
 }
 
 /// What a thread gives another once.
-#[derive(Debug)]
-struct Mailbox<T> {
-    letter: Mutex<Letter<T>>,
-    changed: Signal,
-}
+type Mailbox<T> = Watched<Letter<T>>;
 
 #[derive(Debug)]
 enum Letter<T> {
@@ -73,16 +70,16 @@ enum Letter<T> {
 }
 
 fn mailbox<T>(clock: &Clock) -> (Arc<Mailbox<T>>, Giver<T>) {
-    let mailbox = Arc::new(Mailbox { letter: Mutex::new(Letter::Awaited), changed: Signal::new(clock) });
+    let mailbox = Arc::new(Mailbox::new(clock, Letter::Awaited));
     (Arc::clone(&mailbox), Giver(mailbox))
 }
 
 impl<T> Mailbox<T> {
     /// What was given; none where the giver has ended, or it was taken.
-    fn wait(&self) -> Option<T> {
+    fn take(&self) -> Option<T> {
         let mut letter = self.lock();
         while matches!(*letter, Letter::Awaited) {
-            letter = self.changed.wait(&self.letter, letter, Duration::MAX);
+            letter = self.wait(letter, Duration::MAX);
         }
         match mem::replace(&mut *letter, Letter::Gone) {
             Letter::Here(given) => Some(given),
@@ -96,12 +93,7 @@ impl<T> Mailbox<T> {
             *place = letter;
         }
         drop(place);
-        self.changed.notify_all();
-    }
-
-    /// Every change is made whole before the lock is left.
-    fn lock(&self) -> MutexGuard<'_, Letter<T>> {
-        self.letter.lock().unwrap_or_else(PoisonError::into_inner)
+        self.wake();
     }
 }
 

@@ -1,4 +1,10 @@
-//! Locks and signals of the monitor: those of std, or with `--cfg shuttle` those whose interleavings a test goes through.
+//! State that threads share, by the locks and signals of std; with `--cfg shuttle` by those whose interleavings a test goes through.
+
+use std::sync::PoisonError;
+#[cfg(feature = "stream")]
+use std::sync::TryLockError;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 #[cfg(not(all(test, shuttle)))]
 pub(crate) use std::sync::{Mutex, MutexGuard};
@@ -6,11 +12,72 @@ pub(crate) use std::sync::{Mutex, MutexGuard};
 #[cfg(all(test, shuttle))]
 pub(crate) use shuttle::sync::{Mutex, MutexGuard};
 
-#[cfg(not(all(test, shuttle)))]
-pub(crate) use crate::clock::Signal;
-
 #[cfg(all(test, shuttle))]
-pub(crate) use self::shuttled::Signal;
+use self::shuttled::Signal;
+use crate::clock::Clock;
+#[cfg(not(all(test, shuttle)))]
+use crate::clock::Signal;
+
+/// State that threads share, and for whose changes they wait in the time of a clock.
+#[derive(Debug)]
+pub(crate) struct Watched<T> {
+    state: Mutex<T>,
+    changed: Signal,
+    /// How many threads wait. It grows under the lock.
+    sleepers: AtomicUsize,
+}
+
+impl<T> Watched<T> {
+    pub(crate) fn new(clock: &Clock, state: T) -> Self {
+        Self { state: Mutex::new(state), changed: Signal::new(clock), sleepers: AtomicUsize::new(0) }
+    }
+
+    /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
+    pub(crate) fn lock(&self) -> MutexGuard<'_, T> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The same unless another thread has it locked.
+    #[cfg(feature = "stream")]
+    pub(crate) fn try_lock(&self) -> Option<MutexGuard<'_, T>> {
+        match self.state.try_lock() {
+            Ok(state) => Some(state),
+            Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) => None,
+        }
+    }
+
+    /// The clock by which threads wait.
+    pub(crate) fn clock(&self) -> &Clock {
+        &self.changed.clock
+    }
+
+    /// Waits until it is told of a change, or so long, or less.
+    pub(crate) fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
+        self.sleepers.fetch_add(1, Ordering::Relaxed);
+        let state = self.changed.wait(&self.state, state, time);
+        self.sleepers.fetch_sub(1, Ordering::Relaxed);
+        state
+    }
+
+    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
+    pub(crate) fn wake(&self) {
+        if self.sleepers() > 0 {
+            self.changed.notify_all();
+        }
+    }
+
+    /// How many threads wait.
+    pub(crate) fn sleepers(&self) -> usize {
+        self.sleepers.load(Ordering::Relaxed)
+    }
+}
+
+/// Locks what is only read and changed, each change made whole before the lock is left: after a panic it can be used on.
+#[allow(unused_qualifications, reason = "with shuttle the other locks of this file are its own")]
+pub(crate) fn lock<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 #[cfg(all(test, shuttle))]
 mod shuttled {
@@ -23,15 +90,18 @@ mod shuttled {
 
     /// A signal whose interleavings a test goes through.
     #[derive(Debug)]
-    pub(crate) struct Signal(Condvar);
+    pub(crate) struct Signal {
+        condvar: Condvar,
+        pub(crate) clock: Clock,
+    }
 
     impl Signal {
-        pub(crate) fn new(_clock: &Clock) -> Self {
-            Self(Condvar::new())
+        pub(crate) fn new(clock: &Clock) -> Self {
+            Self { condvar: Condvar::new(), clock: clock.clone() }
         }
 
         pub(crate) fn notify_all(&self) {
-            self.0.notify_all();
+            self.condvar.notify_all();
         }
 
         pub(crate) fn wait<'m, T>(
@@ -40,7 +110,7 @@ mod shuttled {
             guard: MutexGuard<'m, T>,
             time: Duration,
         ) -> MutexGuard<'m, T> {
-            self.0.wait_timeout(guard, time).unwrap_or_else(PoisonError::into_inner).0
+            self.condvar.wait_timeout(guard, time).unwrap_or_else(PoisonError::into_inner).0
         }
     }
 }

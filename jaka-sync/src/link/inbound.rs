@@ -11,7 +11,7 @@ use jaka_proto::{Envelope, read_envelope};
 
 use super::Link;
 use super::state::{Mode, State};
-use crate::receive::{self, Chunk, Rest};
+use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::socket::Socket;
 use crate::{Disconnect, ports};
@@ -110,7 +110,7 @@ impl Link {
     pub(super) fn put_back(&self, state: &mut State, mut inbound: Box<Inbound>) {
         let payload = inbound.panic.take();
         state.inbound = Some(inbound);
-        self.wake(state);
+        self.state.wake();
         if let Some(payload) = payload {
             panic::resume_unwind(payload);
         }
@@ -131,9 +131,9 @@ impl Link {
             Self::switch(state, Mode::Nonblocking).map_err(Disconnect::Read)?;
             let Some(stream) = state.stream.clone() else { return Ok(()) };
             loop {
-                let rest = receive::arrived(&stream, &self.tap, &mut inbound.framer);
+                let chunk = receive::arrived(&stream, &self.tap, &mut inbound.framer, Duration::ZERO);
                 self.attribute_all(inbound, state)?;
-                if rest? == Rest::Nothing {
+                if chunk? != Chunk::Part {
                     return Ok(());
                 }
             }

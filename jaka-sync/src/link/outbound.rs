@@ -60,13 +60,13 @@ impl Timeout {
 
 /// What went out.
 #[derive(Debug)]
-pub(super) struct Dispatched {
+pub(crate) struct Dispatched {
     /// The last of the commands.
     pub(super) last: RequestId,
-    /// How many commands.
-    pub(super) count: usize,
+    /// How many commands were sent.
+    pub(crate) sent: usize,
     /// How many posted commands are outstanding.
-    pub(super) posted: usize,
+    pub(crate) outstanding: usize,
 }
 
 impl Link {
@@ -94,10 +94,10 @@ impl Link {
         let written = self.write(outbound, &stream, outgoing);
         // Before the lock: after a reset this closes the socket.
         drop(stream);
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         let sent = self.written(&mut state, outbound, outgoing, written);
         state.outbound = turn.outbound.take();
-        self.wake(&state);
+        self.state.wake();
         drop(state);
         sent.map_err(|error| self.attach(error))
     }
@@ -144,7 +144,7 @@ impl Link {
 
     /// Has the socket block, so that the next write waits in it.
     fn wait_in_writes(&self) -> io::Result<()> {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         if state.broken.is_some() {
             return Err(io::ErrorKind::NotConnected.into());
         }
@@ -161,10 +161,10 @@ impl Link {
     ) -> Result<Dispatched, Error> {
         let cause = match written {
             Ok(len) if len == outbound.out.as_str().len() => {
-                let count = outbound.requests.len();
+                let (sent, outstanding) = (outbound.requests.len(), state.exchange.posted_outstanding());
                 // There is one at least, unless nothing was to be sent.
                 let last = outbound.requests.last().map_or_else(RequestId::default, |(_, request)| *request);
-                return Ok(Dispatched { last, count, posted: state.exchange.posted_outstanding() });
+                return Ok(Dispatched { last, sent, outstanding });
             }
             Ok(0) => match withdraw(state, outbound) {
                 Ok(()) => return Err(outgoing.not_sent()),

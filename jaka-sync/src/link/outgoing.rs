@@ -1,7 +1,6 @@
 //! What goes out, and until when.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::time::Duration;
 
 use jaka_proto::CommandInfo;
@@ -71,11 +70,5 @@ impl<'o> Outgoing<'o> {
 
     pub(super) fn not_sent(&self) -> Error {
         not_sent_in_time(self.command, self.timeout)
-    }
-}
-
-impl fmt::Debug for Outgoing<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Outgoing").field("command", &self.command).field("right", &self.right).finish_non_exhaustive()
     }
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_proto::exchange::Waiter;
 
 use super::Link;
-use super::failure::{Progress, disconnected, failed, not_sent_in_time};
+use super::failure::{Progress, failed, not_sent_in_time};
 use super::state::State;
 use crate::{Disconnect, Error};
 
@@ -26,7 +26,7 @@ impl Link {
     /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection is
     /// broken. Where another thread is reading, what it has read so far has to do.
     pub(crate) fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         if let Err(cause) = self.attribute_arrived(&mut state) {
             self.break_off(&mut state, cause);
         }
@@ -36,7 +36,7 @@ impl Link {
     /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
     /// their outcomes; and an error if the connection is broken.
     pub(crate) fn wait_for_posted(&self, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         let mut checked = Ok(());
         while state.exchange.posted_outstanding() > most && checked.is_ok() {
             let Some(oldest) = state.exchange.oldest_posted() else { break };
@@ -55,13 +55,13 @@ impl Link {
 
     /// How many more commands may be posted: none where too many requests are outstanding, also those that were given up.
     pub(crate) fn room(&self) -> usize {
-        MOST_OUTSTANDING.saturating_sub(self.lock().exchange.outstanding())
+        MOST_OUTSTANDING.saturating_sub(self.state.lock().exchange.outstanding())
     }
 
     /// Waits until there is [`room`](Self::room) to post `command`.
     pub(crate) fn wait_for_room(&self, command: &str, timeout: Duration) -> Result<(), Error> {
         let since = self.clock.stopwatch();
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         while state.exchange.outstanding() >= MOST_OUTSTANDING {
             self.check(&state, command, Progress::NotSent)?;
             let left = since.left_of(timeout);
@@ -75,23 +75,23 @@ impl Link {
 
     /// How many posted commands are outstanding.
     pub(crate) fn outstanding(&self) -> usize {
-        self.lock().exchange.posted_outstanding()
+        self.state.lock().exchange.posted_outstanding()
     }
 
     /// True if nothing is outstanding, also nothing that was given up.
     pub(crate) fn is_idle(&self) -> bool {
-        self.lock().exchange.outstanding() == 0
+        self.state.lock().exchange.outstanding() == 0
     }
 
     /// For how long the oldest posted command has been outstanding; none if none is.
     pub(crate) fn oldest_posted(&self) -> Option<Duration> {
-        self.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
+        self.state.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
     }
 
     /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the outcomes of the
     /// others, and says how many were abandoned.
     pub(crate) fn forget_posted(&self) -> (Answers, u64) {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         // A pipeline is dropped also while a panic unwinds, which a logger's must not meet.
         let arrived = if std::thread::panicking() { Ok(()) } else { self.attribute_arrived(&mut state) };
         if let Err(cause) = arrived {
@@ -105,10 +105,5 @@ impl Link {
         let outcomes = state.exchange.take_posted_outcomes();
         let errors = outcomes.failed.into_iter().map(|(command, failure)| self.attach(failed(command, failure)));
         Answers { accepted: outcomes.accepted, failed: errors.collect() }
-    }
-
-    fn check(&self, state: &State, command: &str, progress: Progress) -> Result<(), Error> {
-        let broken = state.broken.clone();
-        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, progress, cause))))
     }
 }

@@ -3,43 +3,34 @@
 use std::time::Duration;
 
 use jaka_proto::CommandInfo;
-use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
+use jaka_proto::exchange::{ReadReply, Waiter};
 use jaka_proto::wire::Writer;
 
-use super::{Link, Outgoing};
+use super::{Link, Outgoing, Sent};
 use crate::Error;
 
-/// A command that was sent, and whose reply has no deadline: see [`Link::poll`].
-///
-/// [`Link::forget`] gives up a reply that is no longer wanted.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Question {
-    request: RequestId,
-    command: &'static str,
-}
-
 impl Link {
-    /// Sends a command whose reply is polled for. A send that takes longer than the reply timeout fails.
+    /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll). [`forget`](Self::forget) gives up a reply that is no longer
+    /// wanted. A send that takes longer than the reply timeout fails.
     pub(crate) fn ask(
         &self,
         info: &'static CommandInfo,
         write: &mut dyn FnMut(&mut Writer),
-    ) -> Result<Question, Error> {
-        let sent = self.send(&Outgoing::of(&self.clock, info, self.reply_timeout), write)?;
-        Ok(Question { request: sent.request, command: info.name })
+    ) -> Result<Sent<'static>, Error> {
+        self.send(&Outgoing::of(&self.clock, info, self.reply_timeout), write)
     }
 
     /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if it has not come
     /// by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an error, which answers the question too.
     pub(crate) fn poll(
         &self,
-        question: &Question,
+        question: &Sent<'_>,
         slice: Duration,
         text: &mut String,
         reader: &mut dyn ReadReply,
     ) -> Result<bool, Error> {
         let (since, mut waiter) = (self.clock.now(), Waiter::new(question.request, text, reader));
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         if slice.is_zero() {
             if let Err(cause) = self.attribute_arrived(&mut state) {
                 self.break_off(&mut state, cause);
@@ -51,7 +42,7 @@ impl Link {
     }
 
     /// Abandons a question: its reply is discarded when it comes.
-    pub(crate) fn forget(&self, question: &Question) {
-        self.lock().exchange.abandon(question.request);
+    pub(crate) fn forget(&self, question: &Sent<'_>) {
+        self.state.lock().exchange.abandon(question.request);
     }
 }

@@ -19,13 +19,13 @@ impl Link {
     /// it, and so does a close while another thread blocks in a read. So each thread that reads or writes is woken, the last to leave closes the socket,
     /// and this waits for that. What the network or the controller holds cannot be recalled.
     pub(crate) fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         let broken = state.broken.get_or_insert_with(|| {
             self.tap.broken(&cause);
             Arc::new(cause)
         });
         let broken = Arc::clone(broken);
-        self.wake(&state);
+        self.state.wake();
         let Some(stream) = state.stream.take() else { return broken };
         // An error here means that the socket is closed already.
         let _ = SockRef::from(stream.system()).set_linger(Some(Duration::ZERO));
@@ -36,7 +36,7 @@ impl Link {
         drop(stream);
         let since = self.clock.stopwatch();
         while others.strong_count() > 0 && since.passed() < LEAVING {
-            state = self.sleep(state, LEAVING);
+            state = self.state.wait(state, LEAVING);
         }
         broken
     }

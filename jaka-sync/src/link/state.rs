@@ -22,7 +22,6 @@ pub(super) struct State {
     /// The receiving half; none while a thread reads.
     pub(super) inbound: Option<Box<Inbound>>,
     pub(super) mode: Mode,
-    pub(super) sleepers: usize,
     pub(super) broken: Option<Arc<Disconnect>>,
     /// How often commands have gone out that change what poses refer to.
     pub(super) frame_changes: u64,
@@ -45,7 +44,6 @@ impl State {
             outbound: Some(Box::default()),
             inbound: Some(Box::new(inbound)),
             mode: Mode::Blocking,
-            sleepers: 0,
             broken: None,
             frame_changes: 0,
             stops: 0,

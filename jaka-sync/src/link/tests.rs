@@ -37,7 +37,7 @@ fn sockets(send_buffer: usize) -> (TcpStream, TcpStream) {
 fn connection(mode: Mode) -> (Link, TcpStream) {
     let (stream, server) = sockets(4096);
     let link = Link::new(stream, Tap::default(), &Config::new());
-    Link::switch(&mut link.lock(), mode).expect("the socket is open");
+    Link::switch(&mut link.state.lock(), mode).expect("the socket is open");
     (link, server)
 }
 
@@ -58,7 +58,7 @@ fn reply(name: &str, code: u8, message: &str) -> String {
 
 /// How many requests are outstanding, and how many of them are posted.
 fn outstanding(link: &Link) -> (usize, usize) {
-    let state = link.lock();
+    let state = link.state.lock();
     (state.exchange.outstanding(), state.exchange.posted_outstanding())
 }
 

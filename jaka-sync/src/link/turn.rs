@@ -1,14 +1,14 @@
 //! Whose turn it is to send.
 
-use std::sync::MutexGuard;
 use std::sync::atomic::Ordering;
 
 use super::Link;
-use super::failure::{Progress, disconnected};
+use super::failure::Progress;
 use super::outbound::Outbound;
 use super::outgoing::{Outgoing, Right};
 use super::state::State;
 use crate::Error;
+use crate::sync::MutexGuard;
 
 /// The turn to send, which the next one has when this is dropped.
 #[derive(Debug)]
@@ -21,9 +21,8 @@ pub(super) struct Turn<'l> {
 impl Drop for Turn<'_> {
     fn drop(&mut self) {
         if let Some(outbound) = self.outbound.take() {
-            let mut state = self.link.lock();
-            state.outbound = Some(outbound);
-            self.link.wake(&state);
+            self.link.state.lock().outbound = Some(outbound);
+            self.link.state.wake();
         }
     }
 }
@@ -42,22 +41,22 @@ impl<'l> Passing<'l> {
 impl Drop for Passing<'_> {
     fn drop(&mut self) {
         self.0.stops.fetch_sub(1, Ordering::SeqCst);
-        self.0.wake(&self.0.lock());
+        // With the lock, so that no thread is between checking and waiting.
+        let _state = self.0.state.lock();
+        self.0.state.wake();
     }
 }
 
 impl Link {
     /// Waits until no other thread sends, and no stop waits to.
     pub(super) fn take_turn<'l>(&'l self, outgoing: &Outgoing<'_>) -> Result<(Turn<'l>, MutexGuard<'l, State>), Error> {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         loop {
             // None of what has been read and not attributed is a reply to a command that goes out now.
             if let Err(cause) = self.attribute_read(&mut state) {
                 self.break_off(&mut state, cause);
             }
-            if let Some(cause) = state.broken.clone() {
-                return Err(self.attach(disconnected(outgoing.command, Progress::NotSent, cause)));
-            }
+            self.check(&state, outgoing.command, Progress::NotSent)?;
             let lets_pass = outgoing.right == Right::Usual && self.stops.load(Ordering::SeqCst) > 0;
             if !lets_pass && state.outbound.is_some() {
                 return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
@@ -66,7 +65,7 @@ impl Link {
             if left.is_zero() {
                 return Err(self.attach(outgoing.not_sent()));
             }
-            state = self.sleep(state, left);
+            state = self.state.wait(state, left);
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Waiting for replies.
 
-use std::sync::MutexGuard;
 use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::{ReadReply, Waiter};
@@ -8,6 +7,7 @@ use jaka_proto::exchange::{ReadReply, Waiter};
 use super::failure::{Progress, disconnected, failed, timed_out};
 use super::state::{Mode, State};
 use super::{Link, Sent};
+use crate::sync::MutexGuard;
 use crate::{Disconnect, Error};
 
 impl Link {
@@ -15,7 +15,7 @@ impl Link {
     /// error.
     pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, reader: &mut dyn ReadReply) -> Result<(), Error> {
         let mut waiter = Waiter::new(sent.request, text, reader);
-        let (mut state, outcome) = self.outcome(self.lock(), sent.command, &mut waiter, sent.since, sent.timeout);
+        let (mut state, outcome) = self.outcome(self.state.lock(), sent.command, &mut waiter, sent.since, sent.timeout);
         let outcome = outcome.unwrap_or_else(|| Err(self.give_up(&mut state, sent)));
         drop(state);
         outcome.map_err(|error| self.attach(error))
@@ -56,7 +56,7 @@ impl Link {
         let Some(stream) = state.stream.clone() else { return state };
         let Some(mut inbound) = state.inbound.take() else {
             drop(stream);
-            return self.sleep(state, left);
+            return self.state.wait(state, left);
         };
         // What has been read before comes first: it may be all that anybody waits for.
         let mut attributed = inbound.attribute(&self.tap, &mut state.exchange, waiter);
@@ -68,7 +68,7 @@ impl Link {
             let read = inbound.read(&stream, &self.tap, left);
             // Before the lock: after a reset this closes the socket.
             drop(stream);
-            state = self.lock();
+            state = self.state.lock();
             let count = inbound.attribute(&self.tap, &mut state.exchange, waiter);
             attributed = count.and_then(|count| read.map(|_| count));
         }
@@ -77,13 +77,6 @@ impl Link {
             self.break_off(&mut state, cause);
         }
         self.put_back(&mut state, inbound);
-        state
-    }
-
-    pub(super) fn sleep<'l>(&'l self, mut state: MutexGuard<'l, State>, left: Duration) -> MutexGuard<'l, State> {
-        state.sleepers += 1;
-        let mut state = self.turned.wait(&self.state, state, left);
-        state.sleepers -= 1;
         state
     }
 

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use shuttle::thread;
 
 use super::thread::Worker;
-use super::{Board, Monitor, Snapshot};
+use super::{Board, Monitor, Snapshot, State};
 use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Reconnect};
@@ -30,7 +30,7 @@ fn check(test: fn()) {
 
 /// A monitor without a connection, and what its thread would be.
 fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
-    let board = Arc::new(Board::new(&config.clock, None, Tap::default()));
+    let board = Arc::new(Board::new(&config.clock, State::new(None, Tap::default())));
     let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
     (Arc::new(Monitor { board, clock: config.clock.clone(), thread: None, timeout: LONG, stale_after: LONG }), worker)
 }

@@ -63,7 +63,7 @@ impl<S: Decode> Worker<S> {
         for queue in state.queues.drain(..) {
             queue.close();
         }
-        self.board.wake(state);
+        self.board.tell(state);
     }
 
     fn record_end(&self, cause: &Disconnect) {
@@ -197,7 +197,7 @@ impl<S: Decode> Worker<S> {
             self.hand_out(&snapshot);
         }
         self.passed = to_hand_out;
-        self.board.wake(self.board.lock());
+        self.board.tell(self.board.lock());
     }
 
     /// To the queues and the observers.

@@ -3,12 +3,13 @@
 use std::collections::VecDeque;
 use std::io;
 use std::mem;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
 use jaka_proto::recording::{Entry, Event};
 
 use super::RecorderReport;
+use crate::sync::lock;
 
 /// How long entries are gathered before they are written, so that the writer is not woken for each of them.
 const GATHERING: Duration = Duration::from_millis(5);
@@ -42,14 +43,9 @@ impl Queue {
         Self { state: Mutex::default(), changed: Condvar::new(), limit }
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
-        // Every change is made whole before the lock is left.
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Adds an entry, or counts it as dropped where there is no room.
     pub(super) fn push(&self, entry: &Arc<Entry>) {
-        let mut state = self.lock();
+        let mut state = lock(&self.state);
         if state.closed {
             return;
         }
@@ -67,7 +63,7 @@ impl Queue {
 
     /// All entries that wait, some milliseconds after the first of them; `None` once the recording has ended.
     pub(super) fn next_batch(&self) -> Option<VecDeque<Arc<Entry>>> {
-        let mut state = self.lock();
+        let mut state = lock(&self.state);
         while state.waiting.is_empty() {
             if state.closed {
                 return None;
@@ -95,13 +91,13 @@ impl Queue {
 
     /// Ends the recording: what waits is still written.
     pub(super) fn close(&self) {
-        self.lock().closed = true;
+        lock(&self.state).closed = true;
         self.changed.notify_all();
     }
 
     /// Waits until the writer has ended.
     pub(super) fn wait_until_done(&self) -> io::Result<RecorderReport> {
-        let mut state = self.lock();
+        let mut state = lock(&self.state);
         loop {
             match &state.ended {
                 Some(Ok(())) => return Ok(state.report),
@@ -144,7 +140,7 @@ struct End<'q> {
 
 impl Drop for End<'_> {
     fn drop(&mut self) {
-        let mut state = self.queue.lock();
+        let mut state = lock(&self.queue.state);
         state.ended = Some(mem::replace(&mut self.ended, Ok(())));
         state.waiting.clear();
         drop(state);

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 use std::error::Error as StdError;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
@@ -10,6 +10,7 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
 use super::exchanges::KEPT;
 use super::track::Track;
 use crate::socket::Socket;
+use crate::sync::lock;
 use crate::{Config, Disconnect, Error};
 
 /// What a connection reports to its recorder; nothing where there is none.
@@ -43,7 +44,7 @@ impl Tap {
     /// The connection is made.
     pub(crate) fn connected(&self, stream: &Socket) {
         let Some(connection) = &self.0 else { return };
-        connection.lock().is_open = true;
+        lock(&connection.state).is_open = true;
         let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();
         connection.track.record(Event::Connected { address });
     }
@@ -58,14 +59,14 @@ impl Tap {
     /// Bytes have come, in which there may be messages.
     pub(crate) fn arrived(&self) {
         if let Some(connection) = &self.0 {
-            connection.lock().arrived = connection.track.now();
+            lock(&connection.state).arrived = connection.track.now();
         }
     }
 
     /// A message was found in the bytes that came.
     pub(crate) fn received(&self, message: &[u8]) {
         if let Some(connection) = &self.0 {
-            let time = connection.lock().arrived;
+            let time = lock(&connection.state).arrived;
             connection.message(time, Event::Received(Message::new(message)));
         }
     }
@@ -73,7 +74,7 @@ impl Tap {
     /// A status packet was found in the bytes that came.
     pub(crate) fn packet(&self, packet: &[u8]) {
         let Some(connection) = &self.0 else { return };
-        let time = connection.lock().arrived;
+        let time = lock(&connection.state).arrived;
         let entry = connection.track.entry(time, Event::Received(Message::new(packet)));
         connection.keep(&entry);
         connection.track.push_packet(&entry);
@@ -109,7 +110,7 @@ impl Tap {
     /// Only the first end counts.
     fn closed(&self, by: Ending, why: impl FnOnce() -> String) {
         let Some(connection) = &self.0 else { return };
-        if std::mem::take(&mut connection.lock().is_open) {
+        if std::mem::take(&mut lock(&connection.state).is_open) {
             connection.track.record(Event::Closed { by, why: why() });
         }
     }
@@ -125,11 +126,6 @@ impl Tap {
 }
 
 impl Connection {
-    fn lock(&self) -> MutexGuard<'_, State> {
-        // Every change is made whole before the lock is left.
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     fn message(&self, time: Duration, event: Event) {
         let entry = self.track.entry(time, event);
         self.keep(&entry);
@@ -138,7 +134,7 @@ impl Connection {
 
     /// Keeps a message for errors.
     fn keep(&self, entry: &Arc<Entry>) {
-        let mut state = self.lock();
+        let mut state = lock(&self.state);
         if state.last.len() == KEPT {
             state.last.pop_front();
         }
@@ -146,7 +142,7 @@ impl Connection {
     }
 
     fn exchanges(&self) -> Box<[Entry]> {
-        self.lock().last.iter().map(|entry| Entry::clone(entry)).collect()
+        lock(&self.state).last.iter().map(|entry| Entry::clone(entry)).collect()
     }
 }
 

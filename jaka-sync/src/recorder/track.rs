@@ -1,6 +1,6 @@
 //! One connection in a recording.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use jaka_proto::recording::{Entry, Event, Message, Port};
@@ -8,6 +8,7 @@ use jaka_proto::recording::{Entry, Event, Message, Port};
 use super::Recorder;
 use super::sampling::{Sampler, StatusSampling};
 use crate::clock::Clock;
+use crate::sync::lock;
 
 /// One connection in a recording, for programs that make connections of their own, such as a proxy.
 ///
@@ -71,9 +72,7 @@ impl Track {
     }
 
     pub(super) fn push_packet(&self, entry: &Arc<Entry>) {
-        // Every change is made whole before the lock is left.
-        let mut sampler = self.sampler.lock().unwrap_or_else(PoisonError::into_inner);
-        if sampler.takes(self.sampling, entry.time) {
+        if lock(&self.sampler).takes(self.sampling, entry.time) {
             self.push(entry);
         }
     }

@@ -1,11 +1,12 @@
 //! What keeps motions back until it has been acknowledged.
 
 use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use super::stops::Stops;
 use super::{MotionStatus, Outcome, trouble};
 use crate::clock::Clock;
+use crate::sync::lock;
 use crate::{Error, ErrorKind, Monitor};
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, a packet that tells
@@ -107,9 +108,4 @@ fn put(latched: &Mutex<Option<Outcome>>, found: Outcome) {
 
 fn is_lost(outcome: &Outcome) -> bool {
     matches!(outcome, Outcome::StatusLost { .. })
-}
-
-/// Every change is made whole before the lock is left.
-fn lock(outcome: &Mutex<Option<Outcome>>) -> MutexGuard<'_, Option<Outcome>> {
-    outcome.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -15,13 +15,13 @@ use jaka_proto::{Command, CommandInfo};
 use super::target::{Place, Quantity};
 use super::wait::QUERY_PERIOD;
 use super::{MotionStatus, Robot};
-use crate::link::{Question, unexpected};
+use crate::link::{Sent, unexpected};
 use crate::{Error, ErrorKind};
 
 /// A query whose answer has not been taken.
 #[derive(Debug)]
 pub(super) struct Query {
-    question: Question,
+    question: Sent<'static>,
     quantity: Quantity,
     at: Instant,
 }
@@ -69,7 +69,7 @@ impl<S: MotionStatus> Robot<S> {
 
     fn poll<R: Fields>(
         &self,
-        question: &Question,
+        question: &Sent<'_>,
         info: &'static CommandInfo,
         time: Duration,
         place: impl Fn(R) -> Place,

@@ -1,14 +1,15 @@
 //! Stops from other threads, and what they keep back.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::Outcome;
-use crate::clock::{Clock, Signal};
+use crate::clock::Clock;
 use crate::monitor::Waker;
 use crate::stop::WrittenStop;
+use crate::sync::Watched;
 use crate::{Error, StopHandle};
 
 /// The stops that were asked for through handles, by their numbers from 1.
@@ -22,11 +23,8 @@ pub(super) struct Stops {
     sent: AtomicU64,
     /// How many are on their way to the controller.
     under_way: AtomicU64,
-    /// What stops wait for. Nothing is locked under it.
-    next_set_point: Mutex<Expected>,
-    /// Signalled when no session moves the arm any more.
-    stands: Signal,
-    clock: Clock,
+    /// What stops wait for: that no session moves the arm any more. Nothing is locked under it.
+    next_set_point: Watched<Expected>,
 }
 
 /// What stops wait for before they go out.
@@ -48,9 +46,7 @@ impl Stops {
             taken: AtomicU64::new(0),
             sent: AtomicU64::new(0),
             under_way: AtomicU64::new(0),
-            next_set_point: Mutex::default(),
-            stands: Signal::new(clock),
-            clock: clock.clone(),
+            next_set_point: Watched::new(clock, Expected::default()),
         }
     }
 
@@ -76,25 +72,25 @@ impl Stops {
 
     /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
     pub(super) fn expect_set_point(&self, within: Option<Duration>) {
-        let mut next = lock(&self.next_set_point);
+        let mut next = self.next_set_point.lock();
         if within.is_none() && next.set_point.is_none() {
             return;
         }
-        next.set_point = within.map(|within| self.clock.now() + within);
+        next.set_point = within.map(|within| self.next_set_point.clock().now() + within);
         if next.set_point.is_none() {
-            self.stands.notify_all();
+            self.next_set_point.wake();
         }
     }
 
     /// Waits while a servo session brakes. One whose next set-point is overdue does not: the arm has none to follow.
     fn wait_until_braked(&self) {
-        let mut next = lock(&self.next_set_point);
+        let mut next = self.next_set_point.lock();
         while let (Some(due), Some(latest)) = (next.set_point, next.stop) {
-            let left = self.clock.left(due.min(latest));
+            let left = self.next_set_point.clock().left(due.min(latest));
             if left.is_zero() {
                 break;
             }
-            next = self.stands.wait(&self.next_set_point, next, left);
+            next = self.next_set_point.wait(next, left);
         }
         next.stop = None;
     }
@@ -102,18 +98,13 @@ impl Stops {
     /// How long a stop waits yet for a servo session to brake; none where none waits.
     #[cfg(feature = "stream")]
     pub(super) fn time_to_brake(&self) -> Option<Duration> {
-        lock(&self.next_set_point).stop.map(|latest| self.clock.left(latest))
+        self.next_set_point.lock().stop.map(|latest| self.next_set_point.clock().left(latest))
     }
 
     /// True while the controller has not answered a stop.
     pub(super) fn is_under_way(&self) -> bool {
         self.under_way.load(Ordering::SeqCst) > 0
     }
-}
-
-/// Every change is made whole before the lock is left.
-fn lock(next_set_point: &Mutex<Expected>) -> MutexGuard<'_, Expected> {
-    next_set_point.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A stop on its way, until it is dropped.
@@ -123,7 +114,7 @@ struct UnderWay(Arc<Stops>);
 impl UnderWay {
     fn begin(stops: &Arc<Stops>) -> (Self, u64) {
         // Who sees the stop knows when it goes out.
-        lock(&stops.next_set_point).stop.get_or_insert(stops.clock.now() + LONGEST_BRAKING);
+        stops.next_set_point.lock().stop.get_or_insert(stops.next_set_point.clock().now() + LONGEST_BRAKING);
         stops.under_way.fetch_add(1, Ordering::SeqCst);
         (Self(Arc::clone(stops)), stops.begun.fetch_add(1, Ordering::SeqCst) + 1)
     }
@@ -198,7 +189,7 @@ impl RobotStop {
 
     /// Writes the stop if that can be done at once, and no servo session moves the arm; none otherwise.
     pub(super) fn write_now(&self) -> Option<Written> {
-        if lock(&self.stops.next_set_point).set_point.is_some() {
+        if self.stops.next_set_point.lock().set_point.is_some() {
             return None;
         }
         let (under_way, number) = UnderWay::begin(&self.stops);

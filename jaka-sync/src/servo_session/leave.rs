@@ -14,7 +14,7 @@ use super::land::Braking;
 use super::land::{lets_land, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
-use crate::link::Question;
+use crate::link::Sent;
 use crate::{Disconnect, Error, ErrorKind, Explanation, MotionStatus};
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.
@@ -137,7 +137,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Set-points that were not answered may be queued on a link that stalls. If the end of servo mode is not answered either, the
     /// connection is reset, so that the system discards those that it has queued.
-    fn wait_until_left(&mut self, off: &Question, unanswered: u64) -> Result<(), Error> {
+    fn wait_until_left(&mut self, off: &Sent<'_>, unanswered: u64) -> Result<(), Error> {
         let since = self.robot.clock().stopwatch();
         let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
         loop {
@@ -159,7 +159,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// The command was refused, or was acknowledged and not carried out.
-    fn still_in_servo_mode(&mut self, off: &Question) -> Error {
+    fn still_in_servo_mode(&mut self, off: &Sent<'_>) -> Error {
         let answer = self.robot.client().link().poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
         answer.err().unwrap_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft))
     }

@@ -1,23 +1,21 @@
 //! What the arm is to do next, shared by the handles and the cycle's thread.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
 use jaka_motion::{Bound, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
 
-use crate::clock::{Clock, Signal};
+use crate::clock::Clock;
+use crate::sync::Watched;
 
 /// What the arm is to do next, and how far it is.
 #[derive(Debug)]
 pub(super) struct Targets {
-    /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it.
-    state: Mutex<State>,
+    /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it. Waited for until the arm has come to rest, or the
+    /// stream has ended.
+    state: Watched<State>,
     is_landing: AtomicBool,
-    /// Signalled when the arm has come to rest, and when the stream has ended.
-    rested: Signal,
-    clock: Clock,
 }
 
 /// What the arm is to do, until when, and the number of that.
@@ -60,14 +58,13 @@ impl Targets {
     pub(super) fn new(start: JointPosition, clock: &Clock) -> Self {
         let order = Order { goal: Goal::Rest, until: None, number: 0 };
         let state = State { order, joints: start, is_at_rest: true, bound: None, ended: None };
-        let (state, is_landing) = (Mutex::new(state), AtomicBool::new(false));
-        Self { state, is_landing, rested: Signal::new(clock), clock: clock.clone() }
+        Self { state: Watched::new(clock, state), is_landing: AtomicBool::new(false) }
     }
 
     /// Gives another goal; fails with why the stream has ended, if it has.
     pub(super) fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), String> {
-        let until = for_at_most.map(|time| self.clock.now() + time);
-        let mut state = self.lock();
+        let until = for_at_most.map(|time| self.state.clock().now() + time);
+        let mut state = self.state.lock();
         match &state.ended {
             Some(because) => Err(because.clone()),
             None if self.is_landing() => Err("it lands".to_owned()),
@@ -89,18 +86,18 @@ impl Targets {
 
     /// Where the joints are to be at the last set-point.
     pub(super) fn joints(&self) -> JointPosition {
-        self.lock().joints
+        self.state.lock().joints
     }
 
     /// What slowed the last set-point, if something did.
     pub(super) fn bound(&self) -> Option<Bound> {
-        self.lock().bound.clone()
+        self.state.lock().bound.clone()
     }
 
     /// Waits until the arm rests on the last goal that was given, or the stream has ended, of which it tells why.
     pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, String> {
-        let since = self.clock.stopwatch();
-        let mut state = self.lock();
+        let since = self.state.clock().stopwatch();
+        let mut state = self.state.lock();
         loop {
             if let Some(because) = &state.ended {
                 return Err(because.clone());
@@ -112,42 +109,33 @@ impl Targets {
             if left.is_zero() {
                 return Ok(false);
             }
-            state = self.rested.wait(&self.state, state, left);
+            state = self.state.wait(state, left);
         }
     }
 
     /// What to do in this cycle; none while a handle changes it: then as in the cycle before.
     pub(super) fn order(&self) -> Option<Order> {
-        match self.state.try_lock() {
-            Ok(state) => Some(state.order),
-            Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner().order),
-            Err(TryLockError::WouldBlock) => None,
-        }
+        self.state.try_lock().map(|state| state.order)
     }
 
     /// What an order is now: rest, after a velocity that has ended.
     pub(super) fn goal(&self, order: &Order) -> Goal {
-        order.goal(self.clock.now())
+        order.goal(self.state.clock().now())
     }
 
     /// A set-point was sent by this order; the joints rest where it leads, or move on.
     pub(super) fn sent(&self, step: Step, order: &Order, rests_there: bool) {
-        let Ok(mut state) = self.state.try_lock() else { return };
+        let Some(mut state) = self.state.try_lock() else { return };
         (state.joints, state.bound) = (step.joints, step.bound);
-        let rests = rests_there && order.is_final(self.clock.now()) && order.number == state.order.number;
+        let rests = rests_there && order.is_final(self.state.clock().now()) && order.number == state.order.number;
         if rests && !state.is_at_rest {
-            self.rested.notify_all();
+            self.state.wake();
         }
         state.is_at_rest = rests;
     }
 
     pub(super) fn end(&self, because: String) {
-        self.lock().ended.get_or_insert(because);
-        self.rested.notify_all();
-    }
-
-    /// Every change is made whole before the lock is left.
-    fn lock(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock().ended.get_or_insert(because);
+        self.state.wake();
     }
 }

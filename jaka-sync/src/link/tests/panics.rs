@@ -37,7 +37,7 @@ fn assert_usable(link: &Link, server: &mut TcpStream) {
         link.wait(&sent, &mut text, &mut TextOnly).expect("it is answered");
         assert_eq!(text, reply(name, 0, message));
     }
-    assert_eq!(link.lock().exchange.outstanding(), 0);
+    assert_eq!(link.state.lock().exchange.outstanding(), 0);
 }
 
 #[test]

@@ -10,12 +10,12 @@ use jaka_proto::messages::program::StopProgram;
 
 use super::*;
 
-fn ask(link: &Link) -> Question {
+fn ask(link: &Link) -> Sent<'static> {
     link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)).expect("it goes out")
 }
 
 /// Polls as a loop does that looks at other things between.
-fn poll(link: &Link, question: &Question) -> Result<String, Error> {
+fn poll(link: &Link, question: &Sent<'_>) -> Result<String, Error> {
     let (since, mut text) = (Instant::now(), String::new());
     while !link.poll(question, Duration::from_millis(1), &mut text, &mut TextOnly)? {
         assert!(since.elapsed() < LONG);

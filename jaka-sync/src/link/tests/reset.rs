@@ -44,7 +44,7 @@ fn cause() -> Disconnect {
 #[test]
 fn the_witness_sees_what_an_orderly_end_delivers() {
     let (link, server) = with_a_queue();
-    link.break_off(&mut link.lock(), cause());
+    link.break_off(&mut link.state.lock(), cause());
     drop(link);
     let (arrived, end) = read_to_end(server);
     end.expect("the end is orderly");
@@ -74,7 +74,7 @@ fn a_reset_discards_what_is_queued_while_a_thread_reads() {
         })
     };
     let since = Instant::now();
-    while link.lock().inbound.is_some() && since.elapsed() < LONG {
+    while link.state.lock().inbound.is_some() && since.elapsed() < LONG {
         thread::yield_now();
     }
     link.reset(cause());
@@ -89,7 +89,7 @@ fn a_reset_discards_what_is_queued_while_a_thread_reads() {
 #[test]
 fn a_reset_after_an_orderly_end_still_discards_and_the_first_cause_stays() {
     let (link, server) = with_a_queue();
-    link.break_off(&mut link.lock(), Disconnect::Panicked);
+    link.break_off(&mut link.state.lock(), Disconnect::Panicked);
     link.reset(cause());
     assert_discarded(server);
     assert!(matches!(*link.broken().expect("it is broken"), Disconnect::Panicked));

@@ -33,7 +33,7 @@ fn send(link: &Link, timeout: Duration, len: usize) -> Result<Sent<'static>, Err
 
 /// Fills the buffers between the two ends without the link.
 fn fill(link: &Link) -> usize {
-    let stream = link.lock().stream.clone().expect("it is open");
+    let stream = link.state.lock().stream.clone().expect("it is open");
     stream.set_nonblocking(true).expect("it is open");
     let (mut filled, mut last) = (0, Instant::now());
     // What is on its way makes room once more where it arrives.
@@ -44,7 +44,7 @@ fn fill(link: &Link) -> usize {
         }
         thread::yield_now();
     }
-    let nonblocking = link.lock().mode == Mode::Nonblocking;
+    let nonblocking = link.state.lock().mode == Mode::Nonblocking;
     stream.set_nonblocking(nonblocking).expect("it is open");
     filled
 }
@@ -113,7 +113,7 @@ fn a_stop_ends_at_its_deadline_while_another_thread_cannot_send_on() {
         thread::spawn(move || send(&link, LONG, HUGE).map(drop))
     };
     let since = Instant::now();
-    while link.lock().outbound.is_some() && since.elapsed() < LONG {
+    while link.state.lock().outbound.is_some() && since.elapsed() < LONG {
         thread::yield_now();
     }
     let since = Instant::now();
@@ -129,23 +129,23 @@ fn a_stop_that_waits_goes_out_before_other_commands_that_wait() {
     let (link, mut server) = connection(Mode::Blocking);
     let link = Arc::new(link);
     // As a thread that sends holds the turn.
-    let outbound = link.lock().outbound.take();
+    let outbound = link.state.lock().outbound.take();
     let calling = {
         let link = Arc::clone(&link);
         thread::spawn(move || send(&link, LONG, 10).map(drop))
     };
     let since = Instant::now();
-    while link.lock().sleepers < 1 && since.elapsed() < LONG {
+    while link.state.sleepers() < 1 && since.elapsed() < LONG {
         thread::yield_now();
     }
     let stop = StopHandle::new(Arc::clone(&link), LONG);
     let stopping = thread::spawn(move || stop.stop());
-    while link.lock().sleepers < 2 && since.elapsed() < LONG {
+    while link.state.sleepers() < 2 && since.elapsed() < LONG {
         thread::yield_now();
     }
-    let mut state = link.lock();
+    let mut state = link.state.lock();
     state.outbound = outbound;
-    link.wake(&state);
+    link.state.wake();
     drop(state);
     let mut first = [0; 26];
     server.read_exact(&mut first).expect("both are sent");

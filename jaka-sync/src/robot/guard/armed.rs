@@ -3,7 +3,7 @@
 use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
@@ -13,6 +13,7 @@ use super::{Guard, Trip};
 use crate::robot::readiness::unknown;
 use crate::robot::stops::Written;
 use crate::robot::{MotionStatus, RobotStop, trouble};
+use crate::sync::lock;
 use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never
@@ -211,11 +212,6 @@ impl Judging {
         })?;
         Some(Trip { condition, text, reason, packet: Arc::clone(packet) })
     }
-}
-
-/// Every change is made whole before the lock is left.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl<S: MotionStatus> Robot<S> {
