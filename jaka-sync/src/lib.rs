@@ -13,11 +13,11 @@ mod link;
 mod methods;
 mod monitor;
 mod pack;
+mod packets;
 mod pipeline;
 mod ports;
 mod receive;
 mod recorder;
-mod resync;
 mod robot;
 mod servo_session;
 #[cfg(feature = "stream")]

@@ -17,7 +17,6 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError};
 
 use self::observer::Observers;
@@ -27,10 +26,11 @@ pub use self::statistics::MonitorStatistics;
 pub use self::subscription::Subscription;
 use self::subscription::{Items, Queue};
 use crate::clock::Clock;
+use crate::packets::Packets;
 use crate::recorder::Tap;
 use crate::socket::Socket;
 use crate::sync::{MutexGuard, Watched};
-use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem, connection};
+use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem};
 
 /// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that wait for a state.
 ///
@@ -165,13 +165,13 @@ impl Monitor<RobotStatus> {
 
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = connection::connect(address, Port::Status, config)?;
-        let stream = Arc::new(stream);
-        let board = Arc::new(Board::new(&config.clock, State::new(Some(Arc::clone(&stream)), tap.clone())));
+        let packets = Packets::connect(address, config)?;
+        let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone());
+        let board = Arc::new(Board::new(&config.clock, state));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let place = config.clock.servant();
-        let thread = builder.spawn(move || place.run(|| worker.run((stream, tap))));
+        let thread = builder.spawn(move || place.run(|| worker.run(packets)));
         let thread = thread.map_err(|source| ErrorKind::Connect { address: address.to_owned(), source })?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, clock: config.clock.clone(), thread: Some(thread), timeout, stale_after })

@@ -4,17 +4,13 @@ use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_proto::framing::{self, Framer};
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use crate::clock::Clock;
-use crate::receive::{self, Chunk};
-use crate::recorder::Tap;
-use crate::resync::{record_lost, resync};
-use crate::socket::Socket;
-use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
+use crate::packets::Packets;
+use crate::receive::Chunk;
+use crate::{Config, Disconnect, Error, ErrorKind};
 
 /// A reader of the status packets that a controller sends on port 10000.
 ///
@@ -36,17 +32,11 @@ use crate::{Config, Disconnect, Error, ErrorKind, connection, ports};
 #[derive(Debug)]
 #[must_use = "dropping a stream closes its connection"]
 pub struct StatusStream {
-    stream: Socket,
-    tap: Tap,
-    framer: Framer,
-    socket_timeout: receive::Timeout,
+    packets: Packets,
     timeout: Duration,
     clock: Clock,
-    packet: String,
     unfit: Vec<DecodeError>,
     broken: Option<Arc<Disconnect>>,
-    /// Whether packets have come. The first message shows whether this is the status port.
-    has_packets: bool,
 }
 
 impl StatusStream {
@@ -59,19 +49,8 @@ impl StatusStream {
     }
 
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = connection::connect(address, Port::Status, config)?;
-        Ok(Self {
-            stream,
-            tap,
-            framer: Framer::for_status(config.max_frame),
-            socket_timeout: receive::Timeout::default(),
-            timeout: config.reply_timeout,
-            clock: config.clock.clone(),
-            packet: String::new(),
-            unfit: Vec::new(),
-            broken: None,
-            has_packets: false,
-        })
+        let (packets, clock) = (Packets::connect(address, config)?, config.clock.clone());
+        Ok(Self { packets, timeout: config.reply_timeout, clock, unfit: Vec::new(), broken: None })
     }
 
     /// The next packet that has not been read yet, which may be old.
@@ -133,7 +112,7 @@ impl StatusStream {
 
     /// The text of the packet that was read last, as it came; with `\udcNN` for each byte that is not UTF-8.
     pub fn packet_text(&self) -> Option<&str> {
-        (!self.packet.is_empty()).then_some(&*self.packet)
+        (!self.packets.text.is_empty()).then_some(&*self.packets.text)
     }
 
     /// The fields of the packet read last that do not fit the spec, each once, with what was expected and what was found: they are absent
@@ -145,10 +124,10 @@ impl StatusStream {
     }
 
     fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
-        let mut reader = Reader::new(&self.packet);
+        let mut reader = Reader::new(&self.packets.text);
         let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
         self.unfit = reader.take_unfit();
-        found.map_err(|source| self.tap.attach(ErrorKind::UnexpectedStatus { source }.into()))
+        found.map_err(|source| self.packets.tap.attach(ErrorKind::UnexpectedStatus { source }.into()))
     }
 
     /// Waits for a packet and keeps its text.
@@ -161,9 +140,9 @@ impl StatusStream {
             }
             let left = since.left_of(self.timeout);
             if left.is_zero() {
-                return Err(self.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into()));
+                return Err(self.packets.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into()));
             }
-            if let Err(cause) = self.read(left) {
+            if let Err(cause) = self.packets.read(left) {
                 return Err(self.break_off(cause));
             }
         }
@@ -182,7 +161,7 @@ impl StatusStream {
         // A controller that sends faster than this reads would hold it here for ever.
         let since = self.clock.stopwatch();
         while since.passed() < self.timeout {
-            match self.read(self.timeout) {
+            match self.packets.read(self.timeout) {
                 Ok(Chunk::All | Chunk::Part) => found |= self.take_newest()?,
                 Ok(Chunk::TimeUp) => break,
                 Err(cause) => return Err(self.break_off(cause)),
@@ -192,13 +171,8 @@ impl StatusStream {
         Ok(found)
     }
 
-    fn read(&mut self, left: Duration) -> Result<Chunk, Disconnect> {
-        let Self { stream, tap, framer, socket_timeout, .. } = self;
-        receive::chunk(stream, tap, framer, socket_timeout, left)
-    }
-
     fn nonblocking(&mut self, nonblocking: bool) -> Result<(), Error> {
-        self.stream.set_nonblocking(nonblocking).map_err(|error| self.break_off(Disconnect::Read(error)))
+        self.packets.stream.set_nonblocking(nonblocking).map_err(|error| self.break_off(Disconnect::Read(error)))
     }
 
     fn take_newest(&mut self) -> Result<bool, Error> {
@@ -211,27 +185,7 @@ impl StatusStream {
 
     /// Keeps the text of the next packet that has arrived in full, if there is one.
     fn take_next(&mut self) -> Result<bool, Error> {
-        record_lost(&self.framer, &self.tap);
-        loop {
-            let error = match self.framer.next_frame() {
-                Ok(None) => return Ok(false),
-                Ok(Some(frame)) => {
-                    self.tap.packet(frame);
-                    let text = framing::text(frame);
-                    if !self.has_packets && ports::is_reply(&text) {
-                        return Err(self.break_off(Disconnect::CommandPort));
-                    }
-                    self.has_packets = true;
-                    self.packet.clear();
-                    self.packet.push_str(&text);
-                    return Ok(true);
-                }
-                Err(error) => error,
-            };
-            if let Err(cause) = resync(&mut self.framer, &self.tap, error) {
-                return Err(self.break_off(cause));
-            }
-        }
+        self.packets.next().map_err(|cause| self.break_off(cause))
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -240,19 +194,19 @@ impl StatusStream {
     }
 
     fn break_off(&mut self, cause: Disconnect) -> Error {
-        self.tap.stray(self.framer.partial());
-        self.tap.broken(&cause);
+        self.packets.record_rest();
+        self.packets.tap.broken(&cause);
         let cause = Arc::clone(self.broken.get_or_insert_with(|| Arc::new(cause)));
         self.disconnected(cause)
     }
 
     fn disconnected(&self, cause: Arc<Disconnect>) -> Error {
-        self.tap.attach(ErrorKind::Disconnected { command: None, sent: false, cause }.into())
+        self.packets.tap.attach(ErrorKind::Disconnected { command: None, sent: false, cause }.into())
     }
 }
 
 impl Drop for StatusStream {
     fn drop(&mut self) {
-        self.tap.left();
+        self.packets.tap.left();
     }
 }

@@ -4,17 +4,13 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_proto::framing::{self, FrameError, Framer};
-use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::{Board, Snapshot};
 use crate::clock::{Clock, Stopwatch};
-use crate::receive::{self, Chunk};
-use crate::recorder::Tap;
-use crate::resync;
-use crate::socket::Socket;
-use crate::{Config, Disconnect, ErrorKind, connection, ports};
+use crate::packets::{Between, Packets};
+use crate::receive::Chunk;
+use crate::{Config, Disconnect, ErrorKind};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
@@ -31,7 +27,6 @@ pub(super) struct Worker<S> {
     address: String,
     config: Config,
     pub(super) number: u64,
-    tap: Tap,
     /// The packet before the latest, whose memory is used again.
     spare: Option<Arc<Snapshot<S>>>,
     /// Packets that are not the newest any more. They are handed out once the newest is posted: an observer that takes its time over an
@@ -41,17 +36,20 @@ pub(super) struct Worker<S> {
 
 impl<S: Decode> Worker<S> {
     pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
-        Self { board, address, config, number: 0, tap: Tap::default(), spare: None, passed: Vec::new() }
+        Self { board, address, config, number: 0, spare: None, passed: Vec::new() }
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made again.
-    pub(super) fn run(mut self, connected: (Arc<Socket>, Tap)) {
-        let mut connected = Some(connected);
-        while let Some((stream, tap)) = connected.take() {
-            self.tap = tap;
-            let read = panic::catch_unwind(AssertUnwindSafe(|| self.read(&stream)));
+    pub(super) fn run(mut self, packets: Packets) {
+        let mut connected = Some(packets);
+        while let Some(mut packets) = connected.take() {
+            let read = panic::catch_unwind(AssertUnwindSafe(|| self.read(&mut packets)));
             let cause = read.unwrap_or(Disconnect::Panicked);
-            self.record_end(&cause);
+            if self.board.lock().closing {
+                packets.tap.left()
+            } else {
+                packets.tap.broken(&cause)
+            }
             connected = self.reconnect(cause);
         }
         self.end();
@@ -66,26 +64,15 @@ impl<S: Decode> Worker<S> {
         self.board.tell(state);
     }
 
-    fn record_end(&self, cause: &Disconnect) {
-        if self.board.lock().closing { self.tap.left() } else { self.tap.broken(cause) }
-    }
-
     /// Reads until the connection ends, and says why it did.
-    fn read(&mut self, stream: &Socket) -> Disconnect {
-        let mut framer = Framer::for_status(self.config.max_frame);
-        let cause = self.read_into(&mut framer, stream);
-        self.tap.stray(framer.partial());
-        cause
-    }
-
-    fn read_into(&mut self, framer: &mut Framer, stream: &Socket) -> Disconnect {
-        let mut timeout = receive::Timeout::default();
+    fn read(&mut self, packets: &mut Packets) -> Disconnect {
         // The newest packet, until it is posted, and when the first came of those that have not been.
         let (mut newest, mut waiting) = (String::new(), None::<Stopwatch>);
         loop {
-            let time = if waiting.is_some() { REST } else { READ };
-            let chunk = receive::chunk(stream, &self.tap, framer, &mut timeout, time);
-            match chunk.and_then(|chunk| self.take_newest(framer, &mut newest).map(|()| chunk)) {
+            let chunk = packets.read(if waiting.is_some() { REST } else { READ });
+            let taken = chunk.and_then(|chunk| self.take_newest(packets, &mut newest).map(|()| chunk));
+            self.count(std::mem::take(&mut packets.between));
+            match taken {
                 Ok(chunk) => {
                     waiting = waiting.or((!newest.is_empty()).then(|| self.config.clock.stopwatch()));
                     // Of what has accumulated, all but the end is old. A controller that floods the port never lets this catch up.
@@ -97,6 +84,7 @@ impl<S: Decode> Worker<S> {
                 }
                 Err(cause) => {
                     self.post_newest(&mut newest);
+                    packets.record_rest();
                     return cause;
                 }
             }
@@ -112,27 +100,15 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Keeps the text of the newest packet that has arrived in full; those before it are passed over.
-    fn take_newest(&mut self, framer: &mut Framer, newest: &mut String) -> Result<(), Disconnect> {
-        self.count_dropped(resync::record_lost(framer, &self.tap));
-        loop {
-            match framer.next_frame() {
-                Ok(None) => return Ok(()),
-                Ok(Some(frame)) => {
-                    self.tap.packet(frame);
-                    let text = framing::text(frame);
-                    if self.number == 0 && ports::is_reply(&text) {
-                        return Err(Disconnect::CommandPort);
-                    }
-                    if !newest.is_empty() {
-                        self.pass_over(newest);
-                    }
-                    self.number += 1;
-                    newest.clear();
-                    newest.push_str(&text);
-                }
-                Err(error) => self.resync(framer, error)?,
+    fn take_newest(&mut self, packets: &mut Packets, newest: &mut String) -> Result<(), Disconnect> {
+        while packets.next()? {
+            if !newest.is_empty() {
+                self.pass_over(newest);
             }
+            self.number += 1;
+            std::mem::swap(newest, &mut packets.text);
         }
+        Ok(())
     }
 
     /// Keeps a packet for queues and observers that is not the newest any more: it may show a stop.
@@ -149,17 +125,11 @@ impl<S: Decode> Worker<S> {
         self.passed.extend(decoded);
     }
 
-    /// Goes on at the next packet.
-    fn resync(&mut self, framer: &mut Framer, error: FrameError) -> Result<(), Disconnect> {
-        let dropped = resync::resync(framer, &self.tap, error)?;
-        self.board.lock().counters.counted.resyncs += 1;
-        self.count_dropped(dropped);
-        Ok(())
-    }
-
-    fn count_dropped(&self, bytes: usize) {
-        if bytes > 0 {
-            self.board.lock().counters.counted.dropped_bytes += u64::try_from(bytes).unwrap_or(u64::MAX);
+    fn count(&self, between: Between) {
+        if between != Between::default() {
+            let counted = &mut self.board.lock().counters.counted;
+            counted.dropped_bytes += u64::try_from(between.bytes).unwrap_or(u64::MAX);
+            counted.resyncs += between.resyncs;
         }
     }
 
@@ -218,7 +188,7 @@ impl<S: Decode> Worker<S> {
     }
 
     /// Reconnects as the policy says; `None` if the monitor has ended.
-    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<(Arc<Socket>, Tap)> {
+    pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<Packets> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
                 break;
@@ -226,8 +196,8 @@ impl<S: Decode> Worker<S> {
             if self.pause(delay) {
                 break;
             }
-            match connection::connect(&self.address, Port::Status, &self.config) {
-                Ok(connected) => return self.connected(connected),
+            match Packets::connect(&self.address, &self.config) {
+                Ok(packets) => return self.connected(packets),
                 Err(error) => {
                     if let ErrorKind::Connect { source, .. } = error.into_kind() {
                         cause = Disconnect::Read(source);
@@ -254,17 +224,16 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    fn connected(&self, (stream, tap): (Socket, Tap)) -> Option<(Arc<Socket>, Tap)> {
+    fn connected(&self, packets: Packets) -> Option<Packets> {
         let mut state = self.board.lock();
         if state.closing {
-            tap.left();
+            packets.tap.left();
             return None;
         }
-        state.tap = tap.clone();
-        let stream = Arc::new(stream);
-        state.stream = Some(Arc::clone(&stream));
+        state.tap = packets.tap.clone();
+        state.stream = Some(Arc::clone(&packets.stream));
         state.counters.counted.reconnects += 1;
-        Some((stream, tap))
+        Some(packets)
     }
 }
 

@@ -1,0 +1,92 @@
+//! The packets of a connection to the status port.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::framing::{self, Framer};
+use jaka_proto::recording::Port;
+
+use crate::error::is_text_line;
+use crate::receive::{self, Chunk};
+use crate::recorder::Tap;
+use crate::socket::Socket;
+use crate::{Config, Disconnect, Error, connection, ports};
+
+/// The packets of a connection to the status port, over bytes that belong to none.
+#[derive(Debug)]
+pub(crate) struct Packets {
+    pub(crate) stream: Arc<Socket>,
+    pub(crate) tap: Tap,
+    framer: Framer,
+    timeout: receive::Timeout,
+    /// The text of the newest one.
+    pub(crate) text: String,
+    /// Whether one has come. The first message shows whether this is the status port.
+    has_come: bool,
+    pub(crate) between: Between,
+}
+
+/// What came between packets, since this was taken last.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(crate) struct Between {
+    /// Bytes that did not belong to a packet, or belonged to an incomplete one.
+    pub(crate) bytes: usize,
+    /// How often the beginning of a packet had to be searched for.
+    pub(crate) resyncs: u64,
+}
+
+impl Packets {
+    pub(crate) fn connect(address: &str, config: &Config) -> Result<Self, Error> {
+        let (stream, tap) = connection::connect(address, Port::Status, config)?;
+        Ok(Self {
+            stream: Arc::new(stream),
+            tap,
+            framer: Framer::for_status(config.max_frame),
+            timeout: receive::Timeout::default(),
+            text: String::new(),
+            has_come: false,
+            between: Between::default(),
+        })
+    }
+
+    /// Reads once, for at most the time that is left.
+    pub(crate) fn read(&mut self, left: Duration) -> Result<Chunk, Disconnect> {
+        receive::chunk(&self.stream, &self.tap, &mut self.framer, &mut self.timeout, left)
+    }
+
+    /// Keeps the text of the next packet that has arrived in full; false if there is none. Firmware that sends text has no packets.
+    pub(crate) fn next(&mut self) -> Result<bool, Disconnect> {
+        self.tap.stray(self.framer.lost());
+        self.between.bytes += self.framer.lost().len();
+        loop {
+            match self.framer.next_frame() {
+                Ok(None) => return Ok(false),
+                Ok(Some(frame)) => {
+                    self.tap.packet(frame);
+                    let text = framing::text(frame);
+                    if !self.has_come && ports::is_reply(&text) {
+                        return Err(Disconnect::CommandPort);
+                    }
+                    self.has_come = true;
+                    self.text.clear();
+                    self.text.push_str(&text);
+                    return Ok(true);
+                }
+                Err(error) if is_text_line(&error) => return Err(Disconnect::Frame(error)),
+                Err(error) => {
+                    let before = self.tap.copy(self.framer.partial());
+                    let dropped = self.framer.resync();
+                    self.tap.stray(before.get(..dropped).unwrap_or_default());
+                    log::debug!(target: "jaka_sync::wire", "status: {dropped} bytes dropped, {error}");
+                    self.between.bytes += dropped;
+                    self.between.resyncs += 1;
+                }
+            }
+        }
+    }
+
+    /// Records what belongs to no packet yet, where no more is read.
+    pub(crate) fn record_rest(&self) {
+        self.tap.stray(self.framer.partial());
+    }
+}
