@@ -3,6 +3,7 @@
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::set_point::{SetPoint, Step};
+use super::turn::turned;
 
 /// The last set-points, in joints and in poses, as far as they are known.
 #[derive(Debug, Clone)]
@@ -75,7 +76,8 @@ impl Course {
             SetPoint::Joints(target) => self.joints.last.map(|last| Step::between_joints(last, *target)),
             SetPoint::JointOffset(offset) => Some(Step::Joints(offset.0)),
             SetPoint::Pose(target) => self.poses.last.map(|last| Step::between_poses(last, *target)),
-            SetPoint::PoseOffset(offset) => Some(Step::of_offset(*offset)),
+            // The angles are taken as a turn, which they are where they are small.
+            SetPoint::PoseOffset(offset) => Some(Step::Pose((*offset).into())),
         }
     }
 
@@ -85,9 +87,7 @@ impl Course {
             (None, like) if self.sent.is_none() => Some(like.scaled(0.0)),
             // What stands, stands in joints and in poses.
             (Some(step), like) if step.is_none() => Some(like.scaled(0.0)),
-            (Some(step @ Step::Joints(_)), Step::Joints(_)) | (Some(step @ Step::Pose(..)), Step::Pose(..)) => {
-                Some(step)
-            }
+            (Some(step @ Step::Joints(_)), Step::Joints(_)) | (Some(step @ Step::Pose(_)), Step::Pose(_)) => Some(step),
             (_, Step::Joints(_)) => self.joints.both().map(|[before, last]| Step::between_joints(before, last)),
             _ => None,
         }
@@ -145,14 +145,11 @@ impl Course {
         match (self.sent?, step) {
             (SetPoint::Joints(last), Step::Joints(step)) => Some(SetPoint::Joints(moved(last, step))),
             (SetPoint::JointOffset(_), Step::Joints(step)) => Some(SetPoint::JointOffset(JointPosition(*step))),
-            (SetPoint::Pose(last), Step::Pose([x, y, z], turn)) => {
+            (SetPoint::Pose(last), Step::Pose([x, y, z, rx, ry, rz])) => {
                 let moved = Pose { x: last.x + x, y: last.y + y, z: last.z + z, ..last };
-                Some(SetPoint::Pose(turn.apply(moved)))
+                Some(SetPoint::Pose(turned(moved, [*rx, *ry, *rz])))
             }
-            (SetPoint::PoseOffset(_), Step::Pose([x, y, z], turn)) => {
-                let [rx, ry, rz] = turn.degrees();
-                Some(SetPoint::PoseOffset(Pose { x: *x, y: *y, z: *z, rx, ry, rz }))
-            }
+            (SetPoint::PoseOffset(_), Step::Pose(step)) => Some(SetPoint::PoseOffset(Pose::from(*step))),
             _ => None,
         }
     }

@@ -120,7 +120,7 @@ impl Rates {
     fn of(&self, step: &Step) -> (Sizes, Sizes) {
         match step {
             Step::Joints(_) => ([JOINT_SPEED; 6], self.joint_acceleration),
-            Step::Pose(..) => {
+            Step::Pose(_) => {
                 let (mut speeds, mut accelerations) = ([f64::INFINITY; 6], [f64::INFINITY; 6]);
                 (speeds[0], speeds[1]) = (self.tcp_speed, TURN_SPEED);
                 (accelerations[0], accelerations[1]) = (self.tcp_acceleration, TURN_ACCELERATION);
@@ -133,7 +133,7 @@ impl Rates {
 fn sizes(step: &Step) -> Sizes {
     match step {
         Step::Joints(step) => step.map(f64::abs),
-        Step::Pose(mm, turn) => [length(*mm), turn.angle_deg(), 0.0, 0.0, 0.0, 0.0],
+        Step::Pose([x, y, z, rx, ry, rz]) => [length([*x, *y, *z]), length([*rx, *ry, *rz]), 0.0, 0.0, 0.0, 0.0],
     }
 }
 
@@ -143,13 +143,13 @@ fn first_beyond(sizes: &Sizes, most: &Sizes) -> Option<(usize, f64, f64)> {
 }
 
 fn unit(step: &Step, index: usize) -> &'static str {
-    if matches!(step, Step::Pose(..)) && index == 0 { "mm" } else { "deg" }
+    if matches!(step, Step::Pose(_)) && index == 0 { "mm" } else { "deg" }
 }
 
 fn refused(step: &Step, index: usize, value: String, allowed: String) -> InvalidArgument {
     let (command, field) = match step {
         Step::Joints(_) => (ServoJ::INFO.name, format!("joint_position[{index}]")),
-        Step::Pose(..) => (ServoP::INFO.name, "pose".to_owned()),
+        Step::Pose(_) => (ServoP::INFO.name, "pose".to_owned()),
     };
     InvalidArgument::new(command, field, value, allowed, false)
 }
