@@ -128,7 +128,7 @@ impl<S: MotionStatus> Robot<S> {
         config.check()?;
         let deadline = config.deadline.and_then(|time| self.clock().now().checked_add(time));
         let orders = Arc::new(Orders::new(config.scale, deadline));
-        let handle = FollowHandle::new(Arc::clone(&orders), trajectory.duration());
+        let handle = FollowHandle { orders: Arc::clone(&orders), duration: trajectory.duration() };
         let (trajectory, config) = (trajectory.clone(), config.clone());
         let work = move |robot: &mut Robot<S>, begun: &_| {
             cycle::run(robot, (&trajectory, &config), guard.as_ref(), &orders, begun)
@@ -161,7 +161,7 @@ impl<S: MotionStatus> std::ops::Deref for FollowRun<'_, S> {
 
 impl<S: MotionStatus> Drop for FollowRun<'_, S> {
     fn drop(&mut self) {
-        if self.thread.was_awaited() {
+        if self.thread.was_awaited {
             return;
         }
         // It may have ended.

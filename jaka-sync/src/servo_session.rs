@@ -24,7 +24,9 @@ use std::time::Duration;
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
 #[cfg(feature = "stream")]
-pub(crate) use self::generated::{Seen, SetPoints, Supervision, check_at_least, check_shows_joints};
+pub(crate) use self::generated::{
+    Seen, SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, generator, no_limits, not_generated,
+};
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;

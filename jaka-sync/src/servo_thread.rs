@@ -12,7 +12,8 @@ use crate::{Error, ErrorKind, MotionStatus, Robot};
 #[derive(Debug)]
 pub(crate) struct ServoThread<T> {
     end: Arc<Mailbox<T>>,
-    was_awaited: bool,
+    /// Whether its end has been waited for.
+    pub(crate) was_awaited: bool,
 }
 
 /// Gives the caller once what the work has begun with, or why it does not begin.
@@ -40,11 +41,6 @@ impl<T: Send + 'static> ServoThread<T> {
         spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
         let begun = begun.take().ok_or_else(panicked)??;
         Ok((Self { end, was_awaited: false }, begun))
-    }
-
-    /// Whether its end has been waited for.
-    pub(crate) fn was_awaited(&self) -> bool {
-        self.was_awaited
     }
 
     /// Waits for the end.
@@ -110,5 +106,14 @@ impl<T> Giver<T> {
 impl<T> Drop for Giver<T> {
     fn drop(&mut self) {
         self.0.put(Letter::Gone);
+    }
+}
+
+/// Does this when it is dropped, also by a panic.
+pub(crate) struct OnDrop<F: Fn()>(pub(crate) F);
+
+impl<F: Fn()> Drop for OnDrop<F> {
+    fn drop(&mut self) {
+        (self.0)();
     }
 }

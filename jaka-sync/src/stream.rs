@@ -5,6 +5,7 @@ mod handle;
 mod target;
 
 use std::marker::PhantomData;
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::Dynamics;
@@ -145,7 +146,8 @@ impl<S: MotionStatus> Robot<S> {
         let config = config.clone();
         let work = move |robot: &mut Robot<S>, begun: &_| cycle::run(robot, &config, guard.as_ref(), begun);
         let (thread, (targets, generator)) = ServoThread::start("jaka stream", self.lent(), work)?;
-        Ok(Stream { handle: StreamHandle::new(targets, generator), thread, robot: PhantomData })
+        let handle = StreamHandle { targets, desk: Arc::new(generator) };
+        Ok(Stream { handle, thread, robot: PhantomData })
     }
 }
 
@@ -160,7 +162,7 @@ impl<S: MotionStatus> Stream<'_, S> {
     /// # Errors
     /// As [`ServoSession::land`](crate::ServoSession::land); or the error with which the stream has ended before.
     pub fn land(mut self) -> Result<ServoReport, Error> {
-        self.handle.targets().land();
+        self.handle.targets.land();
         self.thread.join()?
     }
 }
@@ -176,10 +178,10 @@ impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
 
 impl<S: MotionStatus> Drop for Stream<'_, S> {
     fn drop(&mut self) {
-        if self.thread.was_awaited() {
+        if self.thread.was_awaited {
             return;
         }
-        self.handle.targets().land();
+        self.handle.targets.land();
         if let Err(error) = self.thread.join().and_then(|ended| ended) {
             log::warn!(target: "jaka_sync", "the stream that was dropped did not end at rest: {error}");
         }

@@ -1,14 +1,12 @@
 //! The way to where a trajectory starts.
 
-use jaka_motion::{Bound, Checker, Dynamics, Generator, GeneratorError, Goal};
-use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::ServoJ;
+use jaka_motion::{Bound, Checker, Dynamics, Generator, Goal};
 use jaka_proto::messages::types::JointPosition;
 
 use super::start;
+use crate::Error;
 use crate::robot::SetPointGuard;
-use crate::{Error, ErrorKind};
+use crate::servo_session::{beyond_limit, generator, not_generated};
 
 /// The way to where a trajectory starts, which is held for two periods there or more, so that the trajectory begins from a standstill at its start exactly.
 #[derive(Debug)]
@@ -29,6 +27,9 @@ const NEXT_TO_NOTHING: f64 = 1.0;
 const THERE: f64 = 2e-6;
 const PERIODS_HELD: u32 = 2;
 
+/// What asks for it.
+const OPTION: &str = "approach";
+
 impl Approach {
     pub(super) fn new(
         checker: &Checker,
@@ -39,12 +40,9 @@ impl Approach {
     ) -> Result<Self, Error> {
         let speed = speed_deg_s.unwrap_or(NEXT_TO_NOTHING);
         let speeds = checker.limits().joint_speeds().map(|most| most.min(speed));
-        let dynamics = Dynamics::of(checker.limits()).with_speeds(speeds).map_err(invalid)?;
-        let generator = Generator::new(checker, dynamics, from, period_s).map_err(invalid)?;
-        let generator = match guard {
-            Some(guard) => guard.slowed(generator)?,
-            None => generator,
-        };
+        let dynamics =
+            Dynamics::of(checker.limits()).with_speeds(speeds).map_err(|error| not_generated(error, OPTION))?;
+        let generator = generator(checker, (dynamics, OPTION), from, period_s, guard)?;
         // What is touched on the way is known before the trajectory begins.
         let hold = PERIODS_HELD + guard.map_or(0, |guard| guard.periods_unknown(period_s));
         Ok(Self { generator, start, held: 0, hold, is_blocked: false, bound: None })
@@ -62,12 +60,9 @@ impl Approach {
 
     /// Fails where it is blocked, with what is in the way, as far as that is known.
     pub(super) fn check(&self) -> Result<(), Error> {
-        let command = || ServoJ::INFO.name.to_owned();
         match &self.bound {
             _ if !self.is_blocked => Ok(()),
-            Some(Bound::Limit(beyond)) => {
-                Err(ErrorKind::BeyondLimit { command: command(), beyond: beyond.clone() }.into())
-            }
+            Some(Bound::Limit(beyond)) => Err(beyond_limit(beyond.clone())),
             _ => Err(start::not_at_start(self.generator.joints(), self.start)),
         }
     }
@@ -109,17 +104,5 @@ impl Approach {
 
     fn is_there(&self) -> bool {
         self.is_at_rest() && self.generator.joints().max_distance(&self.start) <= THERE
-    }
-}
-
-fn invalid(error: GeneratorError) -> Error {
-    match error {
-        GeneratorError::Start(beyond) => {
-            ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into()
-        }
-        other => {
-            let allowed = "what the robot's limits allow".to_owned();
-            InvalidArgument::new(ServoJ::INFO.name, "approach", other.to_string(), allowed, false).into()
-        }
     }
 }

@@ -13,18 +13,9 @@ use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::clock::Clock;
 use crate::robot::SetPointGuard;
-use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision};
-use crate::servo_thread::Begun;
+use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision, no_limits};
+use crate::servo_thread::{Begun, OnDrop};
 use crate::{Error, MotionStatus, Robot, ServoSession};
-
-/// Ends the run for its handles, also where this thread panics.
-struct Ends<'o>(&'o Orders);
-
-impl Drop for Ends<'_> {
-    fn drop(&mut self) {
-        self.0.end("its thread has ended".to_owned());
-    }
-}
 
 /// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
 pub(super) fn run<S: MotionStatus>(
@@ -34,7 +25,8 @@ pub(super) fn run<S: MotionStatus>(
     orders: &Arc<Orders>,
     begun: &Begun<()>,
 ) -> Option<FollowEnd> {
-    let _ends = Ends(orders);
+    // Ends the run for its handles, also where this thread panics.
+    let _ends = OnDrop(|| orders.end("its thread has ended".to_owned()));
     let refused = |error: Error| {
         // The caller has the error from here.
         begun.give(Err(error));
@@ -51,7 +43,8 @@ pub(super) fn run<S: MotionStatus>(
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
     begun.give(Ok(()));
-    let mut supervision = way.supervision(config);
+    let (period, most_deg) = (config.servo.period(), config.max_departure_deg);
+    let mut supervision = Supervision::new(way.last, period, most_deg, config.max_gap, guard);
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);
@@ -80,7 +73,7 @@ impl<'o> Way<'o> {
         (config, guard): (&FollowConfig, Option<&'o SetPointGuard>),
         orders: &'o Orders,
     ) -> Result<Self, Error> {
-        let (checker, at) = session.checker_and_start().ok_or_else(start::no_limits)?;
+        let (checker, at) = session.checker_and_start().ok_or_else(no_limits)?;
         // A frame may have changed since, or the arm have moved.
         if known_by != Some(checker) {
             start::check_limits(checker, trajectory, config, guard)?;
@@ -101,11 +94,6 @@ impl<'o> Way<'o> {
         })
     }
 
-    fn supervision(&self, config: &FollowConfig) -> Supervision<'o> {
-        let supervision = Supervision::new(self.last, config.servo.period(), config.max_departure_deg, config.max_gap);
-        supervision.guarded(self.guard)
-    }
-
     /// Brings the arm to rest after the last set-point, and tells how the run has ended.
     fn ended<S: MotionStatus>(
         mut self,
@@ -122,7 +110,7 @@ impl<'o> Way<'o> {
         };
         let outcome = match &error {
             Some(error) => FollowOutcome::of(error, session.shown_after(error).as_ref()),
-            None if self.follower.is_at_end() && session.rest_was_seen() => FollowOutcome::Completed,
+            None if self.follower.is_at_end() && session.report.rest_was_seen => FollowOutcome::Completed,
             None if self.follower.is_at_end() => FollowOutcome::RestNotSeen,
             None if self.is_overdue => FollowOutcome::Deadline,
             None => FollowOutcome::Stopped,
@@ -133,7 +121,7 @@ impl<'o> Way<'o> {
             duration: self.follower.trajectory().duration(),
             has_left_curve,
             lag: self.lag.best(),
-            report: session.into_report(),
+            report: std::mem::take(&mut session.report),
             error,
         }
     }

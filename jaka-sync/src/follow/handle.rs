@@ -10,8 +10,8 @@ use crate::{Error, ErrorKind};
 /// Pauses, slows down and stops a [`FollowRun`](super::FollowRun), from any thread; all of it along the trajectory.
 #[derive(Debug, Clone)]
 pub struct FollowHandle {
-    orders: Arc<Orders>,
-    duration: Duration,
+    pub(super) orders: Arc<Orders>,
+    pub(super) duration: Duration,
 }
 
 /// How far a trajectory was followed.
@@ -27,10 +27,6 @@ pub struct FollowProgress {
 }
 
 impl FollowHandle {
-    pub(super) fn new(orders: Arc<Orders>, duration: Duration) -> Self {
-        Self { orders, duration }
-    }
-
     /// Slows down to a standstill on the trajectory, and stays there until [`resume`](Self::resume).
     ///
     /// # Errors

@@ -1,14 +1,12 @@
 //! Before the first set-point: the trajectory is within the limits, and the arm is where it starts.
 
 use jaka_motion::{Checker, Follower, JointPace, Trajectory};
-use jaka_proto::Command;
-use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
 use crate::robot::SetPointGuard;
-use crate::servo_session::check_shows_joints;
-use crate::{Error, ErrorKind, MotionStatus, Robot, Unchecked};
+use crate::servo_session::{beyond_limit, check_shows_joints, no_limits};
+use crate::{Error, ErrorKind, MotionStatus, Robot};
 
 /// How far, in degrees, the joints may be from where the trajectory starts: what controllers round off. Ours.
 const AT_START_DEG: f64 = 0.01;
@@ -63,9 +61,7 @@ pub(super) fn check_start(
             let accelerations = checker.limits().joint_accelerations();
             let least = accelerations.iter().copied().fold(f64::INFINITY, f64::min);
             let pace = JointPace { speed_deg_s: slowest(checker).min(speed_deg_s), acceleration_deg_s2: Some(least) };
-            checker
-                .check_joint_way(at, start, pace)
-                .map_err(|beyond| ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into())
+            checker.check_joint_way(at, start, pace).map_err(beyond_limit)
         }
     }
 }
@@ -81,8 +77,4 @@ pub(super) fn not_at_start(at: JointPosition, start: JointPosition) -> Error {
 /// The speed that each joint may have, in deg/s.
 fn slowest(checker: &Checker) -> f64 {
     checker.limits().joint_speeds().iter().copied().fold(f64::INFINITY, f64::min)
-}
-
-pub(super) fn no_limits() -> Error {
-    ErrorKind::NotChecked { command: ServoJ::INFO.name.to_owned(), reason: Unchecked::NoLimits }.into()
 }

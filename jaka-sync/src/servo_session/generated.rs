@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jaka_motion::Checker;
+use jaka_motion::{Beyond, Checker, Dynamics, Generator, GeneratorError};
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
@@ -15,7 +15,7 @@ use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::clock::Clock;
 use crate::robot::{SetPointGuard, shown_joints};
-use crate::{Error, ErrorKind, MotionStatus, NotShown, Outcome, Robot, Snapshot};
+use crate::{Error, ErrorKind, MotionStatus, NotShown, Outcome, Robot, Snapshot, Unchecked};
 
 /// What makes set-points, one a cycle.
 pub(crate) trait SetPoints {
@@ -59,14 +59,15 @@ pub(crate) struct Supervision<'g> {
 
 impl<'g> Supervision<'g> {
     /// For an arm at rest.
-    pub(crate) fn new(start: JointPosition, period: Duration, max_departure_deg: f64, max_gap: Duration) -> Self {
+    pub(crate) fn new(
+        start: JointPosition,
+        period: Duration,
+        max_departure_deg: f64,
+        max_gap: Duration,
+        guard: Option<&'g SetPointGuard>,
+    ) -> Self {
         let departure = Departure::new(start, period.as_secs_f64(), max_departure_deg);
-        Self { departure, packet: 0, unseen: None, max_gap, guard: None }
-    }
-
-    /// Under a guard.
-    pub(crate) fn guarded(self, guard: Option<&'g SetPointGuard>) -> Self {
-        Self { guard, ..self }
+        Self { departure, packet: 0, unseen: None, max_gap, guard }
     }
 
     /// Fails once the guard has tripped.
@@ -182,6 +183,40 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let packet = self.robot.monitor().last_known_packet().filter(|packet| packet.number != number)?;
         Some(S::snapshot(&packet))
     }
+}
+
+/// A generator that is slow enough for the guard, if there is one. `option` is where its dynamics come from.
+pub(crate) fn generator(
+    checker: &Checker,
+    (dynamics, option): (Dynamics, &str),
+    start: JointPosition,
+    period_s: f64,
+    guard: Option<&SetPointGuard>,
+) -> Result<Generator, Error> {
+    let generator = Generator::new(checker, dynamics, start, period_s).map_err(|error| not_generated(error, option))?;
+    match guard {
+        Some(guard) => guard.slowed(generator),
+        None => Ok(generator),
+    }
+}
+
+/// Why there is no generator for what an option asks for.
+pub(crate) fn not_generated(error: GeneratorError, option: &str) -> Error {
+    match error {
+        GeneratorError::Start(beyond) => beyond_limit(beyond),
+        other => {
+            let allowed = "what the robot's limits allow";
+            InvalidArgument::new(ServoJ::INFO.name, option, other.to_string(), allowed, false).into()
+        }
+    }
+}
+
+pub(crate) fn beyond_limit(beyond: Beyond) -> Error {
+    ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into()
+}
+
+pub(crate) fn no_limits() -> Error {
+    ErrorKind::NotChecked { command: ServoJ::INFO.name.to_owned(), reason: Unchecked::NoLimits }.into()
 }
 
 /// The least angle or speed that is asked for: at a slower one a turn takes hours.

@@ -56,15 +56,15 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     ///
     /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
-        if self.robot.joint_accelerations().is_some() {
-            // The way on in joints was checked, not that along the line of the poses.
-            self.course.go_on_in_joints();
-        }
         let mut straight_on = self.straight_on();
         self.come_to_rest_by(&mut |course| straight_on.next(course))
     }
 
-    pub(crate) fn straight_on(&self) -> StraightOn {
+    pub(crate) fn straight_on(&mut self) -> StraightOn {
+        if self.robot.joint_accelerations().is_some() {
+            // The way on in joints was checked, not that along the line of the poses.
+            self.course.go_on_in_joints();
+        }
         StraightOn { rates: self.config.rates, period: self.config.period(), begun: None }
     }
 

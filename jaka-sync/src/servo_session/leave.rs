@@ -9,9 +9,7 @@ use jaka_proto::messages::types::Switch;
 
 #[cfg(feature = "stream")]
 use super::Supervision;
-#[cfg(feature = "stream")]
-use super::land::Braking;
-use super::land::{lets_land, not_seen};
+use super::land::{Braking, lets_land, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::{ServoReport, ServoSession};
 use crate::link::Sent;
@@ -44,18 +42,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.leave_landed(landed, supervision.check_tripped().err())
     }
 
-    /// Whether packets showed the arm at rest before servo mode was left.
-    #[cfg(feature = "stream")]
-    pub(crate) fn rest_was_seen(&self) -> bool {
-        self.report.rest_was_seen
-    }
-
-    /// What the session did, once it has ended.
-    #[cfg(feature = "stream")]
-    pub(crate) fn into_report(mut self) -> ServoReport {
-        std::mem::take(&mut self.report)
-    }
-
     /// After a landing, during which a guard may have tripped.
     fn leave_landed(&mut self, landed: Result<(), Error>, tripped: Option<Error>) -> Result<(), Error> {
         let answers = self.last_answers();
@@ -86,18 +72,13 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Ends the session because of an error: by a landing, where set-points are still followed, and servo mode is left.
     pub(crate) fn end(&mut self, first: Error) -> Error {
-        let landed = if self.is_open && lets_land(&first) { self.come_to_rest() } else { Ok(()) };
-        self.end_landed(first, landed)
+        let mut straight_on = self.straight_on();
+        self.end_by(first, &mut |course| straight_on.next(course))
     }
 
     /// The same, braked in another way.
-    #[cfg(feature = "stream")]
     pub(crate) fn end_by(&mut self, first: Error, braking: Braking<'_>) -> Error {
         let landed = if self.is_open && lets_land(&first) { self.come_to_rest_by(braking) } else { Ok(()) };
-        self.end_landed(first, landed)
-    }
-
-    fn end_landed(&mut self, first: Error, landed: Result<(), Error>) -> Error {
         let left = if self.is_open { self.leave() } else { Ok(()) };
         let first = self.explained(first);
         let error = match (landed, left) {

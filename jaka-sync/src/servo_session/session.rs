@@ -73,7 +73,7 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) pace: Pace,
     /// The last set-points: what the next one is compared with, and from which the arm is braked.
     pub(super) course: Course,
-    pub(super) report: ServoReport,
+    pub(crate) report: ServoReport,
     pub(super) refusal: Option<Error>,
     /// When the cycle was due that has begun, if its set-point has not gone out.
     pub(super) begun: Option<Instant>,

@@ -2,27 +2,15 @@
 
 use std::sync::Arc;
 
-use jaka_motion::{Generator, GeneratorError, Goal, Step};
-use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::ServoJ;
+use jaka_motion::{Dynamics, Generator, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
 use crate::robot::SetPointGuard;
-use crate::servo_session::{SetPoint, SetPoints, Supervision, check_shows_joints};
-use crate::servo_thread::Begun;
-use crate::{Error, ErrorKind, MotionStatus, Robot, ServoReport, ServoSession, Unchecked};
-
-/// Ends the stream for its handles, also where this thread panics.
-struct Ends(Arc<Targets>);
-
-impl Drop for Ends {
-    fn drop(&mut self) {
-        self.0.end("its thread has ended".to_owned());
-    }
-}
+use crate::servo_session::{SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits};
+use crate::servo_thread::{Begun, OnDrop};
+use crate::{Error, MotionStatus, Robot, ServoReport, ServoSession};
 
 /// A stream, from entering servo mode to leaving it. Says when it is ready, or why it does not begin.
 pub(super) fn run<S: MotionStatus>(
@@ -46,47 +34,35 @@ pub(super) fn run<S: MotionStatus>(
         Ok(session) => session,
         Err(error) => return refused(error),
     };
-    let slowed = |generator| match guard {
-        Some(guard) => guard.slowed(generator),
-        None => Ok(generator),
-    };
-    let mut generator = match generator(&session, config).and_then(slowed) {
+    let mut generator = match generator_at_start(&session, config, guard) {
         Ok(generator) => generator,
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
     let targets = Arc::new(Targets::new(generator.joints(), &clock));
-    let _ends = Ends(Arc::clone(&targets));
+    // Ends the stream for its handles, also where this thread panics.
+    let _ends = OnDrop(|| targets.end("its thread has ended".to_owned()));
     begun.give(Ok((Arc::clone(&targets), generator.clone())));
     let (start, period) = (generator.joints(), config.servo.period());
-    let supervision = Supervision::new(start, period, config.max_departure_deg, config.max_gap);
-    let mut supervision = supervision.guarded(guard);
+    let mut supervision = Supervision::new(start, period, config.max_departure_deg, config.max_gap, guard);
     let mut led = Led { generator: &mut generator, targets: &targets, order: None, last: None };
     let ended = session.send_all(&mut led, &mut supervision);
     let rest = &mut |_: &_| (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints));
     let result = match ended {
-        Ok(()) => session.land_by(rest, &supervision).map(|()| session.into_report()),
+        Ok(()) => session.land_by(rest, &supervision).map(|()| std::mem::take(&mut session.report)),
         Err(error) => Err(session.end_by(error, rest)),
     };
     targets.end(result.as_ref().err().map_or_else(|| "it has landed".to_owned(), ToString::to_string));
     Some(result)
 }
 
-fn generator<S: MotionStatus>(session: &ServoSession<'_, S>, config: &StreamConfig) -> Result<Generator, Error> {
-    let Some((checker, start)) = session.checker_and_start() else {
-        let command = ServoJ::INFO.name.to_owned();
-        return Err(ErrorKind::NotChecked { command, reason: Unchecked::NoLimits }.into());
-    };
-    let dynamics = config.dynamics.unwrap_or_else(|| jaka_motion::Dynamics::of(checker.limits()));
-    let period = config.servo.period().as_secs_f64();
-    Generator::new(checker, dynamics, start, period).map_err(|error| match error {
-        GeneratorError::Start(beyond) => {
-            ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into()
-        }
-        other => {
-            let allowed = "what the robot's limits allow".to_owned();
-            InvalidArgument::new(ServoJ::INFO.name, "dynamics", other.to_string(), allowed, false).into()
-        }
-    })
+fn generator_at_start<S: MotionStatus>(
+    session: &ServoSession<'_, S>,
+    config: &StreamConfig,
+    guard: Option<&SetPointGuard>,
+) -> Result<Generator, Error> {
+    let (checker, start) = session.checker_and_start().ok_or_else(no_limits)?;
+    let dynamics = config.dynamics.unwrap_or_else(|| Dynamics::of(checker.limits()));
+    generator(checker, (dynamics, "dynamics"), start, config.servo.period().as_secs_f64(), guard)
 }
 
 /// What the generator makes of the orders of the handles.

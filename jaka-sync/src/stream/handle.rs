@@ -3,35 +3,28 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_motion::{Beyond, Bound, Generator, Goal, TcpVelocity};
+use jaka_motion::{Bound, Generator, Goal, TcpVelocity};
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::target::Targets;
+use crate::servo_session::beyond_limit;
 use crate::{Error, ErrorKind};
 
 /// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
 #[derive(Debug, Clone)]
 pub struct StreamHandle {
-    targets: Arc<Targets>,
+    pub(super) targets: Arc<Targets>,
     /// What goals are checked by; it makes no set-points.
-    desk: Arc<Generator>,
+    pub(super) desk: Arc<Generator>,
 }
 
 /// For how long a velocity may be given.
 const LONGEST: Duration = Duration::from_millis(500);
 
 impl StreamHandle {
-    pub(super) fn new(targets: Arc<Targets>, desk: Generator) -> Self {
-        Self { targets, desk: Arc::new(desk) }
-    }
-
-    pub(super) fn targets(&self) -> &Targets {
-        &self.targets
-    }
-
     /// Goes to these joint positions, which all joints reach at the same time, and stays there. In degrees.
     ///
     /// # Errors
@@ -48,7 +41,7 @@ impl StreamHandle {
     /// As [`set_joints`](Self::set_joints); also where the pose can be reached only by another branch.
     pub fn set_pose(&self, target: impl Into<Pose>) -> Result<(), Error> {
         let found = self.desk.checker().joints_on_branch(self.joints(), target.into());
-        self.give(Goal::Joints(found.map_err(beyond)?), None)
+        self.give(Goal::Joints(found.map_err(beyond_limit)?), None)
     }
 
     /// Moves the joints with these speeds, in deg/s, for a time of at most 500 ms, and brakes then unless another goal was given.
@@ -105,13 +98,9 @@ impl StreamHandle {
                 InvalidArgument::new(ServoJ::INFO.name, "for_at_most", format!("{time:?}"), allowed, false).into()
             );
         }
-        self.desk.check_goal(&goal).map_err(beyond)?;
+        self.desk.check_goal(&goal).map_err(beyond_limit)?;
         self.targets.give(goal, for_at_most).map_err(ended)
     }
-}
-
-fn beyond(beyond: Beyond) -> Error {
-    ErrorKind::BeyondLimit { command: ServoJ::INFO.name.to_owned(), beyond }.into()
 }
 
 fn ended(because: String) -> Error {
