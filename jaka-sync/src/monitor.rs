@@ -325,12 +325,12 @@ impl<S: 'static> Monitor<S> {
     ///
     /// Packets wait while it runs, so it should be short. If it panics, it is not called again, and the monitor goes on.
     pub fn observe(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
-        self.board.lock().observers.add(call);
+        self.board.lock().observers.users.push(Box::new(call));
     }
 
     /// The same, before all of the user's observers.
     pub(crate) fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
-        self.board.lock().observers.add_own(call);
+        self.board.lock().observers.own.push(Box::new(call));
     }
 
     /// How regularly packets have come.

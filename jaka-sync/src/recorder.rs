@@ -11,11 +11,11 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::AtomicU32;
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Instant, SystemTime};
 
-use jaka_proto::recording::{Entry, Header};
+use jaka_proto::recording::Header;
 use jaka_proto::wire::Writer;
 
 pub(crate) use self::exchanges::show;
@@ -128,20 +128,6 @@ impl Recorder {
     pub fn finish(&self) -> io::Result<RecorderReport> {
         self.0.queue.close();
         self.0.queue.wait_until_done()
-    }
-
-    /// The time since the start of the recording.
-    fn now(&self, clock: &Clock) -> Duration {
-        clock.elapsed(self.0.started)
-    }
-
-    /// A number for a new connection.
-    fn next_connection(&self) -> u32 {
-        self.0.connections.fetch_add(1, Ordering::Relaxed) + 1
-    }
-
-    fn record(&self, entry: &Arc<Entry>) {
-        self.0.queue.push(entry);
     }
 }
 

@@ -73,14 +73,10 @@ fn mailbox<T>(clock: &Clock) -> (Arc<Mailbox<T>>, Giver<T>) {
 impl<T> Mailbox<T> {
     /// What was given; none where the giver has ended, or it was taken.
     fn take(&self) -> Option<T> {
-        let mut letter = self.lock();
-        while matches!(*letter, Letter::Awaited) {
-            letter = self.wait(letter, Duration::MAX);
-        }
-        match mem::replace(&mut *letter, Letter::Gone) {
-            Letter::Here(given) => Some(given),
-            _ => None,
-        }
+        let letter = self.wait_for(Duration::MAX, |letter| {
+            (!matches!(letter, Letter::Awaited)).then(|| mem::replace(letter, Letter::Gone))
+        });
+        if let Some(Letter::Here(given)) = letter { Some(given) } else { None }
     }
 
     fn put(&self, letter: Letter<T>) {

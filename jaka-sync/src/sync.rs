@@ -60,6 +60,22 @@ impl<T> Watched<T> {
         state
     }
 
+    /// Waits until this finds something in the state; none after so long.
+    pub(crate) fn wait_for<R>(&self, time: Duration, mut find: impl FnMut(&mut T) -> Option<R>) -> Option<R> {
+        let since = self.clock().stopwatch();
+        let mut state = self.lock();
+        loop {
+            if let Some(found) = find(&mut state) {
+                return Some(found);
+            }
+            let left = since.left_of(time);
+            if left.is_zero() {
+                return None;
+            }
+            state = self.wait(state, left);
+        }
+    }
+
     /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
     pub(crate) fn wake(&self) {
         if self.sleepers() > 0 {

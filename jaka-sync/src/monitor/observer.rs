@@ -7,24 +7,16 @@ use std::sync::Arc;
 
 use super::Snapshot;
 
-type Call<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send>;
+pub(super) type Call<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send>;
 
 /// What is called for each packet.
 pub(super) struct Observers<S> {
     /// This crate's own, which are short and keep the arm from moving: no user's observer may hold them up.
-    own: Vec<Call<S>>,
-    users: Vec<Call<S>>,
+    pub(super) own: Vec<Call<S>>,
+    pub(super) users: Vec<Call<S>>,
 }
 
 impl<S> Observers<S> {
-    pub(super) fn add(&mut self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
-        self.users.push(Box::new(call));
-    }
-
-    pub(super) fn add_own(&mut self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
-        self.own.push(Box::new(call));
-    }
-
     pub(super) fn is_empty(&self) -> bool {
         self.own.is_empty() && self.users.is_empty()
     }

@@ -59,18 +59,11 @@ impl<S> Subscription<S> {
 
     /// The next packet of the queue, or the one that comes within `timeout`; `None` if none has come, or no more will come.
     pub fn next_packet_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
-        let since = self.queue.clock().stopwatch();
-        let mut items = self.queue.lock();
-        loop {
-            if let Some(next) = items.waiting.pop_front() {
-                return Some(next);
-            }
-            let left = since.left_of(timeout);
-            if items.closed || left.is_zero() {
-                return None;
-            }
-            items = self.queue.wait(items, left);
-        }
+        let next = self.queue.wait_for(timeout, |items| match items.waiting.pop_front() {
+            None if !items.closed => None,
+            next => Some(next),
+        });
+        next.flatten()
     }
 
     /// How many packets were dropped because the queue was full.

@@ -211,17 +211,11 @@ impl<S: Decode> Worker<S> {
 
     /// Waits, and says whether the monitor was dropped meanwhile.
     fn pause(&self, delay: Duration) -> bool {
-        let since = self.config.clock.stopwatch();
         let mut state = self.board.lock();
         state.counters.interrupted();
         state.reconnecting = true;
-        loop {
-            let left = since.left_of(delay);
-            if state.closing || left.is_zero() {
-                return state.closing;
-            }
-            state = self.board.wait(state, left);
-        }
+        drop(state);
+        self.board.wait_for(delay, |state| state.closing.then_some(())).is_some()
     }
 
     fn connected(&self, packets: Packets) -> Option<Packets> {

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::io;
 use std::mem;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -85,8 +86,13 @@ impl Queue {
 
     /// Runs the writer, and notes how it has ended, also by a panic.
     pub(super) fn serve(&self, write: impl FnOnce(&Self) -> io::Result<()>) {
-        let mut end = End { queue: self, ended: Err((io::ErrorKind::Other, "the writer panicked".to_owned())) };
-        end.ended = write(self).map_err(|error| (error.kind(), error.to_string()));
+        let written = catch_unwind(AssertUnwindSafe(|| write(self)));
+        let ended = written.unwrap_or_else(|_| Err(io::Error::other("the writer panicked")));
+        let mut state = lock(&self.state);
+        state.ended = Some(ended.map_err(|error| (error.kind(), error.to_string())));
+        state.waiting.clear();
+        drop(state);
+        self.changed.notify_all();
     }
 
     /// Ends the recording: what waits is still written.
@@ -132,22 +138,6 @@ fn size(entry: &Entry) -> usize {
     OVERHEAD + entry.event.message().map_or(0, |message| message.bytes().len())
 }
 
-/// Notes on its drop how the writer has ended.
-struct End<'q> {
-    queue: &'q Queue,
-    ended: Result<(), (io::ErrorKind, String)>,
-}
-
-impl Drop for End<'_> {
-    fn drop(&mut self) {
-        let mut state = lock(&self.queue.state);
-        state.ended = Some(mem::replace(&mut self.ended, Ok(())));
-        state.waiting.clear();
-        drop(state);
-        self.queue.changed.notify_all();
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use jaka_proto::recording::{Message, Port};
@@ -187,8 +177,7 @@ mod tests {
         let error = queue.wait_until_done().expect_err("the writer has failed");
         assert_eq!((error.kind(), error.to_string()), (io::ErrorKind::StorageFull, "no space left".to_owned()));
         let queue = Queue::new(1000);
-        let panicking = std::panic::AssertUnwindSafe(|| queue.serve(|_| panic!("as the test wants")));
-        assert!(std::panic::catch_unwind(panicking).is_err());
+        queue.serve(|_| panic!("as the test wants"));
         assert_eq!(queue.wait_until_done().expect_err("the writer has panicked").to_string(), "the writer panicked");
     }
 }

@@ -1,5 +1,6 @@
 //! One connection in a recording.
 
+use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
@@ -42,7 +43,7 @@ impl Recorder {
 
     /// The same by a clock.
     pub(super) fn track_by(&self, clock: &Clock, port: Port, sampling: StatusSampling) -> Track {
-        let (recorder, number) = (self.clone(), self.next_connection());
+        let (recorder, number) = (self.clone(), self.0.connections.fetch_add(1, Ordering::Relaxed) + 1);
         Track { recorder, port, number, clock: clock.clone(), sampling, sampler: Mutex::default() }
     }
 }
@@ -60,7 +61,7 @@ impl Track {
 
     /// The time since the start of the recording.
     pub(super) fn now(&self) -> Duration {
-        self.recorder.now(&self.clock)
+        self.clock.elapsed(self.recorder.0.started)
     }
 
     pub(super) fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {
@@ -68,7 +69,7 @@ impl Track {
     }
 
     pub(super) fn push(&self, entry: &Arc<Entry>) {
-        self.recorder.record(entry);
+        self.recorder.0.queue.push(entry);
     }
 
     pub(super) fn push_packet(&self, entry: &Arc<Entry>) {

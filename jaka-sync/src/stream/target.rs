@@ -96,21 +96,11 @@ impl Targets {
 
     /// Waits until the arm rests on the last goal that was given, or the stream has ended, of which it tells why.
     pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, String> {
-        let since = self.state.clock().stopwatch();
-        let mut state = self.state.lock();
-        loop {
-            if let Some(because) = &state.ended {
-                return Err(because.clone());
-            }
-            if state.is_at_rest {
-                return Ok(true);
-            }
-            let left = since.left_of(timeout);
-            if left.is_zero() {
-                return Ok(false);
-            }
-            state = self.state.wait(state, left);
-        }
+        let found = self.state.wait_for(timeout, |state| match &state.ended {
+            Some(because) => Some(Err(because.clone())),
+            None => state.is_at_rest.then_some(Ok(true)),
+        });
+        found.unwrap_or(Ok(false))
     }
 
     /// What to do in this cycle; none while a handle changes it: then as in the cycle before.
