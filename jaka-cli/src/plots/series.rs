@@ -1,5 +1,7 @@
 //! A quantity over time.
 
+use std::mem;
+
 /// Values over time, in seconds; none where it is not known.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Series {
@@ -47,96 +49,44 @@ impl Series {
 
     /// Curves up to a time, with the lowest, the highest and the last value in each of so many columns. They are interrupted where nothing is known for a column.
     pub(super) fn curves(&self, end: f64, columns: u32) -> Vec<Vec<Point>> {
-        let mut curves = Curves::default();
-        for &(time, value) in self.points.iter().filter(|(time, _)| *time <= end) {
-            curves.add((time / end * f64::from(columns)).floor(), time, value);
-        }
-        curves.end()
-    }
-}
-
-#[derive(Debug, Default)]
-struct Curves {
-    done: Vec<Vec<Point>>,
-    curve: Vec<Point>,
-    column: Option<Column>,
-    is_interrupted: bool,
-}
-
-/// What is drawn of the values in a column.
-#[derive(Debug)]
-struct Column {
-    at: f64,
-    lowest: Point,
-    highest: Point,
-    last: Point,
-}
-
-impl Curves {
-    fn add(&mut self, at: f64, time: f64, value: Option<f64>) {
-        let Some(value) = value else {
-            self.is_interrupted = true;
-            return;
-        };
-        let point = (time, value);
-        match &mut self.column {
-            Some(column) if column.at >= at => column.add(point),
-            _ => {
-                self.finish_column();
-                if self.is_interrupted {
-                    self.finish_curve();
-                }
-                self.column = Some(Column { at, lowest: point, highest: point, last: point });
+        let shown: Vec<_> = self.points.iter().copied().filter(|(time, _)| *time <= end).collect();
+        let column = |(time, _): &(f64, Option<f64>)| (time / end * f64::from(columns)).floor();
+        let (mut curves, mut curve, mut is_interrupted) = (Vec::new(), Vec::new(), false);
+        for points in shown.chunk_by(|one, other| column(one) >= column(other)) {
+            if is_interrupted || points[0].1.is_none() {
+                curves.push(mem::take(&mut curve));
             }
+            is_interrupted = points.last().is_some_and(|(_, value)| value.is_none());
+            let known: Vec<_> = points.iter().filter_map(|&(time, value)| Some((time, value?))).collect();
+            drawn(&known).into_iter().flatten().for_each(|point| draw(&mut curve, point));
         }
-        self.is_interrupted = false;
-    }
-
-    fn finish_column(&mut self) {
-        let Some(Column { lowest, highest, last, .. }) = self.column.take() else { return };
-        let (first, second) = if lowest.0 <= highest.0 { (lowest, highest) } else { (highest, lowest) };
-        for point in [first, second, last] {
-            self.draw(point);
-        }
-    }
-
-    /// Adds a point; of several of the same value, the first and the last are enough.
-    fn draw(&mut self, point: Point) {
-        if self.curve.last() == Some(&point) {
-            return;
-        }
-        if let [.., (_, before), (time, last)] = self.curve.as_mut_slice()
-            && (*before, *last) == (point.1, point.1)
-        {
-            *time = point.0;
-            return;
-        }
-        self.curve.push(point);
-    }
-
-    fn finish_curve(&mut self) {
-        if !self.curve.is_empty() {
-            self.done.push(std::mem::take(&mut self.curve));
-        }
-    }
-
-    fn end(mut self) -> Vec<Vec<Point>> {
-        self.finish_column();
-        self.finish_curve();
-        self.done
+        curves.push(curve);
+        curves.retain(|curve| !curve.is_empty());
+        curves
     }
 }
 
-impl Column {
-    fn add(&mut self, point: Point) {
-        if point.1 < self.lowest.1 {
-            self.lowest = point;
-        }
-        if point.1 > self.highest.1 {
-            self.highest = point;
-        }
-        self.last = point;
+/// What is drawn of the points in a column: the lowest and the highest in their order, and the last.
+fn drawn(points: &[Point]) -> Option<[Point; 3]> {
+    let by_value = |one: &&Point, other: &&Point| one.1.total_cmp(&other.1);
+    // The first of those that are equal.
+    let (lowest, highest) = (*points.iter().min_by(by_value)?, *points.iter().rev().max_by(by_value)?);
+    let [first, second] = if lowest.0 <= highest.0 { [lowest, highest] } else { [highest, lowest] };
+    Some([first, second, *points.last()?])
+}
+
+/// Adds a point; of several of the same value, the first and the last are enough.
+fn draw(curve: &mut Vec<Point>, point: Point) {
+    if curve.last() == Some(&point) {
+        return;
     }
+    if let [.., (_, before), (time, last)] = curve.as_mut_slice()
+        && (*before, *last) == (point.1, point.1)
+    {
+        *time = point.0;
+        return;
+    }
+    curve.push(point);
 }
 
 #[cfg(test)]
