@@ -1,9 +1,10 @@
 //! Records what has passed on a thread of its own: a thread that passes bytes on hands over a copy and never waits.
 
-use std::collections::VecDeque;
 use std::io;
 use std::mem;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 
 use jaka_sync::Track;
@@ -19,26 +20,26 @@ const OVERHEAD: usize = 128;
 
 /// Records what passes on all connections, on a thread of its own.
 #[derive(Debug, Clone)]
-pub(crate) struct RecordingQueue(Arc<Shared>);
-
-#[derive(Debug)]
-struct Shared {
-    state: Mutex<State>,
-    /// Signalled when there is something to do, and when the thread has ended.
-    changed: Condvar,
-    limit: usize,
+pub(crate) struct RecordingQueue {
+    sender: Sender<Waiting>,
+    counts: Arc<Counts>,
 }
 
-#[derive(Debug, Default)]
-struct State {
-    waiting: VecDeque<(Arc<Connection>, Passed)>,
-    bytes: usize,
-    /// No more pieces are accepted, and the thread ends when the queue is empty.
-    closed: bool,
-    /// The thread has ended.
-    ended: bool,
+/// What waits for the thread.
+#[derive(Debug)]
+enum Waiting {
+    Passed(Arc<Connection>, Passed),
+    /// No more pieces are accepted. It is dropped when the thread has ended.
+    Finish(Sender<()>),
+}
+
+#[derive(Debug)]
+struct Counts {
+    /// How many bytes may wait, and how many do.
+    limit: usize,
+    bytes: AtomicUsize,
     /// How many pieces were not recorded.
-    missing: u64,
+    missing: AtomicU64,
 }
 
 /// A connection that passes through the proxy.
@@ -48,6 +49,8 @@ pub(super) struct Connection {
     port: Port,
     /// What each direction has sent in part.
     frames: [Mutex<Frames>; 2],
+    /// How many pieces of each direction did not fit since the last one that did.
+    missing: [AtomicU64; 2],
 }
 
 /// The direction of bytes.
@@ -70,7 +73,7 @@ pub(super) enum Passed {
 
 impl Connection {
     pub(super) fn new(track: Track, port: Port) -> Arc<Self> {
-        Arc::new(Self { track, port, frames: Default::default() })
+        Arc::new(Self { track, port, frames: Default::default(), missing: Default::default() })
     }
 
     fn record(&self, passed: Passed) {
@@ -93,7 +96,7 @@ impl Connection {
     }
 
     fn frames(&self, direction: Direction) -> MutexGuard<'_, Frames> {
-        self.frames[usize::from(direction == Direction::ToClient)].lock().unwrap_or_else(PoisonError::into_inner)
+        self.frames[direction as usize].lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn piece(&self, direction: Direction, piece: Piece<'_>) {
@@ -104,6 +107,12 @@ impl Connection {
             (Direction::ToClient, Piece::Message(_)) if self.port == Port::Status => self.track.record_packet(message),
             (Direction::ToClient, _) => self.track.record(Event::Received(message)),
         }
+    }
+
+    /// The pieces of a direction that are missing since this was asked last.
+    fn take_missing(&self, direction: Direction) -> Option<Passed> {
+        let count = self.missing[direction as usize].swap(0, Ordering::Relaxed);
+        (count > 0).then_some(Passed::Missing(direction, count))
     }
 }
 
@@ -121,104 +130,69 @@ impl RecordingQueue {
     }
 
     fn with_limit(limit: usize) -> io::Result<Self> {
-        let queue = Self(Arc::new(Shared { state: Mutex::default(), changed: Condvar::new(), limit }));
-        let theirs = queue.clone();
-        thread::Builder::new().spawn(move || theirs.work())?;
-        Ok(queue)
+        let (sender, waiting) = mpsc::channel();
+        let counts = Arc::new(Counts { limit, bytes: AtomicUsize::new(0), missing: AtomicU64::new(0) });
+        let theirs = Arc::clone(&counts);
+        thread::Builder::new().spawn(move || work(&waiting, &theirs.bytes))?;
+        Ok(Self { sender, counts })
     }
 
-    /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing but the queue's lock.
+    /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing.
     pub(super) fn take(&self, connection: &Arc<Connection>, passed: Passed) {
-        let mut state = self.lock();
-        if state.closed {
-            return;
-        }
-        let size = passed.size();
-        match passed {
-            Passed::Bytes(direction, _) if state.bytes + size > self.0.limit => state.miss(connection, direction),
-            // These are few, and small.
-            passed => {
-                state.bytes += size;
-                state.waiting.push_back((Arc::clone(connection), passed));
+        if let Passed::Bytes(direction, _) | Passed::End(direction) = passed {
+            let is_full = self.counts.bytes.load(Ordering::Relaxed) + passed.size() > self.counts.limit;
+            // Ends are few, and small.
+            if is_full && matches!(passed, Passed::Bytes(..)) {
+                connection.missing[direction as usize].fetch_add(1, Ordering::Relaxed);
+                self.counts.missing.fetch_add(1, Ordering::Relaxed);
+                return;
             }
+            connection.take_missing(direction).into_iter().for_each(|missing| self.send(connection, missing));
         }
-        self.0.changed.notify_all();
+        self.send(connection, passed);
+    }
+
+    /// After the end of the thread, nothing is recorded.
+    fn send(&self, connection: &Arc<Connection>, passed: Passed) {
+        self.counts.bytes.fetch_add(passed.size(), Ordering::Relaxed);
+        self.sender.send(Waiting::Passed(Arc::clone(connection), passed)).ok();
     }
 
     /// Waits until all that was taken is with the recorder, also what was sent in part, and takes no more. Says how many pieces are
     /// missing.
     pub(crate) fn finish(&self) -> u64 {
-        let mut state = self.lock();
-        state.closed = true;
-        self.0.changed.notify_all();
-        while !state.ended {
-            state = self.0.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
-        }
-        state.missing
-    }
-
-    fn work(&self) {
-        let _end = StopOnDrop(self);
-        let mut open: Vec<Weak<Connection>> = Vec::new();
-        while let Some((connection, passed)) = self.next() {
-            if !open.iter().any(|known| known.as_ptr() == Arc::as_ptr(&connection)) {
-                open.retain(|known| known.strong_count() > 0);
-                open.push(Arc::downgrade(&connection));
-            }
-            connection.record(passed);
-        }
-        for connection in open.iter().filter_map(Weak::upgrade) {
-            connection.flush(Direction::ToRobot);
-            connection.flush(Direction::ToClient);
-        }
-    }
-
-    /// The next entry to record; none at the end.
-    fn next(&self) -> Option<(Arc<Connection>, Passed)> {
-        let mut state = self.lock();
-        while state.waiting.is_empty() {
-            if state.closed {
-                return None;
-            }
-            state = self.0.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
-        }
-        let next = state.waiting.pop_front()?;
-        state.bytes -= next.1.size();
-        Some(next)
-    }
-
-    fn lock(&self) -> MutexGuard<'_, State> {
-        // Every change is complete before the lock is released.
-        self.0.state.lock().unwrap_or_else(PoisonError::into_inner)
+        let (sender, ended) = mpsc::channel();
+        self.sender.send(Waiting::Finish(sender)).ok();
+        // Nothing is ever sent: the sender is dropped with the thread, also by a panic.
+        ended.recv().ok();
+        self.counts.missing.load(Ordering::Relaxed)
     }
 }
 
-impl State {
-    /// Counts a piece that does not fit, in one entry with those before it.
-    fn miss(&mut self, connection: &Arc<Connection>, direction: Direction) {
-        self.missing += 1;
-        let last = self.waiting.iter_mut().rev().find(|(theirs, _)| Arc::ptr_eq(theirs, connection));
-        match last {
-            Some((_, Passed::Missing(same, count))) if *same == direction => *count += 1,
-            _ => {
-                self.bytes += OVERHEAD;
-                self.waiting.push_back((Arc::clone(connection), Passed::Missing(direction, 1)));
+/// Records what waits, until nothing more is accepted.
+fn work(waiting: &Receiver<Waiting>, bytes: &AtomicUsize) {
+    let mut open: Vec<Weak<Connection>> = Vec::new();
+    let ended = loop {
+        match waiting.recv() {
+            Ok(Waiting::Passed(connection, passed)) => {
+                bytes.fetch_sub(passed.size(), Ordering::Relaxed);
+                if !open.iter().any(|known| known.as_ptr() == Arc::as_ptr(&connection)) {
+                    open.retain(|known| known.strong_count() > 0);
+                    open.push(Arc::downgrade(&connection));
+                }
+                connection.record(passed);
             }
+            Ok(Waiting::Finish(ended)) => break Some(ended),
+            Err(_) => break None,
+        }
+    };
+    for connection in open.iter().filter_map(Weak::upgrade) {
+        for direction in [Direction::ToRobot, Direction::ToClient] {
+            connection.flush(direction);
+            connection.take_missing(direction).into_iter().for_each(|missing| connection.record(missing));
         }
     }
-}
-
-/// Ends all waits for the thread when it ends, also by a panic.
-struct StopOnDrop<'s>(&'s RecordingQueue);
-
-impl Drop for StopOnDrop<'_> {
-    fn drop(&mut self) {
-        let mut state = self.0.lock();
-        (state.closed, state.ended) = (true, true);
-        state.waiting.clear();
-        drop(state);
-        self.0.0.changed.notify_all();
-    }
+    drop(ended);
 }
 
 #[cfg(test)]
@@ -253,7 +227,7 @@ mod tests {
         // While the thread records this one, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
         queue.take(&connection, bytes(Direction::ToRobot, "{\"a\":1}{\"cut"));
-        while !queue.lock().waiting.is_empty() {
+        while queue.counts.bytes.load(Ordering::Relaxed) > 0 {
             thread::yield_now();
         }
         for text in ["\":2}{}", &"x".repeat(500), &"y".repeat(500)] {
