@@ -28,129 +28,109 @@ pub(super) struct Advice {
     pub(super) text: String,
 }
 
-impl Advice {
-    fn leave(item: &'static str, text: String) -> Self {
-        Self { item, verdict: "leave", text }
-    }
+/// A verdict, and why.
+type Verdict = (&'static str, String);
 
-    fn change(item: &'static str, text: String) -> Self {
-        Self { item, verdict: "change", text }
-    }
-}
+const LEAVE: &str = "leave";
+const CHANGE: &str = "change";
 
 /// What to do, item by item.
 pub(super) fn on(measured: &Measured) -> Vec<Advice> {
     let lateness = &measured.lateness;
-    let always = [busy_wait(lateness), priority(lateness), core(lateness), network(measured.round_trip.as_ref())];
-    always.into_iter().chain(gaps(lateness)).chain(seconds(&lateness.usual)).collect()
+    let items = [
+        ("busy_wait", Some(busy_wait(lateness))),
+        ("priority", Some(priority(lateness))),
+        ("core", Some(core(lateness))),
+        ("network", Some(network(measured.round_trip.as_ref()))),
+        ("gaps", gaps(lateness)),
+        ("seconds", seconds(&lateness.usual)),
+    ];
+    let given = items.into_iter().filter_map(|(item, verdict)| Some((item, verdict?)));
+    given.map(|(item, (verdict, text))| Advice { item, verdict, text }).collect()
 }
 
 /// With the priority that is worth while.
-fn busy_wait(lateness: &Lateness) -> Advice {
-    const ITEM: &str = "busy_wait";
+fn busy_wait(lateness: &Lateness) -> Verdict {
     let waits = match &lateness.realtime {
         Ok(realtime) if share(realtime) < share(&lateness.usual) => realtime,
         _ => &lateness.usual,
     };
     let [asleep, spinning] = [&waits.asleep, &waits.spinning].map(|times| times.within(99));
     if asleep <= EXACT {
-        return Advice::leave(
-            ITEM,
-            format!("asleep, 99 % of cycles begin within {asleep:.1?}, which is not over {EXACT:?}"),
-        );
+        return (LEAVE, format!("asleep, 99 % of cycles begin within {asleep:.1?}, which is not over {EXACT:?}"));
     }
     let compared = format!("spinning, 99 % of cycles begin within {spinning:.1?}; asleep, within {asleep:.1?}");
     if spinning * 2 <= asleep {
-        Advice::change(ITEM, format!("spin before each cycle, with `ServoConfig::busy_wait` of {SPIN:?}: {compared}"))
+        (CHANGE, format!("spin before each cycle, with `ServoConfig::busy_wait` of {SPIN:?}: {compared}"))
     } else {
-        Advice::leave(ITEM, format!("spinning does not halve it: {compared}"))
+        (LEAVE, format!("spinning does not halve it: {compared}"))
     }
 }
 
-fn priority(lateness: &Lateness) -> Advice {
-    const ITEM: &str = "priority";
-    let usual = late(&lateness.usual);
+fn priority(lateness: &Lateness) -> Verdict {
+    let (usual, counts) = (late(&lateness.usual), counts(&lateness.usual));
     let is_late = lateness.usual.at_least(LATE) > 0;
     match &lateness.realtime {
-        Err(refusal) if is_late => Advice::change(
-            ITEM,
+        Err(refusal) if is_late => (
+            CHANGE,
             format!(
                 "{usual} without a real-time priority, and none could be measured; allow it, and measure again: {refusal}"
             ),
         ),
-        Err(refusal) => {
-            Advice::leave(ITEM, format!("{usual} without a real-time priority; none could be measured: {refusal}"))
-        }
-        Ok(_) if !is_late => Advice::leave(ITEM, format!("{usual} without a real-time priority")),
-        Ok(realtime) if share(realtime) < share(&lateness.usual) => Advice::change(
-            ITEM,
+        Err(refusal) => (LEAVE, format!("{usual} without a real-time priority; none could be measured: {refusal}")),
+        Ok(_) if !is_late => (LEAVE, format!("{usual} without a real-time priority")),
+        Ok(realtime) if share(realtime) < share(&lateness.usual) => (
+            CHANGE,
             format!(
-                "ask for a real-time priority, with `ServoConfig::realtime_priority({PRIORITY})` (feature `realtime`): {}, {} without it",
-                late(realtime),
-                counts(&lateness.usual)
+                "ask for a real-time priority, with `ServoConfig::realtime_priority({PRIORITY})` (feature `realtime`): {}, {counts} without it",
+                late(realtime)
             ),
         ),
-        Ok(realtime) => Advice::leave(
-            ITEM,
-            format!("a real-time priority does not help: {}, {} without it", late(realtime), counts(&lateness.usual)),
-        ),
+        Ok(realtime) => (LEAVE, format!("a real-time priority does not help: {}, {counts} without it", late(realtime))),
     }
 }
 
-fn core(lateness: &Lateness) -> Advice {
-    const ITEM: &str = "core";
+fn core(lateness: &Lateness) -> Verdict {
     const KEEP: &str = "keep a core for the cycle: `isolcpus` on the command line of the kernel, and `taskset` for the program; otherwise a \
                         real-time kernel (PREEMPT_RT), no power saving, no virtual machine";
     match &lateness.realtime {
-        Ok(waits) if waits.at_least(LATE) > 0 => {
-            Advice::change(ITEM, format!("{} with a real-time priority: {KEEP}", late(waits)))
-        }
-        Ok(waits) => Advice::leave(ITEM, format!("{} with a real-time priority", late(waits))),
+        Ok(waits) if waits.at_least(LATE) > 0 => (CHANGE, format!("{} with a real-time priority: {KEEP}", late(waits))),
+        Ok(waits) => (LEAVE, format!("{} with a real-time priority", late(waits))),
         Err(_) if lateness.usual.at_least(LATE) > 0 => {
-            Advice::change(ITEM, format!("if a real-time priority is not enough, {KEEP}"))
+            (CHANGE, format!("if a real-time priority is not enough, {KEEP}"))
         }
-        Err(_) => Advice::leave(ITEM, late(&lateness.usual)),
+        Err(_) => (LEAVE, late(&lateness.usual)),
     }
 }
 
-fn network(round_trip: Option<&RoundTrip>) -> Advice {
-    const ITEM: &str = "network";
+fn network(round_trip: Option<&RoundTrip>) -> Verdict {
     let Some(round_trip) = round_trip else {
-        return Advice {
-            item: ITEM,
-            verdict: "not measured",
-            text: "name a robot with `--robot`, or use `--sim`".to_owned(),
-        };
+        return ("not measured", "name a robot with `--robot`, or use `--sim`".to_owned());
     };
     let [usual, longest] = [99, 100].map(|percent| round_trip.times.within(percent));
     let seen = format!("99 % of replies came within {usual:.1?}, all within {longest:.1?}");
     if usual <= PERIOD && longest < UNANSWERED {
-        return Advice::leave(ITEM, format!("{seen}, which is not over {PERIOD:?} and under {UNANSWERED:?}"));
+        return (LEAVE, format!("{seen}, which is not over {PERIOD:?} and under {UNANSWERED:?}"));
     }
     let advice = "connect by cable, without Wi-Fi and busy switches: set-points are due each";
-    Advice::change(
-        ITEM,
-        format!("{seen}; {advice} {PERIOD:?}, and a session ends when {UNANSWERED:?} of them are not answered"),
-    )
+    (CHANGE, format!("{seen}; {advice} {PERIOD:?}, and a session ends when {UNANSWERED:?} of them are not answered"))
 }
 
 /// Only where there are some, in the best way that was measured.
-fn gaps(lateness: &Lateness) -> Option<Advice> {
+fn gaps(lateness: &Lateness) -> Option<Verdict> {
     let waits = lateness.realtime.as_ref().unwrap_or(&lateness.usual);
     let gaps = waits.at_least(GAP);
-    let text = || {
-        let cycles = count(gaps, "cycle");
-        format!(
-            "{cycles} began {GAP:?} late or more: in a motion the arm would have stood; move no arm from this machine before that is cured"
-        )
-    };
-    (gaps > 0).then(|| Advice::change("gaps", text()))
+    let cycles = count(gaps, "cycle");
+    let text = format!(
+        "{cycles} began {GAP:?} late or more: in a motion the arm would have stood; move no arm from this machine before that is cured"
+    );
+    (gaps > 0).then_some((CHANGE, text))
 }
 
-fn seconds(waits: &Waits) -> Option<Advice> {
+fn seconds(waits: &Waits) -> Option<Verdict> {
     let cycles = waits.asleep.count();
-    let text = || format!("measure for longer, such as 60 s: {} of each way say little", count(cycles, "cycle"));
-    (cycles < FEWEST).then(|| Advice::change("seconds", text()))
+    let text = format!("measure for longer, such as 60 s: {} of each way say little", count(cycles, "cycle"));
+    (cycles < FEWEST).then_some((CHANGE, text))
 }
 
 /// How many cycles were late, in words.
