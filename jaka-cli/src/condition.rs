@@ -1,7 +1,6 @@
 //! Conditions on status packets, as people type them: `in_position && !protective_stop`.
 
 mod parse;
-mod tokens;
 
 use std::fmt;
 use std::str::FromStr;
@@ -21,8 +20,7 @@ pub(crate) struct Condition {
 /// A part of a condition, whose kinds were checked when it was read.
 #[derive(Debug, Clone)]
 enum Expression {
-    Truth(bool),
-    Number(f64),
+    Literal(Value),
     Field(Field),
     Not(Box<Expression>),
     And(Box<Expression>, Box<Expression>),
@@ -41,17 +39,10 @@ enum Comparison {
     GreaterOrEqual,
 }
 
-/// A value in a packet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Datum {
-    Truth(bool),
-    Number(f64),
-}
-
 impl Condition {
     /// True if the packet shows that it holds. What depends on a field that the packet does not have does not hold, and neither does its contrary.
     pub(crate) fn holds(&self, packet: &Value) -> bool {
-        self.root.value(packet) == Some(Datum::Truth(true))
+        self.root.truth(packet) == Some(true)
     }
 
     /// Its fields with their values in a packet, such as `in_position false`.
@@ -69,37 +60,34 @@ impl Condition {
 }
 
 impl Expression {
-    fn value(&self, packet: &Value) -> Option<Datum> {
-        let truth = |part: &Self| match part.value(packet) {
-            Some(Datum::Truth(truth)) => Some(truth),
-            _ => None,
-        };
-        Some(match self {
-            Self::Truth(truth) => Datum::Truth(*truth),
-            Self::Number(number) => Datum::Number(*number),
-            Self::Field(field) => match field.named_value(packet)? {
-                Value::Bool(truth) => Datum::Truth(truth),
-                value => Datum::Number(value.as_f64()?),
-            },
-            Self::Not(part) => Datum::Truth(!truth(part)?),
+    fn value(&self, packet: &Value) -> Option<Value> {
+        match self {
+            Self::Literal(value) => Some(value.clone()),
+            Self::Field(field) => field.named_value(packet),
+            _ => self.truth(packet).map(Value::from),
+        }
+    }
+
+    fn truth(&self, packet: &Value) -> Option<bool> {
+        match self {
+            Self::Literal(_) | Self::Field(_) => self.value(packet)?.as_bool(),
+            Self::Not(part) => part.truth(packet).map(|truth| !truth),
             // One of them is enough, whatever the other is.
-            Self::And(one, other) => match (truth(one), truth(other)) {
-                (Some(false), _) | (_, Some(false)) => Datum::Truth(false),
-                (one, other) => Datum::Truth(one? && other?),
+            Self::And(one, other) => match (one.truth(packet), other.truth(packet)) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (one, other) => Some(one? && other?),
             },
-            Self::Or(one, other) => match (truth(one), truth(other)) {
-                (Some(true), _) | (_, Some(true)) => Datum::Truth(true),
-                (one, other) => Datum::Truth(one? || other?),
+            Self::Or(one, other) => match (one.truth(packet), other.truth(packet)) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (one, other) => Some(one? || other?),
             },
-            Self::Compare(comparison, one, other) => {
-                Datum::Truth(comparison.holds(one.value(packet)?, other.value(packet)?))
-            }
-        })
+            Self::Compare(comparison, one, other) => comparison.holds(&one.value(packet)?, &other.value(packet)?),
+        }
     }
 
     fn fields<'e>(&'e self, found: &mut Vec<&'e Field>) {
         match self {
-            Self::Truth(_) | Self::Number(_) => {}
+            Self::Literal(_) => {}
             Self::Field(field) => found.push(field),
             Self::Not(part) => part.fields(found),
             Self::And(one, other) | Self::Or(one, other) | Self::Compare(_, one, other) => {
@@ -111,22 +99,20 @@ impl Expression {
 }
 
 impl Comparison {
-    /// Values of different kinds are never equal; their parser lets none through.
-    fn holds(self, one: Datum, other: Datum) -> bool {
-        use std::cmp::Ordering::{Equal, Greater, Less};
+    /// None for values of different kinds; their parser lets none through.
+    fn holds(self, one: &Value, other: &Value) -> Option<bool> {
         let ordering = match (one, other) {
-            (Datum::Number(one), Datum::Number(other)) => one.partial_cmp(&other),
-            (Datum::Truth(one), Datum::Truth(other)) => Some(one.cmp(&other)),
-            _ => None,
+            (Value::Bool(one), Value::Bool(other)) => one.cmp(other),
+            _ => one.as_f64()?.partial_cmp(&other.as_f64()?)?,
         };
-        match self {
-            Self::Equal => ordering == Some(Equal),
-            Self::NotEqual => matches!(ordering, Some(Less | Greater)),
-            Self::Less => ordering == Some(Less),
-            Self::LessOrEqual => matches!(ordering, Some(Less | Equal)),
-            Self::Greater => ordering == Some(Greater),
-            Self::GreaterOrEqual => matches!(ordering, Some(Greater | Equal)),
-        }
+        Some(match self {
+            Self::Equal => ordering.is_eq(),
+            Self::NotEqual => ordering.is_ne(),
+            Self::Less => ordering.is_lt(),
+            Self::LessOrEqual => ordering.is_le(),
+            Self::Greater => ordering.is_gt(),
+            Self::GreaterOrEqual => ordering.is_ge(),
+        })
     }
 }
 
@@ -138,8 +124,7 @@ impl FromStr for Condition {
     /// # Errors
     /// It is not one: the message points at the column.
     fn from_str(text: &str) -> Result<Self, String> {
-        let read = tokens::read(text).and_then(parse::condition);
-        let root = read.map_err(|error| error.under(text))?;
+        let root = parse::condition(text).map_err(|error| error.under(text))?;
         Ok(Self { text: text.to_owned(), root })
     }
 }
