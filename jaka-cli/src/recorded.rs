@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
-use jaka_sync::proto::framing;
+use jaka_sync::Refusal;
+use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
-use jaka_sync::recording::{Event, Port, Recording};
+use jaka_sync::proto::{Envelope, framing};
+use jaka_sync::recording::{Event, Message, Port, Recording};
 
 use crate::failure::Failure;
 use crate::output;
@@ -107,4 +109,25 @@ fn status(bytes: &[u8]) -> Result<PackedStatus, DecodeError> {
     reader.end()?;
     status.unfit.extend(reader.take_unfit());
     Ok(status)
+}
+
+/// The command that a message names.
+pub(crate) fn command_of(message: &Message) -> Option<String> {
+    let text = framing::text(message.bytes());
+    Envelope::read_odd(&text).ok()?.command.map(|name| name.trim().to_owned())
+}
+
+/// Why the controller refused, if a reply says that it did.
+pub(crate) fn refusal_of(reply: &Message) -> Option<Refusal> {
+    Envelope::read_odd(&framing::text(reply.bytes())).ok()?.refusal()
+}
+
+/// The first so many characters of a message, in one line.
+pub(crate) fn excerpt(message: &Message, most: usize) -> String {
+    let text = message.to_string();
+    let text = visible_json_line(&text);
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}… ({} bytes)", &text[..end], message.bytes().len()),
+        None => text.into_owned(),
+    }
 }

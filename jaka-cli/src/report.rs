@@ -17,8 +17,8 @@ pub(crate) fn page(name: &str, recording: &Recording) -> Result<String, Failure>
     let mut page = Page::new(name);
     page.section("summary", "Summary", &page::facts(&session));
     page.section("problems", "What went wrong", &page::problems(&session));
-    for section in pictures::sections(&session)? {
-        page.section(section.id, section.title, &section.html());
+    for (id, title, html) in pictures::sections(&session)? {
+        page.section(id, title, &html);
     }
     page.section("commands", "Commands", &page::commands(&session));
     page.section("list", "List of events", &page::events(&session));

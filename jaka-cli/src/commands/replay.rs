@@ -2,7 +2,6 @@
 
 mod filter;
 mod show;
-mod summary;
 
 use std::path::PathBuf;
 use std::sync::Arc;

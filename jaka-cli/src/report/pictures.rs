@@ -18,45 +18,34 @@ const MOST_POINTS: usize = 8000;
 /// An input or output: the name of its list, and its index.
 type Key = (&'static str, usize);
 
-/// A part of the page.
-pub(super) struct Section {
-    pub(super) id: &'static str,
-    pub(super) title: &'static str,
-    text: String,
-    pictures: Vec<String>,
-}
+/// What a part of the page says, and its pictures.
+type Content = (String, Vec<String>);
 
-impl Section {
-    /// Its HTML, without the title.
-    pub(super) fn html(&self) -> String {
-        paragraph(&self.text) + &figure(&self.pictures)
-    }
-}
-
-/// All parts that have pictures.
-pub(super) fn sections(session: &Session<'_>) -> Result<Vec<Section>, Failure> {
-    let end = session.end;
-    let section = |id, title, text: String, pictures: Vec<Strip>| {
-        let (text, pictures) = match pictures.as_slice() {
-            [] => (text, Vec::new()),
-            some => (format!("{text} Time in s since the recording began."), vec![strips(end, some)?]),
-        };
-        Ok::<_, Failure>(Section { id, title, text, pictures })
-    };
+/// All parts that have pictures: each with its name in links, its title, and its HTML.
+pub(super) fn sections(session: &Session<'_>) -> Result<[(&'static str, &'static str, String); 8], Failure> {
     let packets = &session.packets;
-    let known = |text: &str, strips: &[Strip]| if strips.is_empty() { none(packets) } else { text.to_owned() };
-    let (joints, speeds, state) = (joints(packets), speeds(packets), state(packets));
+    let timed = |text: String, pictures: Vec<Strip>| -> Result<Content, Failure> {
+        if pictures.is_empty() {
+            return Ok((text, Vec::new()));
+        }
+        Ok((format!("{text} Time in s since the recording began."), vec![strips(session.end, &pictures)?]))
+    };
+    let known = |text: &str, strips: Vec<Strip>| {
+        let text = if strips.is_empty() { none(packets) } else { text.to_owned() };
+        timed(text, strips)
+    };
     let (io, io_text) = inputs_and_outputs(packets);
-    Ok(vec![
-        section("joints", "Joints", known("Actual positions, by status packets.", &joints), joints)?,
-        section("speeds", "Speeds", known(SPEEDS, &speeds), speeds)?,
-        path(packets)?,
-        section("state", "State", known("As status packets say; high is true.", &state), state)?,
-        section("io", "Inputs and outputs", io_text, io)?,
-        requests(session)?,
-        section("events", "Events", "What the list at the end of this page has.".to_owned(), events(session))?,
-        lateness(&session.lateness)?,
-    ])
+    let sections = [
+        ("joints", "Joints", known("Actual positions, by status packets.", joints(packets))?),
+        ("speeds", "Speeds", known(SPEEDS, speeds(packets))?),
+        ("path", "Path of the tool centre point", path(packets)?),
+        ("state", "State", known("As status packets say; high is true.", state(packets))?),
+        ("io", "Inputs and outputs", timed(io_text, io)?),
+        ("calls", "Calls", requests(session)?),
+        ("events", "Events", timed("What the list at the end of this page has.".to_owned(), events(session))?),
+        ("lateness", "Lateness of set-points", lateness(&session.lateness)?),
+    ];
+    Ok(sections.map(|(id, title, (text, pictures))| (id, title, paragraph(&text) + &figure(&pictures))))
 }
 
 const SPEEDS: &str = "Of the joints: means over 0.1 s or more, from the positions and the times at which packets arrived, so that shorter peaks are not shown. \
@@ -120,11 +109,10 @@ fn changing(all: &BTreeMap<Key, Series>) -> Vec<(&Key, &Series)> {
 }
 
 /// The way of the tool centre point from two sides.
-fn path(packets: &Packets) -> Result<Section, Failure> {
-    let (id, title) = ("path", "Path of the tool centre point");
+fn path(packets: &Packets) -> Result<Content, Failure> {
     let points: usize = packets.tcp.iter().map(Vec::len).sum();
     if points == 0 {
-        return Ok(Section { id, title, text: none(packets), pictures: Vec::new() });
+        return Ok((none(packets), Vec::new()));
     }
     let step = points.div_ceil(MOST_POINTS);
     let seen = |right: usize, up: usize| -> Vec<Vec<(f64, f64)>> {
@@ -138,20 +126,18 @@ fn path(packets: &Packets) -> Result<Section, Failure> {
                     A circle is at the beginning, a square at the end."
         .to_owned()
         + &thinned;
-    Ok(Section { id, title, text, pictures: vec![above, side] })
+    Ok((text, vec![above, side]))
 }
 
-fn requests(session: &Session<'_>) -> Result<Section, Failure> {
-    let (id, title) = ("calls", "Calls");
+fn requests(session: &Session<'_>) -> Result<Content, Failure> {
     let requests = &session.calls.latencies;
     if requests.is_empty() {
-        let text = "The recording has no requests.".to_owned();
-        return Ok(Section { id, title, text, pictures: Vec::new() });
+        return Ok(("The recording has no requests.".to_owned(), Vec::new()));
     }
     let text = "How long replies took, at the time of the request. A dot: accepted; a triangle: refused; a cross at the top: no reply is recorded. \
                 Of requests at almost the same time the slowest is drawn. Time in s since the recording began."
         .to_owned();
-    Ok(Section { id, title, text, pictures: vec![calls(session.end, requests)?] })
+    Ok((text, vec![calls(session.end, requests)?]))
 }
 
 fn events(session: &Session<'_>) -> Vec<Strip> {
@@ -163,11 +149,9 @@ fn events(session: &Session<'_>) -> Vec<Strip> {
     strips.collect()
 }
 
-fn lateness(lateness: &Lateness) -> Result<Section, Failure> {
-    let (id, title) = ("lateness", "Lateness of set-points");
+fn lateness(lateness: &Lateness) -> Result<Content, Failure> {
     let Some([median, p99, latest]) = lateness.figures() else {
-        let text = "The recording has no set-points that follow each other.".to_owned();
-        return Ok(Section { id, title, text, pictures: Vec::new() });
+        return Ok(("The recording has no set-points that follow each other.".to_owned(), Vec::new()));
     };
     let text = format!(
         "By how many ms the time between two set-points (servo_j, servo_p) was longer than the period of the first, as the program sent them: {}; median {median:.3}, \
@@ -176,5 +160,5 @@ fn lateness(lateness: &Lateness) -> Result<Section, Failure> {
         lateness.late_by(8.0),
         lateness.late_by(24.0),
     );
-    Ok(Section { id, title, text: escaped(&text), pictures: vec![histogram(&lateness.bars())?] })
+    Ok((escaped(&text), vec![histogram(&lateness.bars())?]))
 }

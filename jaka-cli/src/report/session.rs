@@ -3,17 +3,15 @@
 mod calls;
 mod happenings;
 mod lateness;
-mod messages;
 mod packets;
 
 use std::time::Duration;
 
-use jaka_sync::recording::{Event, Recording};
+use jaka_sync::recording::{Entry, Event, Port, Recording};
 
 pub(super) use self::calls::{Calls, CommandCount};
 pub(super) use self::happenings::{Happening, Kind};
 pub(super) use self::lateness::Lateness;
-pub(super) use self::messages::Messages;
 pub(super) use self::packets::Packets;
 use crate::utc;
 
@@ -37,7 +35,8 @@ pub(super) struct Session<'r> {
     pub(super) lateness: Lateness,
     /// In the order of their times.
     pub(super) happenings: Vec<Happening>,
-    pub(super) messages: Messages<'r>,
+    /// The messages of the command port, in the order of their times.
+    messages: Vec<&'r Entry>,
 }
 
 impl<'r> Session<'r> {
@@ -54,6 +53,9 @@ impl<'r> Session<'r> {
             Event::Connected { address } => Some(address.as_str()),
             _ => None,
         });
+        let is_message = |entry: &&Entry| entry.port == Port::Command && entry.event.message().is_some();
+        let mut messages: Vec<_> = entries.iter().filter(is_message).collect();
+        messages.sort_by_key(|entry| entry.time);
         Self {
             software: &recording.header.software,
             started: utc::date_and_time(recording.header.started),
@@ -65,8 +67,14 @@ impl<'r> Session<'r> {
             calls,
             lateness: Lateness::read(recording),
             happenings,
-            messages: Messages::read(recording),
+            messages,
         }
+    }
+
+    /// The last messages of the command port up to a time, at most so many.
+    pub(super) fn messages_before(&self, time: Duration, most: usize) -> &[&'r Entry] {
+        let end = self.messages.partition_point(|message| message.time <= time);
+        &self.messages[end.saturating_sub(most)..end]
     }
 
     /// What went wrong.

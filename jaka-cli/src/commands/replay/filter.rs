@@ -4,10 +4,10 @@ use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
-use jaka_sync::proto::Envelope;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
+use crate::recorded::command_of;
 use crate::{output, packs};
 
 /// The options that select entries.
@@ -75,7 +75,7 @@ impl Filter {
             Self::All | Self::Port(Port::Command) => {}
             Self::Port(Port::Status) => answers.clear(),
             Self::Command(command) => {
-                answers.retain(|answered| name(&answered.request).as_ref() == Some(&command.name));
+                answers.retain(|answered| command_of(&answered.request).as_ref() == Some(&command.name));
             }
         }
         answers
@@ -87,13 +87,14 @@ impl CommandFilter {
     fn new(called: &str, recording: &Recording) -> Self {
         let known = packs::builtin().command_called(called).map(|command| command.wire.clone());
         let command = known.unwrap_or_else(|| called.to_owned());
-        let names: BTreeSet<_> = recording.answers().iter().filter_map(|answered| name(&answered.request)).collect();
+        let names: BTreeSet<_> =
+            recording.answers().iter().filter_map(|answered| command_of(&answered.request)).collect();
         if !names.contains(&command) {
             let names: Vec<_> = names.iter().map(|name| format!("`{}`", visible(name))).collect();
             let names = if names.is_empty() { "no command".to_owned() } else { names.join(", ") };
             output::warning(&format!("the recording has no request of `{command}`; it has {names}"));
         }
-        let of_it = |answered: &Answered| name(&answered.request).as_ref() == Some(&command);
+        let of_it = |answered: &Answered| command_of(&answered.request).as_ref() == Some(&command);
         let reply = |answered: Answered| match answered.answer {
             Answer::Reply { reply, after } => Some((answered.sent + after, reply)),
             _ => None,
@@ -103,12 +104,7 @@ impl CommandFilter {
     }
 
     fn shows(&self, entry: &Entry, message: &Message) -> bool {
-        let is_named = || name(message).as_ref() == Some(&self.name);
+        let is_named = || command_of(message).as_ref() == Some(&self.name);
         entry.port == Port::Command && (is_named() || self.replies.contains(&(entry.time, message.clone())))
     }
-}
-
-/// The command that a message names.
-pub(super) fn name(message: &Message) -> Option<String> {
-    Envelope::read(message.text()?).ok()?.command.map(|name| name.trim().to_owned())
 }

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use jaka_sync::proto::{Envelope, framing};
 use jaka_sync::recording::{Answer, Answered, Message, Recording};
 
 use super::happenings::{Happening, Kind};
 use super::milliseconds;
 use crate::plots::Latency;
+use crate::recorded::{command_of, refusal_of};
 
 /// Requests and what came of them.
 #[derive(Debug, Default)]
@@ -75,15 +75,12 @@ fn unanswered(sent: Duration, name: &str, answer: &Answer) -> Happening {
 
 /// The command that a request names.
 fn name(request: &Message) -> String {
-    let text = framing::text(request.bytes());
-    let named = Envelope::read_odd(&text).ok().and_then(|envelope| envelope.command);
-    named.map_or_else(|| "a request without a name".to_owned(), |name| format!("`{}`", name.trim()))
+    command_of(request).map_or_else(|| "a request without a name".to_owned(), |name| format!("`{name}`"))
 }
 
 /// Why the controller refused.
 fn refusal(reply: &Message, name: &str) -> Option<String> {
-    let text = framing::text(reply.bytes());
-    let refusal = Envelope::read_odd(&text).ok()?.refusal()?;
+    let refusal = refusal_of(reply)?;
     let message = if refusal.message.is_empty() { String::new() } else { format!(": {}", refusal.message) };
     Some(format!("{name} refused with code {}{message}", refusal.code))
 }
