@@ -13,6 +13,7 @@ mod event;
 mod exit;
 mod failure;
 mod fields;
+mod flags;
 mod interrupt;
 mod limits;
 mod listen;

@@ -1,6 +1,5 @@
 //! `jaka follow`: follow a trajectory from a file.
 
-mod course;
 mod picture;
 mod report;
 
@@ -12,7 +11,7 @@ use clap::Args;
 use jaka_motion::{Checker, Frames, Limits, TimedPoint, Trajectory};
 use jaka_sync::FollowConfig;
 
-use self::course::{Course, Peaks};
+use self::report::Peaks;
 use crate::acting::ActArgs;
 use crate::failure::Failure;
 use crate::limits::LimitsArgs;
@@ -72,7 +71,7 @@ impl Follow {
     fn show(&self, trajectory: &Trajectory, checker: &Checker) -> Result<(), Failure> {
         if let Some(path) = &self.output {
             let what = || format!("cannot write {}", path.display());
-            let drawn = picture::svg(&Course::of(trajectory, checker));
+            let drawn = picture::svg(trajectory, checker);
             let svg = drawn.map_err(|text| Failure::local(what(), io::Error::other(text)))?;
             fs::write(path, svg).map_err(|error| Failure::local(what(), error))?;
         }

@@ -8,22 +8,10 @@ use jaka_sync::proto::text::visible;
 use jaka_sync::status::RobotStatus;
 
 use crate::event;
+use crate::flags::{Flags, Tone};
 
 /// How many are kept.
 const MOST: usize = 1000;
-
-/// The severity of an alarm.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Tone {
-    /// The robot stopped, or its state is not known.
-    Bad,
-    /// It needs attention.
-    Warning,
-    /// A bad state is over.
-    Good,
-    /// A change of another kind.
-    Plain,
-}
 
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,16 +34,8 @@ impl Alarm {
 #[derive(Debug, Default)]
 pub(super) struct Alarms {
     entries: VecDeque<Alarm>,
-    before: Facts,
-}
-
-/// The state that alarms report, as packets have it. A packet without a field does not change it.
-#[derive(Debug, Clone, Default)]
-struct Facts {
-    emergency_stop: Option<bool>,
-    protective_stop: Option<bool>,
-    powered: Option<bool>,
-    enabled: Option<bool>,
+    flags: Flags,
+    /// The last event; a packet without one does not change it.
     event: Option<Event>,
     /// The most severe of the events since the controller last said that there is none. Information is not kept.
     standing: Option<Severity>,
@@ -78,67 +58,35 @@ impl Alarms {
 
     /// Adds what a packet says that the ones before did not.
     pub(super) fn packet(&mut self, status: &RobotStatus, time: SystemTime) {
-        let before = self.before.clone();
-        self.flag(time, before.emergency_stop, status.emergency_stop, ["emergency stop released", "emergency stop"]);
-        self.flag(time, before.protective_stop, status.protective_stop, ["protective stop cleared", "protective stop"]);
-        self.switch(time, before.powered, status.powered_on, ["power off", "power on"]);
-        self.switch(time, before.enabled, status.enabled, ["disabled", "enabled"]);
-        let standing = self.event(time, &before, status);
-        self.before = Facts {
-            emergency_stop: status.emergency_stop.or(before.emergency_stop),
-            protective_stop: status.protective_stop.or(before.protective_stop),
-            powered: status.powered_on.or(before.powered),
-            enabled: status.enabled.or(before.enabled),
-            event: event_of(status).or(before.event),
-            standing,
-        };
-    }
-
-    /// A state that is bad if it is on, also in the first packet.
-    fn flag(&mut self, time: SystemTime, before: Option<bool>, now: Option<bool>, [off, on]: [&str; 2]) {
-        match (before.unwrap_or_default(), now) {
-            (false, Some(true)) => self.add(time, Tone::Bad, on),
-            (true, Some(false)) => self.add(time, Tone::Good, off),
-            _ => {}
+        for (tone, text) in self.flags.see(status) {
+            self.add(time, tone, text);
+        }
+        if let (Some(code), message) = (&status.error_code, &status.error_message) {
+            let event = (code.clone(), message.clone().unwrap_or_default());
+            self.event(time, &status.event(), &event);
+            self.event = Some(event);
         }
     }
 
-    /// A state that may be on or off.
-    fn switch(&mut self, time: SystemTime, before: Option<bool>, now: Option<bool>, [off, on]: [&str; 2]) {
-        match (before, now) {
-            (Some(false), Some(true)) => self.add(time, Tone::Plain, on),
-            (Some(true), Some(false)) => self.add(time, Tone::Plain, off),
-            _ => {}
-        }
-    }
-
-    /// Reports an event that is more than information. Returns the most severe one that the controller has not since reported
-    /// as over, by a code of zero: information may replace an error in the packet while the error lasts.
-    fn event(&mut self, time: SystemTime, before: &Facts, status: &RobotStatus) -> Option<Severity> {
-        let Some(now) = event_of(status) else { return before.standing };
-        let reading = status.event();
-        match (event::severity(&reading), before.standing) {
-            (None, Some(standing)) => {
+    /// Reports an event that is more than information. The most severe one stands until the controller reports it as over, by a code of
+    /// zero: information may replace an error in the packet while the error lasts.
+    fn event(&mut self, time: SystemTime, reading: &event::Reading, (code, message): &Event) {
+        let Some(severity) = event::severity(reading) else {
+            if let Some(standing) = self.standing.take() {
                 self.add(time, Tone::Good, format!("{} cleared", name(standing)));
-                None
             }
-            (None, None) => None,
-            (Some(Severity::Information), standing) => standing,
-            (Some(severity), standing) => {
-                if before.event.as_ref() != Some(&now) {
-                    let meaning = event::meaning(&reading).unwrap_or_default();
-                    let message = if now.1.is_empty() { meaning } else { &now.1 };
-                    let tone = if severity == Severity::Warning { Tone::Warning } else { Tone::Bad };
-                    self.add(time, tone, format!("{} {} {message}", label(severity), now.0).trim_end());
-                }
-                standing.into_iter().chain([severity]).max_by_key(|severity| rank(*severity))
-            }
+            return;
+        };
+        if severity == Severity::Information {
+            return;
         }
+        if self.event.as_ref().is_none_or(|(before, told)| (before, told) != (code, message)) {
+            let message = if message.is_empty() { event::meaning(reading).unwrap_or_default() } else { message };
+            let tone = if severity == Severity::Warning { Tone::Warning } else { Tone::Bad };
+            self.add(time, tone, format!("{} {code} {message}", label(severity)).trim_end());
+        }
+        self.standing = self.standing.into_iter().chain([severity]).max_by_key(|severity| rank(*severity));
     }
-}
-
-fn event_of(status: &RobotStatus) -> Option<Event> {
-    Some((status.error_code.clone()?, status.error_message.clone().unwrap_or_default()))
 }
 
 /// How an event of this severity is announced.

@@ -11,6 +11,7 @@ use ratatui::widgets::{Block, Clear, Paragraph};
 use super::keys::KEYS;
 use super::view::{Link, Page, STALE};
 use super::{View, alarms, io, measurements, overview, style};
+use crate::flags::Tone;
 use crate::number::fixed;
 use crate::output::ABSENT;
 
@@ -98,7 +99,7 @@ fn age_text(age: Duration) -> String {
 /// How packets come.
 fn link_line(link: &Link) -> Line<'static> {
     if let Some(cause) = &link.ended {
-        return Line::styled(format!(" {cause}"), style::of_tone(alarms::Tone::Bad));
+        return Line::styled(format!(" {cause}"), style::of_tone(Tone::Bad));
     }
     let ms = |time: Duration, decimals| format!("{} ms", fixed(time.as_secs_f64() * 1000.0, decimals));
     let rate = link.rate.map(|rate| format!("{}/s", fixed(rate, 1)));

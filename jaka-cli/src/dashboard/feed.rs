@@ -8,8 +8,9 @@ use jaka_sync::proto::text::visible_json;
 use jaka_sync::{Monitor, Snapshot, Subscription};
 
 use super::View;
-use super::alarms::{Tone, duration};
+use super::alarms::duration;
 use super::view::{Link, STALE};
+use crate::flags::Tone;
 use crate::packed_status::PackedStatus;
 
 /// Packets of some seconds, so that no alarm is missed while a terminal is slow.

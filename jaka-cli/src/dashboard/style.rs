@@ -3,7 +3,7 @@
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 
-use super::alarms::Tone;
+use crate::flags::Tone;
 use crate::number::fixed;
 use crate::output::ABSENT;
 

@@ -2,8 +2,8 @@
 
 use plotters::prelude::*;
 
-use super::canvas::{Area, COLUMNS, Chart, Drawn, FINE, INK, Picture, WIDTH, picture, px};
-use super::strips::{chart, mesh, title};
+use super::canvas::{Area, COLUMNS, Chart, Drawn, FINE, INK, Picture, WIDTH, label, mesh, picture, px};
+use super::strips::{TIMES, chart, title};
 
 /// Height of the strip and of its axis, in pixels.
 const HEIGHT: u32 = 190;
@@ -32,7 +32,7 @@ fn draw(area: &Area<'_>, end: f64, requests: &[(f64, Latency)]) -> Drawn {
     let (low, high) = times.fold((0.0_f64, 1.0_f64), |(low, high), power| (low.min(power), high.max(power)));
     let (low, high) = (low.floor(), high.ceil() + 0.5);
     let mut chart = chart(area, end, (low, high), [1, AXIS])?;
-    mesh(&mut chart, end, 9, &|power| powers(*power))?;
+    mesh(&mut chart, [TIMES, 9], [&|time| label(*time, end), &|power| powers(*power)], None)?;
     let kinds: [fn(&Latency) -> bool; 3] = [
         |latency| matches!(latency, Latency::Accepted(_)),
         |latency| matches!(latency, Latency::Refused(_)),

@@ -20,7 +20,7 @@ pub(super) const COLUMNS: u32 = WIDTH - LEFT - RIGHT;
 
 pub(super) const INK: RGBColor = RGBColor(0, 0, 0);
 pub(super) const FRAME: RGBColor = RGBColor(110, 110, 110);
-pub(super) const MESH: RGBColor = RGBColor(222, 222, 222);
+const MESH: RGBColor = RGBColor(222, 222, 222);
 
 /// A picture, or why there is none.
 pub(super) type Picture = Result<String, Failure>;
@@ -42,7 +42,7 @@ pub(super) fn px(pixels: u32) -> i32 {
 }
 
 /// A font of this size in pixels.
-pub(super) fn font(size: u32) -> TextStyle<'static> {
+fn font(size: u32) -> TextStyle<'static> {
     // The backend makes it smaller by this factor.
     ("sans-serif", f64::from(FINE * size) * 1.24).into_font().color(&INK)
 }
@@ -61,4 +61,31 @@ pub(super) fn label(number: f64, length: f64) -> String {
         _ => 0,
     };
     crate::number::fixed(number, decimals)
+}
+
+/// What the numbers of an axis say.
+pub(super) type Label<'a> = &'a dyn Fn(&f64) -> String;
+
+/// Lines at the numbers of both axes, which are not more than so many, their labels, and what the axes show.
+pub(super) fn mesh(
+    chart: &mut Chart<'_, '_>,
+    most: [usize; 2],
+    [x, y]: [Label<'_>; 2],
+    show: Option<[&str; 2]>,
+) -> Drawn {
+    let mut mesh = chart.configure_mesh();
+    mesh.bold_line_style(MESH.stroke_width(FINE / 2))
+        .light_line_style(TRANSPARENT)
+        .axis_style(FRAME.stroke_width(FINE / 2))
+        .set_all_tick_mark_size(px(3))
+        .x_labels(most[0])
+        .y_labels(most[1])
+        .x_label_formatter(x)
+        .y_label_formatter(y)
+        .label_style(font(11))
+        .axis_desc_style(font(12));
+    if let Some([right, up]) = show {
+        mesh.x_desc(right).y_desc(up);
+    }
+    mesh.draw()
 }

@@ -4,13 +4,14 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::canvas::{
-    Area, COLUMNS, Chart, Drawn, FINE, FRAME, INK, LEFT, MESH, Picture, RIGHT, WIDTH, anchored, font, label, picture,
-    px,
+    Area, COLUMNS, Chart, Drawn, FINE, INK, LEFT, Label, Picture, RIGHT, WIDTH, anchored, label, mesh, picture, px,
 };
 use super::series::{Point, Series};
 
 /// The time axis, in pixels.
 const AXIS: u32 = 26;
+/// How many times it has.
+pub(super) const TIMES: usize = 10;
 /// How far apart the numbers of an axis are, in pixels.
 const NUMBER: u32 = 12;
 
@@ -99,7 +100,8 @@ pub(crate) fn strips(end: f64, strips: &[Strip]) -> Picture {
 fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
     let (low, high) = strip.trace.range();
     let mut chart = chart(area, end, (low, high), [strip.trace.gap(), axis])?;
-    mesh(&mut chart, end, strip.trace.numbers(), &|value| label(*value, high - low))?;
+    let labels: [Label<'_>; 2] = [&|time| label(*time, end), &|value| label(*value, high - low)];
+    mesh(&mut chart, [TIMES, strip.trace.numbers()], labels, None)?;
     for curve in strip.trace.curves(end) {
         line(&mut chart, curve)?;
     }
@@ -120,22 +122,6 @@ pub(super) fn chart<'a, 'b>(
         .x_label_area_size(px(axis))
         .y_label_area_size(px(LEFT))
         .build_cartesian_2d(0.0..end, low..high)
-}
-
-/// Lines at times and numbers, which are not too many for the strip's height, and the axes' labels.
-pub(super) fn mesh(chart: &mut Chart<'_, '_>, end: f64, numbers: usize, number: &dyn Fn(&f64) -> String) -> Drawn {
-    chart
-        .configure_mesh()
-        .bold_line_style(MESH.stroke_width(FINE / 2))
-        .light_line_style(TRANSPARENT)
-        .axis_style(FRAME.stroke_width(FINE / 2))
-        .set_all_tick_mark_size(px(3))
-        .x_labels(10)
-        .y_labels(numbers)
-        .x_label_formatter(&|seconds| label(*seconds, end))
-        .y_label_formatter(number)
-        .label_style(font(11))
-        .draw()
 }
 
 fn line(chart: &mut Chart<'_, '_>, points: Vec<Point>) -> Drawn {

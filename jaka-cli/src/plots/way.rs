@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::canvas::{Area, Drawn, FINE, FRAME, INK, MESH, Picture, font, label, picture, px};
+use super::canvas::{Area, Drawn, FINE, INK, Picture, label, mesh, picture, px};
 use super::series::Point;
 
 /// In pixels: the picture, and the room for its labels.
@@ -25,32 +25,21 @@ pub(crate) struct View {
 
 /// Draws curves in millimetres, both axes in the same scale. A circle is at the beginning, a square at the end.
 pub(crate) fn way(view: View, curves: &[Vec<Point>]) -> Picture {
-    picture(SIZE, |area| draw(area, view, curves))
+    picture(SIZE, |area| draw_way(area, view, curves))
 }
 
-fn draw(area: &Area<'_>, view: View, curves: &[Vec<Point>]) -> Drawn {
-    let (right, up, scale) = ranges(curves);
+/// The same on a part of another picture.
+pub(crate) fn draw_way(area: &Area<'_>, view: View, curves: &[Vec<Point>]) -> Drawn {
+    let (width, height) = area.dim_in_pixel();
+    let (right, up, scale) = ranges(curves, (width / FINE, height / FINE));
     let length = right.end - right.start;
     let mut chart = ChartBuilder::on(area)
         .margin(px(MARGIN))
         .x_label_area_size(px(LABELS.1))
         .y_label_area_size(px(LABELS.0))
         .build_cartesian_2d(right, up)?;
-    chart
-        .configure_mesh()
-        .bold_line_style(MESH.stroke_width(FINE / 2))
-        .light_line_style(TRANSPARENT)
-        .axis_style(FRAME.stroke_width(FINE / 2))
-        .set_all_tick_mark_size(px(3))
-        .x_labels(6)
-        .y_labels(8)
-        .x_label_formatter(&|x| label(*x, length))
-        .y_label_formatter(&|y| label(*y, length))
-        .x_desc(view.right)
-        .y_desc(view.up)
-        .label_style(font(11))
-        .axis_desc_style(font(12))
-        .draw()?;
+    let number = |number: &f64| label(*number, length);
+    mesh(&mut chart, [6, 8], [&number, &number], Some([view.right, view.up]))?;
     for curve in curves {
         chart.draw_series([PathElement::new(thinned(curve, APART * scale), INK.stroke_width(FINE))])?;
     }
@@ -64,16 +53,16 @@ fn draw(area: &Area<'_>, view: View, curves: &[Vec<Point>]) -> Drawn {
     Ok(())
 }
 
-/// What the axes reach from and to, and how many millimetres a pixel is.
-fn ranges(curves: &[Vec<Point>]) -> (Range<f64>, Range<f64>, f64) {
+/// What the axes of a picture of this size reach from and to, and how many millimetres a pixel is.
+fn ranges(curves: &[Vec<Point>], size: (u32, u32)) -> (Range<f64>, Range<f64>, f64) {
     let bounds = |of: fn(&Point) -> f64| {
         let values = curves.iter().flatten().map(of);
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (value.min(low), value.max(high)));
         if low > high { (0.0, 0.0) } else { (low, high) }
     };
     let (x, y) = (bounds(|point| point.0), bounds(|point| point.1));
-    let width = f64::from(SIZE.0 - LABELS.0 - 2 * MARGIN);
-    let height = f64::from(SIZE.1 - LABELS.1 - 2 * MARGIN);
+    let width = f64::from(size.0 - LABELS.0 - 2 * MARGIN);
+    let height = f64::from(size.1 - LABELS.1 - 2 * MARGIN);
     let scale = 1.1 * ((x.1 - x.0).max(LEAST) / width).max((y.1 - y.0).max(LEAST) / height);
     let around = |(low, high), pixels: f64| {
         let middle = f64::midpoint(low, high);
@@ -100,11 +89,11 @@ mod tests {
 
     #[test]
     fn both_axes_have_the_same_scale() {
-        let (right, up, scale) = ranges(&[vec![(0.0, 0.0), (412.0, 10.0)]]);
+        let (right, up, scale) = ranges(&[vec![(0.0, 0.0), (412.0, 10.0)]], SIZE);
         let pixels = |range: &Range<f64>| (range.end - range.start) / scale;
         assert!((pixels(&right) - 400.0).abs() < 1e-6 && (pixels(&up) - 370.0).abs() < 1e-6);
         assert!(right.contains(&0.0) && right.contains(&412.0) && up.contains(&10.0));
-        let (right, ..) = ranges(&[]);
+        let (right, ..) = ranges(&[], SIZE);
         assert!(right.contains(&0.0) && right.end > 9.0);
     }
 

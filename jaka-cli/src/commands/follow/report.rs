@@ -3,14 +3,56 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use jaka_motion::{Checker, Trajectory};
+use jaka_motion::{Checker, Sample, Trajectory};
 use jaka_sync::{FollowEnd, FollowOutcome};
 use serde_json::{Value, json};
 
-use super::course::Peaks;
 use crate::failure::Failure;
 use crate::number::fixed;
 use crate::output;
+
+/// In which steps peaks are searched, in seconds, and how many steps are made at most.
+const STEP_S: f64 = 0.001;
+const MOST_STEPS: f64 = 1e6;
+
+/// What a trajectory reaches.
+#[derive(Debug)]
+pub(super) struct Peaks {
+    speeds: [f64; 6],
+    accelerations: [f64; 6],
+    /// In mm/s.
+    tool: f64,
+}
+
+impl Peaks {
+    /// The largest values, in steps of 1 ms, or larger ones where it takes more than 1000 s.
+    pub(super) fn of(trajectory: &Trajectory, checker: &Checker) -> Self {
+        let duration_s = trajectory.duration_s();
+        let step_s = STEP_S.max(duration_s / MOST_STEPS);
+        let mut peaks = Self { speeds: [0.0; 6], accelerations: [0.0; 6], tool: 0.0 };
+        let (mut time_s, mut last): (f64, Option<[f64; 3]>) = (0.0, None);
+        loop {
+            let sample = trajectory.at(time_s);
+            for joint in 0..6 {
+                peaks.speeds[joint] = peaks.speeds[joint].max(sample.velocity[joint].abs());
+                peaks.accelerations[joint] = peaks.accelerations[joint].max(sample.acceleration[joint].abs());
+            }
+            let here = tool_at(&sample, checker);
+            let moved =
+                last.map_or(0.0, |last| (0..3).map(|axis| (here[axis] - last[axis]).powi(2)).sum::<f64>().sqrt());
+            (peaks.tool, last) = (peaks.tool.max(moved / step_s), Some(here));
+            if time_s >= duration_s {
+                return peaks;
+            }
+            time_s += step_s;
+        }
+    }
+}
+
+/// Where the tool centre point is, in mm.
+pub(super) fn tool_at(sample: &Sample, checker: &Checker) -> [f64; 3] {
+    checker.frames().pose(checker.limits().model().forward(sample.joints)).position_mm()
+}
 
 /// What was checked, and what the trajectory reaches, for people.
 pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> String {

@@ -7,16 +7,14 @@ use jaka_sync::proto::wire::DecodeError;
 use super::super::happenings::{Happening, Kind};
 use crate::event;
 use crate::failure::chain;
+use crate::flags::{Flags, Tone};
 use crate::packed_status::PackedStatus;
 
 /// What changed from one status packet to the next.
 #[derive(Debug, Default)]
 pub(super) struct Changes {
     pub(super) happenings: Vec<Happening>,
-    protective_stop: Option<bool>,
-    emergency_stop: Option<bool>,
-    powered_on: Option<bool>,
-    enabled: Option<bool>,
+    flags: Flags,
     error_code: Option<String>,
     /// Fields that were told not to fit.
     unfit: Vec<String>,
@@ -28,31 +26,12 @@ impl Changes {
     pub(super) fn see(&mut self, time: Duration, packet: &PackedStatus) {
         self.is_unreadable = false;
         let status = &packet.status;
-        let happenings = &mut self.happenings;
-        let mut change = |last: &mut Option<bool>, now: Option<bool>, [on, off]: [&str; 2], wrong: Option<bool>| {
-            let Some(is_on) = now.filter(|now| *last != Some(*now)) else { return };
-            let is_first = last.replace(is_on).is_none();
-            let is_wrong = wrong == Some(is_on);
-            // How it is at the beginning is told only if something is wrong.
-            if is_wrong || !is_first {
-                let what = if is_on { on } else { off }.to_owned();
-                happenings.push(Happening { time, kind: Kind::State, what, is_wrong });
-            }
-        };
-        change(
-            &mut self.protective_stop,
-            status.protective_stop,
-            ["protective stop", "no protective stop any more"],
-            Some(true),
-        );
-        change(
-            &mut self.emergency_stop,
-            status.emergency_stop,
-            ["emergency stop", "no emergency stop any more"],
-            Some(true),
-        );
-        change(&mut self.powered_on, status.powered_on, ["power on", "power off"], None);
-        change(&mut self.enabled, status.enabled, ["enabled", "disabled"], None);
+        self.happenings.extend(self.flags.see(status).into_iter().map(|(tone, what)| Happening {
+            time,
+            kind: Kind::State,
+            what: what.to_owned(),
+            is_wrong: tone == Tone::Bad,
+        }));
         self.see_event(time, status.error_code.as_deref(), status.error_message.as_deref());
         self.see_unfit(time, &packet.unfit);
     }

@@ -1,0 +1,43 @@
+//! What is on or off in the robot's state, and how it changes.
+
+use jaka_sync::status::RobotStatus;
+
+/// The severity of what happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Tone {
+    /// The robot stopped, or its state is not known.
+    Bad,
+    /// It needs attention.
+    Warning,
+    /// A bad state is over.
+    Good,
+    /// A change of another kind.
+    Plain,
+}
+
+/// What is on or off, as packets have it. A packet without a field does not change it.
+#[derive(Debug, Default)]
+pub(crate) struct Flags([Option<bool>; 4]);
+
+impl Flags {
+    /// What a packet says that the ones before did not; of the first one, only that the robot is stopped.
+    pub(crate) fn see(&mut self, status: &RobotStatus) -> Vec<(Tone, &'static str)> {
+        let flags = [
+            (status.emergency_stop, true, ["emergency stop released", "emergency stop"]),
+            (status.protective_stop, true, ["protective stop cleared", "protective stop"]),
+            (status.powered_on, false, ["power off", "power on"]),
+            (status.enabled, false, ["disabled", "enabled"]),
+        ];
+        let changes = flags.into_iter().zip(&mut self.0).filter_map(|((now, is_stop, texts), last)| {
+            let before = last.or(is_stop.then_some(false));
+            *last = now.or(*last);
+            let tone = match (is_stop, now?) {
+                (true, true) => Tone::Bad,
+                (true, false) => Tone::Good,
+                (false, _) => Tone::Plain,
+            };
+            (before? != now?).then(|| (tone, texts[usize::from(now == Some(true))]))
+        });
+        changes.collect()
+    }
+}
