@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
-use jaka_sync::{Error, ErrorKind, FollowOutcome, Outcome, Verdict};
+use jaka_sync::{Error, ErrorKind, FollowOutcome, Outcome};
 
 use crate::failure::{Failure, chain};
 use crate::{command_line, output};
@@ -59,7 +59,7 @@ pub(crate) const INTERRUPTED: u8 = 130;
 /// Prints a failure with its causes on standard error, and gives the exit code.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
     match failure {
-        Failure::Differs(_) | Failure::Found(_) | Failure::OutputClosed => {}
+        Failure::Printed(_) => {}
         // The reader may be gone: the exit code says enough.
         Failure::CommandLine(error) if command_line::is_help(error) => drop(error.print()),
         _ => output::error(&chain(failure)),
@@ -71,31 +71,23 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
 pub(crate) fn code(failure: &Failure) -> u8 {
     match failure {
         Failure::Usage(_) => USAGE,
-        Failure::CommandLine(error) => {
-            if error.use_stderr() {
-                USAGE
-            } else {
-                0
-            }
-        }
+        Failure::CommandLine(error) if !error.use_stderr() => 0,
+        Failure::CommandLine(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
-        Failure::NotReached(not_reached) => ended(&not_reached.end().outcome),
-        Failure::NotCompleted(not_completed) => followed(not_completed.end().outcome),
+        Failure::NotReached(not_reached) => of_motion(&not_reached.end().outcome).0,
+        Failure::NotCompleted(not_completed) => of_trajectory(not_completed.end().outcome).0,
         Failure::NotInTime(_) => DEADLINE,
         Failure::NotSent(_) => NOT_MOVED,
         Failure::Departs(_) => DEPARTS,
         Failure::Local { .. } => LOCAL,
         Failure::Interrupted => INTERRUPTED,
-        Failure::Differs(impact) => difference(*impact),
-        Failure::Found(Verdict::Wrong) => WRONG,
-        Failure::Found(_) => LOOK,
-        Failure::OutputClosed => 0,
+        Failure::Printed(code) => *code,
     }
 }
 
 /// The exit code of `jaka spec diff --exit-code` where this is the highest impact.
-fn difference(impact: Impact) -> u8 {
+pub(crate) fn difference(impact: Impact) -> u8 {
     match impact {
         Impact::Patch => 10,
         Impact::Minor => 11,
@@ -103,33 +95,38 @@ fn difference(impact: Impact) -> u8 {
     }
 }
 
-/// The exit code for the end of a motion.
-fn ended(outcome: &Outcome) -> u8 {
+/// The end of a motion: its exit code, and one word for programs, which does not change.
+pub(crate) fn of_motion(outcome: &Outcome) -> (u8, &'static str) {
     match outcome {
-        Outcome::Reached => 0,
-        Outcome::AtRest => AT_REST,
-        Outcome::Stopped => STOPPED,
-        Outcome::ProtectiveStop => PROTECTIVE_STOP,
-        Outcome::EmergencyStop => EMERGENCY_STOP,
-        Outcome::Disabled => DISABLED,
-        Outcome::ControllerError { .. } => CONTROLLER_ERROR,
-        Outcome::Deadline => DEADLINE,
-        Outcome::StatusLost { .. } => STATUS_LOST,
-        _ => MAY_HAVE_RUN,
+        Outcome::Reached => (0, "reached"),
+        Outcome::AtRest => (AT_REST, "at_rest"),
+        Outcome::Stopped => (STOPPED, "stopped"),
+        Outcome::ProtectiveStop => (PROTECTIVE_STOP, "protective_stop"),
+        Outcome::EmergencyStop => (EMERGENCY_STOP, "emergency_stop"),
+        Outcome::Disabled => (DISABLED, "disabled"),
+        Outcome::ControllerError { .. } => (CONTROLLER_ERROR, "controller_error"),
+        Outcome::Deadline => (DEADLINE, "deadline"),
+        Outcome::StatusLost { .. } => (STATUS_LOST, "status_lost"),
+        _ => (MAY_HAVE_RUN, "other"),
     }
 }
 
-/// The exit code for the end of a trajectory.
-fn followed(outcome: FollowOutcome) -> u8 {
+/// The same of the end of a trajectory.
+pub(crate) fn of_trajectory(outcome: FollowOutcome) -> (u8, &'static str) {
     match outcome {
-        FollowOutcome::Completed => 0,
-        FollowOutcome::Stopped => STOPPED,
-        FollowOutcome::Deadline => DEADLINE,
-        FollowOutcome::ProtectiveStop => PROTECTIVE_STOP,
-        FollowOutcome::EmergencyStop => EMERGENCY_STOP,
-        FollowOutcome::StatusLost => STATUS_LOST,
-        FollowOutcome::LinkLost => MAY_HAVE_RUN,
-        _ => NOT_FOLLOWED,
+        FollowOutcome::Completed => (0, "completed"),
+        FollowOutcome::Stopped => (STOPPED, "stopped"),
+        FollowOutcome::Deadline => (DEADLINE, "deadline"),
+        FollowOutcome::Guard => (NOT_FOLLOWED, "guard"),
+        FollowOutcome::Refused => (NOT_FOLLOWED, "refused"),
+        FollowOutcome::ProtectiveStop => (PROTECTIVE_STOP, "protective_stop"),
+        FollowOutcome::EmergencyStop => (EMERGENCY_STOP, "emergency_stop"),
+        FollowOutcome::Underrun => (NOT_FOLLOWED, "underrun"),
+        FollowOutcome::Departed => (NOT_FOLLOWED, "departed"),
+        FollowOutcome::StatusLost => (STATUS_LOST, "status_lost"),
+        FollowOutcome::LinkLost => (MAY_HAVE_RUN, "link_lost"),
+        FollowOutcome::RestNotSeen => (NOT_FOLLOWED, "rest_not_seen"),
+        _ => (NOT_FOLLOWED, "failed"),
     }
 }
 

@@ -5,9 +5,8 @@ use std::fmt;
 use std::io;
 
 use jaka_spec::Spec;
-use jaka_spec::tools::Impact;
 use jaka_spec::words::first_sentence;
-use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Outcome, Refusal, Verdict};
+use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Outcome, Refusal};
 
 use crate::command_line;
 
@@ -39,10 +38,8 @@ pub(crate) enum Failure {
     NotSent(String),
     /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
     Departs(String),
-    /// Two specs differ, and the exit code was asked to say by how much: the highest impact.
-    Differs(Impact),
-    /// A check found something, which has been printed: the worst verdict.
-    Found(Verdict),
+    /// What there is to say has been printed, or its reader is gone: the exit code tells the rest.
+    Printed(u8),
     /// Ctrl-C ended it before all was done; what was done has been printed.
     Interrupted,
     /// Something on this machine.
@@ -52,15 +49,14 @@ pub(crate) enum Failure {
         /// Why not.
         source: io::Error,
     },
-    /// The reader of the output has closed it, which is not a failure.
-    OutputClosed,
 }
 
 impl Failure {
     /// The output cannot be written.
     pub(crate) fn output(source: io::Error) -> Self {
         if source.kind() == io::ErrorKind::BrokenPipe {
-            return Self::OutputClosed;
+            // The reader has closed it, which is not a failure.
+            return Self::Printed(0);
         }
         Self::local("cannot write the output", source)
     }
@@ -126,10 +122,8 @@ impl fmt::Display for Failure {
             }
             Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe code is not in the spec."),
             Self::Local { what, .. } => f.write_str(what),
-            Self::Differs(impact) => write!(f, "the specs differ: {impact}"),
-            Self::Found(verdict) => write!(f, "the worst finding: {verdict}"),
+            Self::Printed(_) => Ok(()),
             Self::Interrupted => f.write_str("interrupted"),
-            Self::OutputClosed => f.write_str("the output is closed"),
         }
     }
 }

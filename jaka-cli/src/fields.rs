@@ -1,7 +1,6 @@
 //! The fields of status packets: found by name, as the spec has them, in a packet's JSON.
 
 mod path;
-mod suggestions;
 
 use jaka_spec::{Scalar, Shape as Wire, Type};
 use serde_json::{Map, Value};

@@ -2,6 +2,7 @@
 
 mod acting;
 mod chart;
+mod choice;
 mod command_line;
 mod commands;
 mod condition;

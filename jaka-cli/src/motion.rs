@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use jaka_spec::Spec;
-use jaka_sync::{Error, MotionEnd, Outcome, Robot};
+use jaka_sync::{Error, MotionEnd, Robot};
 use serde_json::{Map, Value};
 
 use crate::failure::Failure;
 use crate::interrupt::UnderWay;
-use crate::output;
+use crate::{exit, output};
 
 /// How long the end of a motion is waited for, unless the command line says otherwise.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
@@ -66,24 +66,8 @@ pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Fai
 pub(crate) fn described(end: &MotionEnd) -> [(String, Value); 3] {
     let entry = |key: &str, value| (key.to_owned(), value);
     [
-        entry("outcome", word(&end.outcome).into()),
+        entry("outcome", exit::of_motion(&end.outcome).1.into()),
         entry("text", end.outcome.to_string().into()),
         entry("waited_s", end.waited.as_secs_f64().into()),
     ]
-}
-
-/// An outcome as one word, which does not change.
-fn word(outcome: &Outcome) -> &'static str {
-    match outcome {
-        Outcome::Reached => "reached",
-        Outcome::AtRest => "at_rest",
-        Outcome::Stopped => "stopped",
-        Outcome::ProtectiveStop => "protective_stop",
-        Outcome::EmergencyStop => "emergency_stop",
-        Outcome::Disabled => "disabled",
-        Outcome::ControllerError { .. } => "controller_error",
-        Outcome::Deadline => "deadline",
-        Outcome::StatusLost { .. } => "status_lost",
-        _ => "other",
-    }
 }

@@ -8,6 +8,7 @@ use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::status::RobotStatus;
 use serde_json::{Map, Value};
 
+use crate::failure::Failure;
 use crate::packs;
 
 /// A status packet: what the built-in type has, and what only packs have.
@@ -23,8 +24,9 @@ pub(crate) struct PackedStatus {
 
 impl PackedStatus {
     /// The packet as JSON: as the codec writes it, whatever form the controller used, and what packs have as it came.
-    pub(crate) fn json(&self) -> Result<Value, serde_json::Error> {
-        let mut json = serde_json::to_value(&self.status)?;
+    pub(crate) fn json(&self) -> Result<Value, Failure> {
+        let written = serde_json::to_value(&self.status);
+        let mut json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
         if let Value::Object(packet) = &mut json {
             packet.extend(self.own.clone());
         }

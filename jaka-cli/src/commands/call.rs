@@ -8,7 +8,6 @@ mod exchange;
 mod firmware;
 mod help;
 mod lines;
-mod list;
 mod named;
 mod options;
 mod outline;
@@ -60,7 +59,7 @@ impl Call {
         let line = Parser::of(spec, command).parse(outline.rest)?;
         line.options.console.apply();
         if let Some(topic) = &line.options.list {
-            return output::lines(&list::text(spec, topic)?);
+            return output::lines(&help::list(spec, topic)?);
         }
         if line.options.stdin {
             return match name {
@@ -72,7 +71,7 @@ impl Call {
         }
         match Request::of(spec, command, name, &line)? {
             Some(request) => exchange::carry_out(&protocol, &line.options, &request),
-            None => output::lines(&list::text(spec, "")?),
+            None => output::lines(&help::list(spec, "")?),
         }
     }
 }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::target::{RobotArgs, model};
-use crate::{limits, output, seat};
+use crate::{exit, limits, output, seat};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -63,7 +63,8 @@ impl Check {
         }
         match preflight.verdict() {
             Verdict::NothingFound => Ok(()),
-            worst => Err(Failure::Found(worst)),
+            Verdict::Wrong => Err(Failure::Printed(exit::WRONG)),
+            _ => Err(Failure::Printed(exit::LOOK)),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 mod columns;
 
+use std::collections::BTreeSet;
+
 use clap::{Args, ValueEnum};
-use jaka_sync::proto::wire::DecodeError;
 use jaka_sync::recording::Recording;
 use serde_json::Value;
 
@@ -12,7 +13,6 @@ use crate::failure::Failure;
 use crate::fields::Field;
 use crate::number::count;
 use crate::output;
-use crate::packed_status::PackedStatus;
 use crate::packs::SpecArgs;
 use crate::recorded::{self, RecordedArgs, packets};
 
@@ -62,22 +62,28 @@ impl Export {
         if let Format::Csv = self.format {
             out.write(&columns.header())?;
         }
-        let mut left_out = LeftOut::default();
+        // What is not in the table though it is in the recording: messages that are not packets, and fields, each told once.
+        let (mut messages, mut unfit) = (0, BTreeSet::new());
         for packet in packets(&recording) {
             let Ok(status) = packet.status else {
-                left_out.messages += 1;
+                messages += 1;
                 continue;
             };
-            left_out.fields(&status);
+            for error in status.unfit.iter().filter(|error| unfit.insert(error.field().to_owned())) {
+                output::warning(&format!("{error}; it is left out"));
+            }
             let unix_time = recording.header.started.saturating_add(packet.time);
-            let row = Row { time: packet.time, unix_time, connection: packet.connection, packet: json(&status)? };
+            let row = Row { time: packet.time, unix_time, connection: packet.connection, packet: status.json()? };
             out.write(&match self.format {
                 Format::Csv => columns.csv(&row),
                 Format::Jsonl => columns.json(&row),
             })?;
         }
         out.finish()?;
-        left_out.tell();
+        if messages > 0 {
+            let messages = count(messages, "message");
+            output::warning(&format!("{messages} of the status port cannot be read as packets, and are left out"));
+        }
         Ok(())
     }
 }
@@ -85,38 +91,5 @@ impl Export {
 /// All parts that any packet has, in one.
 fn widest(recording: &Recording) -> Result<Value, Failure> {
     let mut statuses = packets(recording).filter_map(|packet| packet.status.ok());
-    statuses.try_fold(Value::Null, |widest, status| Ok(columns::wider(widest, json(&status)?)))
-}
-
-fn json(status: &PackedStatus) -> Result<Value, Failure> {
-    status.json().map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))
-}
-
-/// What is not in the table though it is in the recording.
-#[derive(Debug, Default)]
-struct LeftOut {
-    /// How many messages of the status port are not packets.
-    messages: usize,
-    /// What does not fit, once for each field.
-    unfit: Vec<DecodeError>,
-}
-
-impl LeftOut {
-    fn fields(&mut self, status: &PackedStatus) {
-        for error in &status.unfit {
-            if !self.unfit.iter().any(|told| told.field() == error.field()) {
-                self.unfit.push(error.clone());
-            }
-        }
-    }
-
-    fn tell(&self) {
-        for error in &self.unfit {
-            output::warning(&format!("{error}; it is left out"));
-        }
-        if self.messages > 0 {
-            let messages = count(self.messages, "message");
-            output::warning(&format!("{messages} of the status port cannot be read as packets, and are left out"));
-        }
-    }
+    statuses.try_fold(Value::Null, |widest, status| Ok(columns::wider(widest, status.json()?)))
 }

@@ -1,18 +1,15 @@
 //! `jaka jitter`: how late this machine begins cycles of set-points, how long replies take, and what to change.
 
 mod advice;
-mod lateness;
+mod measured;
 mod report;
-mod round_trip;
-mod times;
 
 use std::io::{IsTerminal, stderr};
 use std::time::Duration;
 
 use clap::Args;
 
-use self::lateness::Lateness;
-use self::round_trip::RoundTrip;
+use self::measured::{Lateness, Measured, RoundTrip};
 use crate::failure::Failure;
 use crate::target::AddressArgs;
 use crate::{output, seat, seconds};
@@ -45,13 +42,6 @@ pub(crate) struct Jitter {
     yes: bool,
     #[command(flatten)]
     robot: AddressArgs,
-}
-
-/// What was measured.
-#[derive(Debug)]
-struct Measured {
-    lateness: Lateness,
-    round_trip: Option<RoundTrip>,
 }
 
 impl Jitter {

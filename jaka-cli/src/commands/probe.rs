@@ -2,8 +2,6 @@
 
 mod draft;
 mod finding;
-mod json;
-mod location;
 mod progress;
 mod queries;
 mod report;
@@ -56,7 +54,7 @@ impl Probe {
         let commands = queries::ask_all(&protocol.spec, &target, &progress)?;
         let status = status::take(&protocol.spec, &target, self.packets.get(), &progress);
         let findings = Findings::new(commands, status, &protocol.packs);
-        let text = if self.json { json::text(&findings) } else { report::text(&findings) };
+        let text = if self.json { report::json(&findings) } else { report::text(&findings) };
         if self.json { output::json(&text) } else { output::lines(&text) }?;
         if let Some(path) = &self.draft {
             write_draft(path, &protocol.spec, &findings)?;

@@ -8,10 +8,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use jaka_sim::{Controller, Replay as Mode, ReplayTiming};
 
 use self::filter::FilterArgs;
+use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
 use crate::interrupt::on_interrupt;
 use crate::listen::ListenArgs;
@@ -29,11 +30,11 @@ pub(crate) struct Replay {
     /// The recording
     file: PathBuf,
     /// Which requests get which replies
-    #[arg(long, value_enum, default_value_t)]
-    mode: ModeName,
+    #[arg(long, default_value = "strict", value_parser = one_of(&MODES))]
+    mode: Mode,
     /// When replies and status packets are sent
-    #[arg(long, value_enum, default_value_t)]
-    timing: TimingName,
+    #[arg(long, default_value = "recorded", value_parser = one_of(&TIMINGS))]
+    timing: ReplayTiming,
     #[command(flatten)]
     listen: ListenArgs,
     /// Print the recording, with a summary, and serve nothing
@@ -43,25 +44,14 @@ pub(crate) struct Replay {
     filter: FilterArgs,
 }
 
-/// Which requests get which replies.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum ModeName {
-    /// Message by message; a request that differs from the recorded one ends the connection
-    #[default]
-    Strict,
-    /// Each request gets the recorded reply to an equal request, in any order
-    Matching,
-}
-
-/// When replies and status packets are sent.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum TimingName {
-    /// As long after the request as in the recording
-    #[default]
-    Recorded,
-    /// Replies at once, and status packets at the usual period
-    Immediate,
-}
+const MODES: [Choice<Mode>; 2] = [
+    ("strict", "Message by message; a request that differs from the recorded one ends the connection", Mode::Strict),
+    ("matching", "Each request gets the recorded reply to an equal request, in any order", Mode::Matching),
+];
+const TIMINGS: [Choice<ReplayTiming>; 2] = [
+    ("recorded", "As long after the request as in the recording", ReplayTiming::Recorded),
+    ("immediate", "Replies at once, and status packets at the usual period", ReplayTiming::Immediate),
+];
 
 impl Replay {
     pub(crate) fn run(self) -> Result<(), Failure> {
@@ -72,15 +62,7 @@ impl Replay {
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);
         on_interrupt(move || end.store(true, Ordering::Relaxed))?;
-        let mode = match self.mode {
-            ModeName::Strict => Mode::Strict,
-            ModeName::Matching => Mode::Matching,
-        };
-        let timing = match self.timing {
-            TimingName::Recorded => ReplayTiming::Recorded,
-            TimingName::Immediate => ReplayTiming::Immediate,
-        };
-        let builder = Controller::builder().replay(recording, mode).replay_timing(timing);
+        let builder = Controller::builder().replay(recording, self.mode).replay_timing(self.timing);
         match report(&self.listen.start(builder, |_| {})?, &ended)? {
             0 => Ok(()),
             told => Err(Failure::Departs(count(told, "deviation") + " from the recording")),

@@ -9,9 +9,10 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use jaka_sim::{ArmEvent, Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
 
+use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
@@ -59,8 +60,8 @@ pub(crate) struct Sim {
     #[arg(long, value_name = "TEXT", default_value_t)]
     underrun: Underrun,
     /// What a client gets that connects to the command port while another one is connected there
-    #[arg(long, value_name = "WHAT", default_value = "replaces")]
-    second_client: SecondClient,
+    #[arg(long, value_name = "WHAT", default_value = "replaces", value_parser = one_of(&SECOND_CLIENTS))]
+    second_client: Takeover,
     /// How many times as fast as real time the controller's time passes: motions, delays and status packets
     #[arg(long, value_name = "NUMBER", default_value_t = 1.0)]
     time_scale: f64,
@@ -81,23 +82,11 @@ pub(crate) struct Sim {
     log: bool,
 }
 
-/// What happens to the second client of the command port; both were seen.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum SecondClient {
-    /// It replaces the first one, whose connection is closed
-    Replaces,
-    /// Its connection is closed
-    IsRefused,
-}
-
-impl SecondClient {
-    fn takeover(self) -> Takeover {
-        match self {
-            Self::Replaces => Takeover::Replace,
-            Self::IsRefused => Takeover::Refuse,
-        }
-    }
-}
+/// Both were seen.
+const SECOND_CLIENTS: [Choice<Takeover>; 2] = [
+    ("replaces", "It replaces the first one, whose connection is closed", Takeover::Replace),
+    ("is-refused", "Its connection is closed", Takeover::Refuse),
+];
 
 impl Sim {
     pub(crate) fn run(self) -> Result<(), Failure> {
@@ -132,7 +121,7 @@ impl Sim {
         if let Some(ms) = self.period {
             builder = builder.status_period(Duration::from_millis(ms));
         }
-        builder = builder.time_scale(self.time_scale).takeover(self.second_client.takeover());
+        builder = builder.time_scale(self.time_scale).takeover(self.second_client);
         builder =
             builder.lag(Duration::from_millis(self.lag)).trips(self.trips.iter().copied()).underrun(self.underrun);
         builder = self.programs.iter().fold(builder, Builder::programs_from);

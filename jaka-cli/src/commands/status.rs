@@ -1,7 +1,6 @@
 //! `jaka status`: what the status packets of port 10000 say.
 
-mod csv;
-mod json;
+mod lines;
 mod packets;
 mod table;
 mod until;
@@ -12,7 +11,7 @@ use std::time::Duration;
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::text::visible_json_line;
 
-use self::csv::Columns;
+use self::lines::Columns;
 use self::packets::Packets;
 use self::table::StatusTable;
 use self::until::{POLL, Until};
@@ -97,7 +96,7 @@ impl Status {
                 let table = StatusTable::new(fields, self.repeats());
                 self.print(packets, |packets| Ok(table.text(&packets.next()?)))
             }
-            Format::Json => self.print(packets, |packets| Ok(json::line(&fields, &packets.next()?))),
+            Format::Json => self.print(packets, |packets| Ok(lines::json(&fields, &packets.next()?))),
             Format::Csv => {
                 let mut columns = Columns::new(fields);
                 self.print(packets, |packets| Ok(columns.lines(&packets.next()?)))

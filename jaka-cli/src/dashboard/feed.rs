@@ -1,6 +1,6 @@
 //! From a monitor to the view.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
@@ -30,7 +30,7 @@ pub(crate) struct Feed {
     /// How often the monitor had reconnected when packets last came.
     reconnects: u64,
     /// Fields that were reported not to fit.
-    unfit: Vec<String>,
+    unfit: BTreeSet<String>,
     /// The number of packets at times of the last seconds.
     counts: VecDeque<(Instant, u64)>,
 }
@@ -45,7 +45,7 @@ impl Feed {
             shown: None,
             silent: false,
             reconnects: 0,
-            unfit: Vec::new(),
+            unfit: BTreeSet::new(),
             counts: VecDeque::new(),
         }
     }
@@ -83,11 +83,9 @@ impl Feed {
 
     /// Reports each field that does not fit once: its value is not known.
     fn tell_unfit(&mut self, packet: &Snapshot<PackedStatus>, view: &mut View, time: SystemTime) {
-        for error in packet.unfit.iter().chain(&packet.status.unfit) {
-            if !self.unfit.iter().any(|told| told == error.field()) {
-                self.unfit.push(error.field().to_owned());
-                view.alarms.add(time, Tone::Bad, error.to_string());
-            }
+        let unfit = packet.unfit.iter().chain(&packet.status.unfit);
+        for error in unfit.filter(|error| self.unfit.insert(error.field().to_owned())) {
+            view.alarms.add(time, Tone::Bad, error.to_string());
         }
     }
 

@@ -1,8 +1,12 @@
 //! Paths to fields, as people type them.
 
 use jaka_spec::Shape as Wire;
+use jaka_spec::words::distance;
 
-use super::{Field, Step, suggestions};
+use super::{Field, Step};
+
+/// How many suggestions are made at most.
+const MOST: usize = 3;
 
 /// Follows a path from the packet.
 pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
@@ -30,7 +34,7 @@ fn named(parent: &Field, name: &str) -> Result<Field, String> {
     found.cloned().ok_or_else(|| {
         let names = members.iter().flat_map(|member| [Some(own_name(parent, member)), wire_key(member)]).flatten();
         let of = if parent.name.is_empty() { String::new() } else { format!(" in `{}`", parent.name) };
-        format!("there is no status field `{name}`{of}; {}", suggestions::hint(name, names))
+        format!("there is no status field `{name}`{of}; {}", hint(name, names))
     })
 }
 
@@ -63,6 +67,28 @@ fn parse_indices(text: &str) -> Option<Vec<usize>> {
     }
     let inner = text.strip_prefix('[')?.strip_suffix(']')?;
     inner.split("][").map(|index| index.parse().ok()).collect()
+}
+
+/// What to try instead.
+fn hint<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
+    let mut suggestions: Vec<_> = names.filter_map(|name| Some((unlikeness(wanted, name)?, name))).collect();
+    suggestions.sort_unstable();
+    suggestions.dedup();
+    if suggestions.is_empty() {
+        return "`jaka status --fields all` shows them all".to_owned();
+    }
+    let suggestions: Vec<_> = suggestions.iter().take(MOST).map(|(_, name)| format!("`{name}`")).collect();
+    format!("similar names: {}", suggestions.join(", "))
+}
+
+/// The number of letters that differ, if that is few; names that contain the wanted one come after those.
+fn unlikeness(wanted: &str, name: &str) -> Option<usize> {
+    let few = wanted.len() / 4 + 1;
+    let apart = distance(wanted, name);
+    if apart <= few {
+        return Some(apart);
+    }
+    (wanted.len() >= 3 && name.contains(wanted)).then_some(few + name.len())
 }
 
 #[cfg(test)]

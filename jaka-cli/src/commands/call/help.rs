@@ -1,14 +1,15 @@
-//! What the help of a command says, from the spec.
+//! What the list of commands and the help of one say, from the spec.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
 use jaka_dynamic::{Argument, arguments};
 use jaka_spec::words::{first_sentence, requirements};
-use jaka_spec::{Command, Reply, Request, Spec};
+use jaka_spec::{Command, Reply, Request, Spec, Topic};
 use jaka_sync::proto::text::{visible, visible_lines};
 
 use crate::consent::effect;
+use crate::failure::Failure;
 
 /// What a command does, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {
@@ -78,4 +79,33 @@ pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String])
     }
     let has_more = arguments.iter().any(|argument| !argument.required || !argument.variants.is_empty());
     usage + if has_more { " [FIELDS] [OPTIONS]" } else { " [OPTIONS]" }
+}
+
+/// The commands by topic, each with one sentence; only those of a topic if it is named.
+///
+/// # Errors
+/// There is no such topic; the message lists those that exist.
+pub(super) fn list(spec: &Spec, topic: &str) -> Result<String, Failure> {
+    let all: Vec<_> = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).collect();
+    let wanted: Vec<_> = all.iter().filter(|known| topic.is_empty() || known.name == topic).collect();
+    if wanted.is_empty() {
+        let names: Vec<_> = all.iter().map(|known| known.name.as_str()).collect();
+        return Err(Failure::Usage(format!("there is no topic `{topic}`; the topics are {}", names.join(", "))));
+    }
+    let sections: Vec<_> = wanted.iter().map(|topic| section(topic)).collect();
+    Ok(sections.join("\n"))
+}
+
+fn section(topic: &Topic) -> String {
+    let names: Vec<_> = topic.commands.iter().map(names).collect();
+    let width = names.iter().map(String::len).max().unwrap_or_default();
+    let row =
+        |(name, command): (&String, &Command)| format!("  {name:width$}  {}\n", about(command).replace('\n', " "));
+    let rows: String = names.iter().zip(&topic.commands).map(row).collect();
+    format!("{}: {}\n{rows}", topic.name, visible(&topic.title))
+}
+
+/// The names that a command can be called by.
+fn names(command: &Command) -> String {
+    if command.name == command.wire { command.wire.clone() } else { format!("{}, {}", command.wire, command.name) }
 }

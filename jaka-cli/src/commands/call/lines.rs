@@ -82,7 +82,7 @@ impl Session<'_> {
 
     fn carry_out(&mut self, line: &str, answer: &mut Map<String, Value>) -> Result<(), Failure> {
         let spec = &self.protocol.spec;
-        let request = Request::of_text(spec, None, line, self.options.advisory_ranges.into())?;
+        let request = Request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer.insert("command".to_owned(), request.name.clone().into());
         self.allow(&request)?;
         let motion = if self.options.wait { wait::motion(&request)? } else { None };

@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 use jaka_dynamic::AdvisoryRanges;
 
+use crate::choice::{Choice, one_of};
 use crate::console::ConsoleArgs;
 use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
@@ -29,8 +30,8 @@ pub(super) struct Options {
     #[arg(long, short)]
     pub(super) yes: bool,
     /// Whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised
-    #[arg(long, value_enum, value_name = "WHAT", default_value_t)]
-    pub(super) advisory_ranges: Ranges,
+    #[arg(long, value_name = "WHAT", default_value = "enforce", value_parser = one_of(&RANGES))]
+    pub(super) advisory_ranges: AdvisoryRanges,
     /// Ask for the controller's version first, and send only what that firmware has
     #[arg(long)]
     pub(super) check_firmware: bool,
@@ -74,21 +75,7 @@ pub(super) enum Keys {
     Wire,
 }
 
-/// Whether advisory ranges are enforced.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub(super) enum Ranges {
-    /// They are enforced like all others
-    #[default]
-    Enforce,
-    /// They are left to the controller
-    Ignore,
-}
-
-impl From<Ranges> for AdvisoryRanges {
-    fn from(ranges: Ranges) -> Self {
-        match ranges {
-            Ranges::Enforce => Self::Enforced,
-            Ranges::Ignore => Self::Ignored,
-        }
-    }
-}
+const RANGES: [Choice<AdvisoryRanges>; 2] = [
+    ("enforce", "They are enforced like all others", AdvisoryRanges::Enforced),
+    ("ignore", "They are left to the controller", AdvisoryRanges::Ignored),
+];

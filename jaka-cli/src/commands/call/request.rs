@@ -36,7 +36,7 @@ impl<'s> Request<'s> {
         if options.raw {
             return unchecked(name, params.as_deref().unwrap_or("{}")).map(Some);
         }
-        let ranges = options.advisory_ranges.into();
+        let ranges = options.advisory_ranges;
         match (command, params) {
             (_, Some(text)) => Self::of_text(spec, command, &text, ranges).map(Some),
             (Some(command), None) => Self::of_fields(spec, command, &line.fields, ranges).map(Some),

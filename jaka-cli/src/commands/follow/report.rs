@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::number::fixed;
-use crate::output;
+use crate::{exit, output};
 
 /// In which steps peaks are searched, in seconds, and how many steps are made at most.
 const STEP_S: f64 = 0.001;
@@ -104,7 +104,7 @@ fn completed(end: &FollowEnd) -> String {
 
 fn ended_as_json(end: &FollowEnd) -> Value {
     json!({
-        "outcome": word(end.outcome),
+        "outcome": exit::of_trajectory(end.outcome).1,
         "text": end.to_string(),
         "at_rest": end.is_at_rest(),
         "reached_s": end.reached.as_secs_f64(),
@@ -122,23 +122,4 @@ fn ended_as_json(end: &FollowEnd) -> Value {
 
 fn milliseconds(time: Duration) -> f64 {
     time.as_secs_f64() * 1e3
-}
-
-/// An outcome as one word, which does not change.
-fn word(outcome: FollowOutcome) -> &'static str {
-    match outcome {
-        FollowOutcome::Completed => "completed",
-        FollowOutcome::Stopped => "stopped",
-        FollowOutcome::Deadline => "deadline",
-        FollowOutcome::Guard => "guard",
-        FollowOutcome::Refused => "refused",
-        FollowOutcome::ProtectiveStop => "protective_stop",
-        FollowOutcome::EmergencyStop => "emergency_stop",
-        FollowOutcome::Underrun => "underrun",
-        FollowOutcome::Departed => "departed",
-        FollowOutcome::StatusLost => "status_lost",
-        FollowOutcome::LinkLost => "link_lost",
-        FollowOutcome::RestNotSeen => "rest_not_seen",
-        _ => "failed",
-    }
 }

@@ -2,9 +2,7 @@
 
 use std::time::Duration;
 
-use super::Measured;
-use super::lateness::{Lateness, PRIORITY, SPIN, Waits};
-use super::round_trip::RoundTrip;
+use super::measured::{Lateness, Measured, PRIORITY, RoundTrip, SPIN, Waits};
 use crate::number::count;
 
 /// The period of a servo session.
@@ -149,7 +147,7 @@ fn share(waits: &Waits) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::times::Times;
+    use super::super::measured::Times;
     use super::*;
 
     /// Cycles of which some are late, in microseconds each.

@@ -7,9 +7,8 @@ use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::{Command, ServoConfig};
 use serde_json::{Value, json};
 
-use super::lateness::{PRIORITY, SPIN, Waits};
-use super::times::{Times, micros};
-use super::{Measured, advice};
+use super::advice;
+use super::measured::{Measured, PRIORITY, SPIN, Times, micros};
 use crate::number::fixed;
 
 /// One way of waiting: its times, or why there are none.
@@ -28,17 +27,14 @@ impl Row<'_> {
 }
 
 fn rows(measured: &Measured) -> [Row<'_>; 4] {
-    let lateness = &measured.lateness;
-    let usual = |times| (None, Ok(times));
-    let realtime =
-        |times: fn(&Waits) -> &Times| (Some(PRIORITY), lateness.realtime.as_ref().map(times).map_err(String::as_str));
+    let usual = &measured.lateness.usual;
+    let realtime = measured.lateness.realtime.as_ref().map_err(String::as_str);
     [
-        (Duration::ZERO, usual(&lateness.usual.asleep)),
-        (SPIN, usual(&lateness.usual.spinning)),
-        (Duration::ZERO, realtime(|waits| &waits.asleep)),
-        (SPIN, realtime(|waits| &waits.spinning)),
+        Row { busy_wait: Duration::ZERO, priority: None, times: Ok(&usual.asleep) },
+        Row { busy_wait: SPIN, priority: None, times: Ok(&usual.spinning) },
+        Row { busy_wait: Duration::ZERO, priority: Some(PRIORITY), times: realtime.map(|waits| &waits.asleep) },
+        Row { busy_wait: SPIN, priority: Some(PRIORITY), times: realtime.map(|waits| &waits.spinning) },
     ]
-    .map(|(busy_wait, (priority, times))| Row { busy_wait, priority, times })
 }
 
 /// Two tables, and what to change.

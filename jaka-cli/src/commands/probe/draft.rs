@@ -3,12 +3,11 @@
 use std::fmt::Write;
 
 use jaka_dynamic::{Departure, DepartureKind, Reading, notation};
-use jaka_spec::{Source, Spec, load_pack};
+use jaka_spec::{Field, Shape, Source, Spec, Type, load_pack};
 use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;
 
 use super::finding::{Finding, Findings};
-use super::location::{self, Location};
 
 /// A pack with the keys that the spec does not know and the types of what cannot be read; none if there is neither.
 ///
@@ -22,11 +21,11 @@ pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
         // The fields of a reply that is an object of a named type are that type's.
         let object = command.and_then(|command| command.reply.object()).map(|id| &*spec[id].name);
         let (target, part) = object.map_or((&*finding.name, "reply"), |name| (name, "field"));
-        draft.take(finding, |path| location::find(spec, target, part, fields, path));
+        draft.take(finding, |path| locate(spec, target, part, fields, path));
     }
     if let Some(id) = spec.status_type() {
         let (name, fields) = (&spec[id].name, spec.status_fields());
-        draft.take(&findings.status, |path| location::find(spec, name, "field", fields, path));
+        draft.take(&findings.status, |path| locate(spec, name, "field", fields, path));
     }
     (!draft.written.is_empty()).then_some(draft.text)
 }
@@ -155,4 +154,49 @@ fn quoted(text: &str) -> String {
         }
     }
     out + "\""
+}
+
+/// The part of the spec that a pack would change.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Location {
+    /// A command's `cmdName` or a type's name.
+    target: String,
+    /// The key of a pack that names fields there: `reply` or `field`.
+    part: &'static str,
+    /// The field's key, or its name where it is an element of an array.
+    key: String,
+    /// True if the spec has the field.
+    is_known: bool,
+}
+
+/// Follows a departure's path from the fields at its beginning; `None` if it ends where a pack can change nothing.
+fn locate(spec: &Spec, target: &str, part: &'static str, fields: &[Field], path: &str) -> Option<Location> {
+    let location =
+        |key: &str, is_known| Some(Location { target: target.to_owned(), part, key: key.to_owned(), is_known });
+    let steps = fields.iter().filter_map(|field| Some((field, rest(path, key(field))?)));
+    // Where one key begins with another, the longer one matches.
+    let Some((field, rest)) = steps.min_by_key(|(_, rest)| rest.len()) else { return location(path, false) };
+    let Some(inner) = inside(spec, &field.ty, rest) else { return location(key(field), true) };
+    locate(spec, inner.0, "field", inner.1, inner.2)
+}
+
+fn key(field: &Field) -> &str {
+    if field.wire.is_empty() { &field.name } else { &field.wire }
+}
+
+/// What follows a key in a path, if the path begins with the key.
+fn rest<'p>(path: &'p str, key: &str) -> Option<&'p str> {
+    path.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
+/// The type with fields into which a path continues, its fields, and the rest of the path.
+fn inside<'s, 'p>(spec: &'s Spec, ty: &'s Type, path: &'p str) -> Option<(&'s str, &'s [Field], &'p str)> {
+    let ty = spec.unwrapped(ty);
+    match spec.shape(ty) {
+        Shape::List(element, _) => inside(spec, element, path.strip_prefix('[')?.split_once(']')?.1),
+        Shape::Object(fields) | Shape::Tuple { fields, .. } => {
+            Some((&spec[ty.named()?].name, fields, path.strip_prefix('.')?))
+        }
+        Shape::Scalar(_) | Shape::Python(_) | Shape::IntEnum(_) | Shape::TextEnum(_) | Shape::Choice(_) => None,
+    }
 }

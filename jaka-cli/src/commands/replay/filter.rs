@@ -3,10 +3,11 @@
 use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
+use crate::choice::{Choice, one_of};
 use crate::recorded::command_of;
 use crate::{output, packs};
 
@@ -14,33 +15,26 @@ use crate::{output, packs};
 #[derive(Debug, Args)]
 pub(super) struct FilterArgs {
     /// Show only the connections to this port
-    #[arg(long, value_enum, requires = "show")]
-    port: Option<PortName>,
+    #[arg(long, requires = "show", value_parser = one_of(&PORTS))]
+    port: Option<Port>,
     /// Show only the requests of this command, and their replies
     #[arg(long, value_name = "NAME", requires = "show", conflicts_with = "port")]
     command: Option<String>,
 }
 
-/// A port of a controller.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum PortName {
-    /// Requests and replies
-    Command,
-    /// Status packets
-    Status,
-}
+const PORTS: [Choice<Port>; 2] =
+    [("command", "Requests and replies", Port::Command), ("status", "Status packets", Port::Status)];
 
-/// Which entries of a recording are shown.
+/// Which entries of a recording are shown: of a port, and of a command.
 #[derive(Debug)]
-pub(super) enum Filter {
-    All,
-    Port(Port),
-    Command(CommandFilter),
+pub(super) struct Filter {
+    port: Option<Port>,
+    command: Option<CommandFilter>,
 }
 
 /// The requests of a command and their replies.
 #[derive(Debug)]
-pub(super) struct CommandFilter {
+struct CommandFilter {
     name: String,
     /// The replies, including those that do not name their command, by the time at which they came.
     replies: HashSet<(Duration, Message)>,
@@ -49,35 +43,26 @@ pub(super) struct CommandFilter {
 impl FilterArgs {
     /// The filter that the options ask for. If the recording has no request of the command, says which it has.
     pub(super) fn filter(&self, recording: &Recording) -> Filter {
-        match (&self.command, self.port) {
-            (Some(name), _) => Filter::Command(CommandFilter::new(name, recording)),
-            (None, Some(PortName::Command)) => Filter::Port(Port::Command),
-            (None, Some(PortName::Status)) => Filter::Port(Port::Status),
-            (None, None) => Filter::All,
-        }
+        let command = self.command.as_ref().map(|name| CommandFilter::new(name, recording));
+        Filter { port: self.port, command }
     }
 }
 
 impl Filter {
     /// Whether an entry is shown.
     pub(super) fn shows(&self, entry: &Entry) -> bool {
-        match self {
-            Self::All => true,
-            Self::Port(port) => entry.port == *port,
-            Self::Command(command) => entry.event.message().is_some_and(|message| command.shows(entry, message)),
-        }
+        let is_of =
+            |command: &CommandFilter| entry.event.message().is_some_and(|message| command.shows(entry, message));
+        self.port.is_none_or(|port| entry.port == port) && self.command.as_ref().is_none_or(is_of)
     }
 
     /// The requests that are shown, with their outcomes.
     pub(super) fn answers(&self, recording: &Recording) -> Vec<Answered> {
         let mut answers = recording.answers();
-        match self {
-            Self::All | Self::Port(Port::Command) => {}
-            Self::Port(Port::Status) => answers.clear(),
-            Self::Command(command) => {
-                answers.retain(|answered| command_of(&answered.request).as_ref() == Some(&command.name));
-            }
-        }
+        answers.retain(|answered| {
+            let is_of = |command: &CommandFilter| command_of(&answered.request).as_ref() == Some(&command.name);
+            self.port != Some(Port::Status) && self.command.as_ref().is_none_or(is_of)
+        });
         answers
     }
 }

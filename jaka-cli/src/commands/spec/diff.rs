@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::files;
 use crate::failure::Failure;
-use crate::{output, packs};
+use crate::{exit, output, packs};
 
 /// Compare two specs, and say what each change means for Rust programs.
 ///
@@ -40,7 +40,7 @@ impl Diff {
         let text = if self.json { json(&changes) } else { text(&changes) };
         if self.json { output::json(&text) } else { output::lines(&text) }?;
         match tools::impact(&changes) {
-            Some(impact) if self.exit_code => Err(Failure::Differs(impact)),
+            Some(impact) if self.exit_code => Err(Failure::Printed(exit::difference(impact))),
             _ => Ok(()),
         }
     }

@@ -4,10 +4,11 @@ use std::borrow::Cow;
 use std::fs;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use jaka_spec::{Spec, tools};
 use jaka_sync::proto::text::visible_lines;
 
+use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::SpecArgs;
@@ -16,29 +17,18 @@ use crate::packs::SpecArgs;
 #[derive(Debug, Args)]
 pub(super) struct Reference {
     /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to `REFERENCE.md`
-    #[arg(long, value_enum, value_name = "LANGUAGE", default_value_t)]
-    lang: Language,
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]
+    lang: fn(&Spec) -> String,
     #[command(flatten)]
     document: Document,
 }
 
-/// A language in which there is a reference.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum Language {
-    /// English
-    #[default]
-    En,
-    /// Chinese
-    Zh,
-}
+const LANGUAGES: [Choice<fn(&Spec) -> String>; 2] =
+    [("en", "English", tools::reference), ("zh", "Chinese", tools::reference_zh)];
 
 impl Reference {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let make = match self.lang {
-            Language::En => tools::reference,
-            Language::Zh => tools::reference_zh,
-        };
-        self.document.run(make, visible_lines)
+        self.document.run(self.lang, visible_lines)
     }
 }
 

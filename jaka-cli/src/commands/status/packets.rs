@@ -1,5 +1,6 @@
 //! Packets at the requested rate.
 
+use std::collections::BTreeSet;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use jaka_sync::{ErrorKind, StatusStream};
@@ -28,12 +29,12 @@ pub(super) struct Packets {
     until: Option<Until>,
     due: Option<Instant>,
     /// Fields that were reported not to fit.
-    told: Vec<String>,
+    told: BTreeSet<String>,
 }
 
 impl Packets {
     pub(super) fn new(stream: StatusStream, period: Option<Duration>, until: Option<Until>) -> Self {
-        Self { stream, period, until, due: None, told: Vec::new() }
+        Self { stream, period, until, due: None, told: BTreeSet::new() }
     }
 
     /// True if the last packet shows what is waited for.
@@ -56,8 +57,7 @@ impl Packets {
                 continue;
             }
             self.tell_unfit(&status);
-            let json =
-                status.json().map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
+            let json = status.json()?;
             if let Some(until) = &mut self.until {
                 until.packet(&json)?;
             }
@@ -69,11 +69,9 @@ impl Packets {
 
     /// Reports each field that does not fit once: it is missing from what is printed.
     fn tell_unfit(&mut self, status: &PackedStatus) {
-        for error in self.stream.unfit().iter().chain(&status.unfit) {
-            if !self.told.iter().any(|told| told == error.field()) {
-                self.told.push(error.field().to_owned());
-                output::warning(&format!("{error}; it is left out"));
-            }
+        let unfit = self.stream.unfit().iter().chain(&status.unfit);
+        for error in unfit.filter(|error| self.told.insert(error.field().to_owned())) {
+            output::warning(&format!("{error}; it is left out"));
         }
     }
 

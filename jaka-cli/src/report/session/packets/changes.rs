@@ -1,5 +1,6 @@
 //! What changed from one status packet to the next.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use jaka_sync::proto::wire::DecodeError;
@@ -17,7 +18,7 @@ pub(super) struct Changes {
     flags: Flags,
     error_code: Option<String>,
     /// Fields that were told not to fit.
-    unfit: Vec<String>,
+    unfit: BTreeSet<String>,
     /// Whether the last message could not be read.
     is_unreadable: bool,
 }
@@ -49,12 +50,9 @@ impl Changes {
     }
 
     fn see_unfit(&mut self, time: Duration, unfit: &[DecodeError]) {
-        for error in unfit {
-            if !self.unfit.iter().any(|told| told == error.field()) {
-                self.unfit.push(error.field().to_owned());
-                let what = format!("a status packet does not fit the spec: {error}");
-                self.happenings.push(Happening::wrong(time, Kind::Packets, what));
-            }
+        for error in unfit.iter().filter(|error| self.unfit.insert(error.field().to_owned())) {
+            let what = format!("a status packet does not fit the spec: {error}");
+            self.happenings.push(Happening::wrong(time, Kind::Packets, what));
         }
     }
 
