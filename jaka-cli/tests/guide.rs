@@ -75,6 +75,10 @@ fn take(step: &Step, folder: &Path, controller: &Controller) -> Run {
     if let Some(at) = words.iter().position(|word| word == "--robot") {
         words.splice(at..at + 2, address_of(controller));
     }
+    if words[0] == "probe" {
+        // It asks the user.
+        words.push("--yes".to_owned());
+    }
     let mut command = command(words);
     command.current_dir(folder);
     run(command, "")

@@ -122,7 +122,7 @@ fn check_shows_harmless_text(kind: &str, reply: Vec<u8>) {
 #[test]
 fn no_probe_shows_a_controller_s_text_raw_and_its_draft_is_a_pack() {
     for (number, (kind, reply)) in replies().into_iter().enumerate() {
-        for options in [&["probe"][..], &["probe", "--json"]] {
+        for options in [&["probe", "--yes"][..], &["probe", "--yes", "--json"]] {
             let controller = controller();
             controller.set_state(|state| state.error_message = HOSTILE.to_owned());
             controller.inject_for("get_version", Fault::Instead(reply.clone()));
@@ -144,7 +144,7 @@ fn a_draft_does_not_overwrite_a_finished_pack() {
     fs::write(&path, "finished").expect("the folder is there");
     let controller = controller();
     controller.set_reply("get_version", [("version".to_owned(), json!("1.7")), ("build".to_owned(), json!(1))]);
-    let run = jaka_at(&controller, &["probe", "--draft", path.to_str().expect("it is UTF-8")]);
+    let run = jaka_at(&controller, &["probe", "--yes", "--draft", path.to_str().expect("it is UTF-8")]);
     assert_eq!(run.code, Some(2), "{}", run.err);
     let path_text = path.display();
     let expected = format!("error: {path_text} exists already, and packs are not overwritten\n");

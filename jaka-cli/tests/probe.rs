@@ -22,7 +22,7 @@ fn controller(firmware: Firmware) -> Controller {
 
 fn probe(controller: &Controller, options: &[&str]) -> Run {
     let options = options.iter().copied().map(str::to_owned);
-    jaka(["probe".to_owned()].into_iter().chain(options).chain(address_of(controller)))
+    jaka(["probe", "--yes"].map(str::to_owned).into_iter().chain(options).chain(address_of(controller)))
 }
 
 /// A file that does not exist yet.
@@ -123,6 +123,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
         let draft = draft.display().to_string();
         let run = jaka([
             "probe",
+            "--yes",
             "--robot",
             "127.0.0.1",
             "--command-port",
@@ -241,7 +242,7 @@ fn without_a_controller_there_is_nothing_to_report() {
     let controller = controller(Firmware::Document);
     let address = address_of(&controller);
     drop(controller);
-    let run = jaka(["probe".to_owned()].into_iter().chain(address));
+    let run = jaka(["probe", "--yes"].map(str::to_owned).into_iter().chain(address));
     assert_eq!((run.code, run.out.as_str()), (Some(3), ""));
 }
 
@@ -309,7 +310,7 @@ fn an_interrupt_leaves_a_report_of_what_was_found() {
     let controller = controller(Firmware::Document);
     controller.inject(Fault::None);
     controller.inject(Fault::Drop);
-    let words = ["probe", "--timeout", "2"].map(str::to_owned).into_iter().chain(address_of(&controller));
+    let words = ["probe", "--yes", "--timeout", "2"].map(str::to_owned).into_iter().chain(address_of(&controller));
     let mut command = command(words);
     command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
     let child = command.spawn().expect("the program starts");

@@ -18,14 +18,14 @@ use jaka_spec::Spec;
 use self::finding::Findings;
 use self::progress::Progress;
 use crate::failure::Failure;
-use crate::output;
 use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
+use crate::{output, seat};
 
 /// Send a controller every query of the protocol, and report where its answers depart from the spec.
 ///
-/// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one client, so
-/// another program that is connected there may be cut off. The report can be pasted into a bug report. On Ctrl-C it has what was found by then.
+/// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one client: another program that is
+/// connected there may be disconnected, so this asks first. The report can be pasted into a bug report. On Ctrl-C it has what was found by then.
 #[derive(Debug, Args)]
 pub(crate) struct Probe {
     /// Read this many status packets
@@ -40,6 +40,9 @@ pub(crate) struct Probe {
     /// that its value looks like. An existing file is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
+    /// Connect to the command port without asking
+    #[arg(long, short)]
+    yes: bool,
     #[command(flatten)]
     spec: SpecArgs,
     #[command(flatten)]
@@ -50,6 +53,9 @@ impl Probe {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let protocol = self.spec.load(self.robot.config())?;
         let target = self.robot.target(&protocol.packs)?;
+        if !self.yes && !self.robot.is_simulated() {
+            seat::obtain(target.title(), "nothing was probed")?;
+        }
         let progress = Progress::begin()?;
         let commands = queries::ask_all(&protocol.spec, &target, &progress)?;
         let status = status::take(&protocol.spec, &target, self.packets.get(), &progress);
