@@ -32,13 +32,29 @@ pub(crate) struct Act {
 }
 
 impl ActArgs {
-    /// Makes sure that the user wants these requests to be sent, where they are needed. Connects to nothing yet.
-    pub(crate) fn begin(&self, intents: &[Intent<'_>]) -> Result<Act, Failure> {
+    /// Makes sure that the user wants the arm to do this, such as "lose its power", for which these requests are sent where they are needed.
+    /// Connects to nothing yet.
+    pub(crate) fn begin(&self, what: &str, intents: &[Intent<'_>]) -> Result<Act, Failure> {
+        self.begin_told(intents, |_| Ok(what.to_owned()))
+    }
+
+    /// The same, where the status port may be asked first: it disturbs nobody.
+    pub(crate) fn begin_told(
+        &self,
+        intents: &[Intent<'_>],
+        what: impl FnOnce(&Target) -> Result<String, Failure>,
+    ) -> Result<Act, Failure> {
         let act = Act::at_once(&self.robot)?;
         if !self.yes && !self.robot.is_simulated() {
-            consent::obtain(intents, act.target.title())?;
+            consent::must_be_askable(intents)?;
+            consent::obtain_act(&what(&act.target)?, intents, act.target.title())?;
         }
         Ok(act)
+    }
+
+    /// The robot, if the line names one.
+    pub(crate) fn named_target(&self) -> Result<Option<Target>, Failure> {
+        if self.robot.is_given() { self.robot.target(&[]).map(Some) } else { Ok(None) }
     }
 
     /// Makes sure that the user wants the arm to do this, such as "follow way.csv for 12.0 s". Connects to nothing yet.

@@ -1,16 +1,19 @@
 //! Asking before something happens to a robot.
 
 use std::io::{IsTerminal, stdin};
+use std::slice::from_ref;
 
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::proto;
-use jaka_sync::proto::check::AdvisoryRanges;
+use jaka_sync::proto::check::{AdvisoryRanges, InvalidArgument, NotSent};
 use jaka_sync::proto::text::{visible, visible_json_line};
 use jaka_sync::proto::wire::Writer;
 
 use crate::failure::Failure;
 use crate::question;
+use crate::seat::ONE_CLIENT;
+use crate::units::other_unit;
 
 /// A request that is about to be sent.
 #[derive(Debug)]
@@ -29,11 +32,19 @@ impl<'s> Intent<'s> {
     /// # Errors
     /// The spec forbids it.
     pub(crate) fn of<C: proto::Command>(spec: &'s Spec, request: &C) -> Result<Self, Failure> {
-        request.check(AdvisoryRanges::Enforced).map_err(jaka_sync::Error::from)?;
+        request.check(AdvisoryRanges::Enforced).map_err(|forbidden| match forbidden {
+            NotSent::InvalidArgument(invalid) => not_allowed(&invalid),
+            NotSent::NotInFirmware(_) => jaka_sync::Error::from(forbidden).into(),
+        })?;
         let mut out = Writer::new();
         request.write_request(&mut out);
         let name = C::INFO.name;
         Ok(Self { command: spec.command(name), name: name.to_owned(), text: out.into_string() })
+    }
+
+    /// What is sent, as a line of a question.
+    fn line(&self) -> String {
+        format!("  {}\n", visible_json_line(&self.text))
     }
 
     fn effect(&self) -> &'static str {
@@ -41,20 +52,49 @@ impl<'s> Intent<'s> {
     }
 }
 
-/// Makes sure that the user wants all of this to be sent to the robot of this title.
+/// Makes sure that somebody can be asked about these requests.
+///
+/// # Errors
+/// There is no terminal.
+pub(crate) fn must_be_askable(intents: &[Intent<'_>]) -> Result<(), Failure> {
+    if stdin().is_terminal() {
+        return Ok(());
+    }
+    let it = if let [_] = intents { "it" } else { "them" };
+    let what = if let [only] = intents { format!("it {}, and ", only.effect()) } else { String::new() };
+    Err(not_sent(intents, &format!(": {what}there is no terminal to ask on; use --yes to send {it} anyway")))
+}
+
+/// Makes sure that the user wants this to be sent to the robot of this title, of which only the spec says what it does; with its fields as a table.
 ///
 /// # Errors
 /// The user does not, or cannot be asked.
-pub(crate) fn obtain(intents: &[Intent<'_>], title: &str) -> Result<(), Failure> {
+pub(crate) fn obtain(intent: &Intent<'_>, fields: &str, title: &str) -> Result<(), Failure> {
+    let intents = from_ref(intent);
+    must_be_askable(intents)?;
+    if question::is_confirmed(&question(intent, fields, title))? { Ok(()) } else { Err(not_sent(intents, "")) }
+}
+
+/// Makes sure that the user wants the arm of the robot of this title to do this, such as "turn joint 6 by 5 deg", for which these are sent.
+///
+/// # Errors
+/// The user does not, or cannot be asked.
+pub(crate) fn obtain_act(what: &str, intents: &[Intent<'_>], title: &str) -> Result<(), Failure> {
+    must_be_askable(intents)?;
+    if question::is_confirmed(&act_question(what, intents, title))? { Ok(()) } else { Err(not_sent(intents, "")) }
+}
+
+/// Without the way round advisory ranges, which `jaka call` alone has.
+fn not_allowed(invalid: &InvalidArgument) -> Failure {
+    let InvalidArgument { command, field, value, allowed, .. } = invalid;
+    let hint = value.parse().ok().and_then(|value| other_unit(value, allowed)).unwrap_or_default();
+    Failure::Usage(format!("`{command}` was not sent: field `{field}` is {value}, allowed is {allowed}{hint}"))
+}
+
+fn not_sent(intents: &[Intent<'_>], why: &str) -> Failure {
     let names: Vec<_> = intents.iter().map(|intent| format!("`{}`", intent.name)).collect();
-    let (names, it) = (names.join(" and "), if let [_] = intents { "it" } else { "them" });
     let was = if let [_] = intents { "was" } else { "were" };
-    let refused = |why: &str| Failure::Usage(format!("{names} {was} not sent{why}"));
-    if !stdin().is_terminal() {
-        let what = if let [only] = intents { format!("it {}, and ", only.effect()) } else { String::new() };
-        return Err(refused(&format!(": {what}there is no terminal to ask on; use --yes to send {it} anyway")));
-    }
-    if question::is_confirmed(&question(intents, title))? { Ok(()) } else { Err(refused("")) }
+    Failure::Usage(format!("{} {was} not sent{why}", names.join(" and ")))
 }
 
 /// Makes sure that the user wants the arm of the robot of this title to do this.
@@ -66,20 +106,19 @@ pub(crate) fn obtain_motion(what: &str, title: &str) -> Result<(), Failure> {
     if !stdin().is_terminal() {
         return Err(refused(": there is no terminal to ask on; use --yes to move it anyway"));
     }
-    let question = format!("The arm of {title} will {}.\n{SEAT}\nGo on? [y/N] ", visible(what));
-    if question::is_confirmed(&question)? { Ok(()) } else { Err(refused("")) }
+    if question::is_confirmed(&act_question(what, &[], title))? { Ok(()) } else { Err(refused("")) }
 }
 
-const SEAT: &str = "The command port serves one client: another program that is connected there may be disconnected.";
+fn act_question(what: &str, intents: &[Intent<'_>], title: &str) -> String {
+    let sent: String = intents.iter().map(Intent::line).collect();
+    format!("The arm of {title} will {}.\n{sent}{ONE_CLIENT}\nGo on? [y/N] ", visible(what))
+}
 
-fn question(intents: &[Intent<'_>], title: &str) -> String {
-    let sent = intents.iter().map(|intent| format!("  {}\n", visible_json_line(&intent.text)));
-    let told = intents.iter().map(|intent| {
-        let about = intent.command.map_or("", |command| first_sentence(&command.doc).0);
-        format!("`{}` {}. {}\n", visible(&intent.name), intent.effect(), visible(about))
-    });
-    let it = if let [_] = intents { "it" } else { "them" };
-    format!("To {title}:\n{}{}{SEAT}\nSend {it}? [y/N] ", sent.collect::<String>(), told.collect::<String>())
+fn question(intent: &Intent<'_>, fields: &str, title: &str) -> String {
+    let fields: String = fields.lines().map(|line| format!("  {line}\n")).collect();
+    let about = intent.command.map_or("", |command| first_sentence(&command.doc).0);
+    let (sent, name, effect) = (intent.line(), visible(&intent.name), intent.effect());
+    format!("To {title}:\n{sent}`{name}` {effect}. {}\n{fields}{ONE_CLIENT}\nSend it? [y/N] ", visible(about))
 }
 
 /// What a command does to the robot, in words.
@@ -110,19 +149,17 @@ mod tests {
             `power_off` switches power, brakes or the controller itself. Switches the arm's power off.
             The command port serves one client: another program that is connected there may be disconnected.
             Send it? [y/N] "#]]
-        .assert_eq(&question(&[off], "cell1 (10.5.5.100)"));
+        .assert_eq(&question(&off, "", "cell1 (10.5.5.100)"));
         let up = [
             Intent::of(&spec, &PowerOn::new()).expect("it is allowed"),
             Intent::of(&spec, &EnableRobot::new()).expect("it is allowed"),
         ];
         expect![[r#"
-            To cell1 (10.5.5.100):
+            The arm of cell1 (10.5.5.100) will get power.
               {"cmdName":"power_on"}
               {"cmdName":"enable_robot"}
-            `power_on` switches power, brakes or the controller itself. Switches the arm's power on.
-            `enable_robot` switches power, brakes or the controller itself. Enables the arm, so that it can move.
             The command port serves one client: another program that is connected there may be disconnected.
-            Send them? [y/N] "#]]
-        .assert_eq(&question(&up, "cell1 (10.5.5.100)"));
+            Go on? [y/N] "#]]
+        .assert_eq(&act_question("get power", &up, "cell1 (10.5.5.100)"));
     }
 }

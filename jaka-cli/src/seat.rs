@@ -1,9 +1,27 @@
-//! The one seat of the command port.
+//! The one seat of the command port: whoever takes it may take it from a program that moves the arm.
+//!
+//! One rule holds for all commands. What is done to a robot is asked about before, and the question says what becomes of the seat
+//! ([`crate::consent`]). What only reads asks by [`obtain`]: `check`, `probe` and `jitter`. Without a terminal, both need `--yes`. What must not be
+//! held up is sent at once: stops, and of `jaka call` what only reads or concerns the connection alone, with a warning by [`warn`].
 
-use std::io::{IsTerminal, stdin};
+use std::io::{IsTerminal, stderr, stdin};
 
 use crate::failure::Failure;
-use crate::question;
+use crate::target::RobotArgs;
+use crate::{output, question};
+
+/// What becomes of the seat.
+pub(crate) const ONE_CLIENT: &str =
+    "The command port serves one client: another program that is connected there may be disconnected.";
+
+/// Warns a person before this program becomes the one client of the command port. A script has been told by the manual.
+pub(crate) fn warn(robot: &RobotArgs) {
+    if !robot.is_simulated() && stderr().is_terminal() {
+        output::warning(
+            "the command port serves one client: another program that is connected there may be disconnected",
+        );
+    }
+}
 
 /// Makes sure that the user wants this program to be the one client of the command port. The error begins with what was not done.
 pub(crate) fn obtain(title: &str, not_done: &str) -> Result<(), Failure> {

@@ -12,6 +12,7 @@ use jaka_motion::Limits;
 use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::proto::wire::Decode;
 use jaka_sync::recording::Port;
+use jaka_sync::types::JointPosition;
 use jaka_sync::{Client, Config, Monitor, Preflight, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
 
 use self::address::RobotAddress;
@@ -98,6 +99,11 @@ impl RobotArgs {
     /// The config file that the option names.
     pub(crate) fn config(&self) -> Option<&Path> {
         self.address.config.as_deref()
+    }
+
+    /// True if the command line names a robot or a simulated one.
+    pub(crate) fn is_given(&self) -> bool {
+        self.address.is_given()
     }
 
     /// True if the robot is a simulated one.
@@ -233,7 +239,12 @@ impl Target {
         Ok(self.config.connect_status(&self.status)?)
     }
 
-    /// The same, where a packet is awaited for this long.
+    /// Where the joints are, by the status port alone; none where the packet does not say.
+    pub(crate) fn joints(&self) -> Result<Option<JointPosition>, Failure> {
+        Ok(self.status_stream()?.newest_packet()?.joint_actual_position)
+    }
+
+    /// Connects to the status port, where a packet is awaited for this long.
     pub(crate) fn status_stream_within(&self, timeout: Duration) -> Result<StatusStream, Failure> {
         Ok(self.config.clone().reply_timeout(timeout).connect_status(&self.status)?)
     }

@@ -25,4 +25,5 @@ mod script;
 mod spec;
 mod status;
 mod target;
+mod terminal;
 mod verbs;

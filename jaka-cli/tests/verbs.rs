@@ -5,6 +5,7 @@ use std::net::TcpStream;
 
 use expect_test::expect;
 use jaka_sim::{Controller, Delays};
+use jaka_tests::ReservedPort;
 
 #[cfg(unix)]
 use crate::common::interrupt;
@@ -28,11 +29,8 @@ fn changes(controller: &Controller) -> Vec<String> {
 #[test]
 fn up_and_down_send_what_is_needed() {
     let controller = controller();
-    expect![[r"
-        the arm is powered and enabled
-        exit code 0
-    "]]
-    .assert_eq(&run(&controller, "up --yes").text());
+    let up = run(&controller, "up --yes");
+    assert_eq!((up.code, up.out.as_str()), (Some(0), "the arm is powered and enabled\n"), "{up:?}");
     assert!(controller.state().enabled);
     assert_eq!(changes(&controller), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#]);
     assert_eq!(run(&controller, "up --yes").code, Some(0));
@@ -49,6 +47,89 @@ fn up_and_down_send_what_is_needed() {
     assert_eq!(pressed.code, Some(20), "{pressed:?}");
     assert!(pressed.err.contains("emergency stop is pressed"), "{pressed:?}");
     assert_eq!(changes(&controller).len(), 4, "nothing was sent");
+}
+
+#[test]
+fn up_tells_how_far_it_has_come() {
+    let without_times = |text: &str| text.replace(|c: char| c.is_ascii_digit(), "0");
+    let notes = |controller: &Controller, line: &str| {
+        let run = run(controller, line);
+        assert_eq!((run.code, run.out.as_str()), (Some(0), "the arm is powered and enabled\n"), "{run:?}");
+        without_times(&run.err)
+    };
+    let slow = || Controller::builder().time_scale(20.0).start().expect("loopback has free ports");
+    let controller = slow();
+    expect![[r#"
+        note: switching the power on
+        note: the arm has power, after 0.0 s; enabling it
+    "#]]
+    .assert_eq(&notes(&controller, "up --yes"));
+    assert_eq!(notes(&controller, "up --yes"), "", "it is up already");
+    controller.set_state(|state| state.enabled = false);
+    expect![[r#"
+        note: enabling the arm, which has power
+    "#]]
+    .assert_eq(&notes(&controller, "up --yes"));
+    assert_eq!(notes(&slow(), "up --yes -q"), "");
+}
+
+#[test]
+fn a_dry_run_prints_the_request_and_takes_no_seat() {
+    let controller = powered();
+    let dry = |line: &str| run(&controller, &format!("{line} --dry-run")).text();
+    for line in ["jog 6 5 --speed 5", "move --pose -400,100,450,180,0,90 --speed 50"] {
+        let alone = jaka(line.split(' ').chain(["--dry-run"]));
+        assert_eq!((alone.code, alone.err.as_str()), (Some(0), ""), "{alone:?}");
+        assert_eq!(dry(line), alone.text(), "nothing is asked for");
+    }
+    expect![[r#"
+        {"cmdName":"joint_move","relFlag":1,"jointPosition":[0,0,0,0,0,5],"speed":5}
+        exit code 0
+    "#]]
+    .assert_eq(&dry("jog 6 5 --speed 5"));
+    expect![[r#"
+        {"cmdName":"joint_move","relFlag":0,"jointPosition":[0,90,80,90,-90,0],"speed":10,"accel":72}
+        note: compared with the limits of joints from where the arm is; regions and the tool's speed are compared when it is sent
+        exit code 0
+    "#]].assert_eq(&dry("move --joints 0,90,80,90,-90,0 --speed 10 --model zu5"));
+    expect![[r#"
+        error: `joint_move` was not sent: joint 3 would be at 176 deg; limit 175 (Zu 5)
+        exit code 20
+    "#]]
+    .assert_eq(&dry("jog 3 86 --speed 10 --model zu5"));
+    expect![[r#"
+        {"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,5,0,0,0],"speed":10}
+        note: of limits, the tool's speed alone was compared: the tool and the frames are asked for when it is sent
+        exit code 0
+    "#]]
+    .assert_eq(&dry("jog z 5 --speed 10 --model zu5"));
+    expect![[r#"
+        {"cmdName":"joint_move","relFlag":1,"jointPosition":[0,0,86,0,0,0],"speed":10,"accel":72}
+        note: only the pace was compared with limits: where the arm is was not asked; --robot or --sim name an arm
+        exit code 0
+    "#]]
+    .assert_eq(&jaka("jog 3 86 --speed 10 --model zu5 --dry-run".split(' ')).text());
+    let nowhere = ReservedPort::any();
+    let line =
+        format!("jog 1 1 --speed 5 --model zu5 --dry-run -r 127.0.0.1 --status-port {}", nowhere.address().port());
+    assert_eq!(jaka(line.split(' ')).code, Some(3), "a robot that is named has to answer");
+    assert!(controller.requests().is_empty());
+    let before = controller.state().joint_position;
+    assert_eq!(run(&controller, "jog 6 5 --speed 50 --yes").code, Some(0));
+    assert!(
+        (controller.state().joint_position.0[5] - before.0[5] - 5.0).abs() < 0.1,
+        "what it printed is what it sends"
+    );
+}
+
+#[test]
+fn the_pace_is_compared_before_a_question() {
+    // Nothing needs to be connected to.
+    let nowhere = ReservedPort::any();
+    let line = format!("jog 3 8 --speed 190 --model zu5 -r 127.0.0.1 --status-port {}", nowhere.address().port());
+    let run = jaka(line.split(' '));
+    assert_eq!(run.code, Some(20), "{run:?}");
+    assert!(run.err.contains("joint 3 would turn at 190 deg/s; limit 180 (Zu 5)"), "{run:?}");
 }
 
 #[test]
@@ -185,10 +266,11 @@ fn what_is_wrong_on_the_line_is_told() {
         exit code 2
     "]]
     .assert_eq(&text("jog 7 5 --speed 10 --sim"));
-    expect![[r"
-        error: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller
+    expect![[r#"
+        error: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s
         exit code 2
-    "]].assert_eq(&text("jog 1 5 --speed 0 --sim"));
+    "#]]
+    .assert_eq(&text("jog 1 5 --speed 0 --sim"));
 }
 
 #[cfg(unix)]

@@ -24,7 +24,9 @@ pub(crate) struct Clear {
 
 impl Clear {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let act = self.act.begin(&[intent(&ClearError::new())?])?;
+        let act = self
+            .act
+            .begin("leave its protective stop, after which it can be moved again", &[intent(&ClearError::new())?])?;
         act.with_robot("`clear_error`", |robot| {
             let patience = act.patience(PATIENCE);
             robot.client().call_within(&ClearError::new(), patience)?;

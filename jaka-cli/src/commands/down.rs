@@ -19,7 +19,9 @@ pub(crate) struct Down {
 
 impl Down {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let act = self.act.begin(&[intent(&DisableRobot::new())?, intent(&PowerOff::new())?])?;
+        let act = self
+            .act
+            .begin("be disabled and lose its power", &[intent(&DisableRobot::new())?, intent(&PowerOff::new())?])?;
         act.with_robot("`disable_robot` or `power_off`", |robot| robot.power_down(act.patience(PATIENCE)))?;
         output::line("the arm has no power")
     }

@@ -65,7 +65,7 @@ impl Follow {
         })?;
         let checker = Checker::new(limits.clone(), Frames::new());
         let trajectory = read(&self.file, &checker)?;
-        if self.dry_run { self.show(&trajectory, &checker) } else { self.follow(&trajectory, limits) }
+        if self.dry_run { self.show(&trajectory, &checker) } else { self.follow(&trajectory, &checker, limits) }
     }
 
     fn show(&self, trajectory: &Trajectory, checker: &Checker) -> Result<(), Failure> {
@@ -83,10 +83,12 @@ impl Follow {
         }
     }
 
-    fn follow(&self, trajectory: &Trajectory, limits: Limits) -> Result<(), Failure> {
+    fn follow(&self, trajectory: &Trajectory, checker: &Checker, limits: Limits) -> Result<(), Failure> {
         let seconds = trajectory.duration_s() / self.scale;
         let before = self.approach.map_or_else(String::new, |speed| format!(" after an approach at {speed} deg/s"));
-        let what = format!("follow {} for {seconds:.1} s{before}", self.file.display());
+        let speeds = Peaks::of(trajectory, checker).speeds.map(|speed| format!("{:.1}", speed * self.scale)).join(", ");
+        let what =
+            format!("follow {} for {seconds:.1} s, its joints at up to {speeds} deg/s{before}", self.file.display());
         let act = self.act.begin_motion(&what)?;
         let mut config = FollowConfig::new().speed_scale(self.scale).deadline(act.patience(Duration::MAX));
         if let Some(speed) = self.approach {

@@ -3,18 +3,17 @@
 use std::str::FromStr;
 
 use clap::Args;
-use jaka_sync::motion::{JointMove, MoveL};
 
-use crate::acting::{ActArgs, QueueArgs, intent};
 use crate::failure::Failure;
-use crate::limits::{LimitsArgs, acceleration_deg_s2};
-use crate::motion::Form;
+use crate::going::GoArgs;
+use crate::planned::Goal;
 
 const EXAMPLES: &str = "\
 Examples:
   jaka jog 6 5 --speed 5 -r cell1
   jaka jog z -10 --speed 20 -r cell1
-  jaka jog 1 1 --speed 5 --model zu5 -r cell1";
+  jaka jog 1 1 --speed 5 --model zu5 -r cell1
+  jaka jog 1 1 --speed 5 --model zu5 -r cell1 --dry-run";
 
 /// Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
 ///
@@ -28,21 +27,8 @@ pub(crate) struct Jog {
     /// By how much, in deg or mm
     #[arg(allow_negative_numbers = true)]
     distance: f64,
-    /// Speed, in deg/s or mm/s
-    #[arg(long, value_name = "SPEED")]
-    speed: f64,
-    /// Acceleration, in deg/s² or mm/s² [default: the controller's; of a joint with --model or --limits, their lowest]
-    #[arg(long, value_name = "ACCELERATION")]
-    acceleration: Option<f64>,
-    /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
-    #[arg(long)]
-    json: bool,
     #[command(flatten)]
-    limits: LimitsArgs,
-    #[command(flatten)]
-    queue: QueueArgs,
-    #[command(flatten)]
-    act: ActArgs,
+    go: GoArgs,
 }
 
 /// What is jogged, by its index.
@@ -54,24 +40,10 @@ enum Axis {
 
 impl Jog {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let limits = self.limits.read()?;
-        let by = |at| {
-            let mut offset = [0.0; 6];
-            offset[at] = self.distance;
-            offset
-        };
-        match self.axis {
-            Axis::Joint(at) => {
-                let mut motion = JointMove::relative(by(at), self.speed);
-                motion.acceleration = acceleration_deg_s2(self.acceleration, limits.as_ref());
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
-            }
-            Axis::Line(at) => {
-                let mut motion = MoveL::relative(by(at), self.speed);
-                motion.acceleration = self.acceleration;
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
-            }
-        }
+        self.go.go(match self.axis {
+            Axis::Joint(at) => Goal::Joint(at, self.distance),
+            Axis::Line(at) => Goal::Line(at, self.distance),
+        })
     }
 }
 

@@ -1,17 +1,16 @@
 //! `jaka move`: move the arm to joint positions or to a pose.
 
 use clap::{ArgGroup, Args};
-use jaka_sync::motion::{JointMove, MoveL};
 
-use crate::acting::{ActArgs, QueueArgs, intent};
 use crate::failure::Failure;
-use crate::limits::{LimitsArgs, acceleration_deg_s2};
-use crate::motion::Form;
+use crate::going::GoArgs;
+use crate::planned::Goal;
 
 const EXAMPLES: &str = "\
 Examples:
   jaka move --joints 0,90,90,90,-90,0 --speed 10 -r cell1
-  jaka move --pose -400,100,450,180,0,90 --speed 50 -r cell1 --model zu5";
+  jaka move --pose -400,100,450,180,0,90 --speed 50 -r cell1 --model zu5
+  jaka move --joints 0,90,90,90,-90,0 --speed 10 --dry-run";
 
 /// Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C stops it
 ///
@@ -28,38 +27,16 @@ pub(crate) struct Move {
     /// In the tool and user frames that the controller has selected.
     #[arg(long, value_name = "X,Y,Z,RX,RY,RZ", value_parser = six, allow_hyphen_values = true)]
     pose: Option<[f64; 6]>,
-    /// Speed: in deg/s of the joint with the longest way, or in mm/s along the line
-    #[arg(long, value_name = "SPEED")]
-    speed: f64,
-    /// Acceleration: in deg/s² or mm/s² [default: the controller's; of joints with --model or --limits, their lowest]
-    #[arg(long, value_name = "ACCELERATION")]
-    acceleration: Option<f64>,
-    /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
-    #[arg(long)]
-    json: bool,
     #[command(flatten)]
-    limits: LimitsArgs,
-    #[command(flatten)]
-    queue: QueueArgs,
-    #[command(flatten)]
-    act: ActArgs,
+    go: GoArgs,
 }
 
 impl Move {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let limits = self.limits.read()?;
-        match (self.joints, self.pose) {
-            (Some(joints), _) => {
-                let mut motion = JointMove::absolute(joints, self.speed);
-                motion.acceleration = acceleration_deg_s2(self.acceleration, limits.as_ref());
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
-            }
-            (None, pose) => {
-                let mut motion = MoveL::absolute(pose.unwrap_or_default(), self.speed);
-                motion.acceleration = self.acceleration;
-                self.act.begin(&[intent(&motion)?])?.run(&motion, limits, (self.queue, Form::of(self.json)))
-            }
-        }
+        self.go.go(match (self.joints, self.pose) {
+            (Some(joints), _) => Goal::Joints(joints),
+            (None, pose) => Goal::Pose(pose.unwrap_or_default()),
+        })
     }
 }
 

@@ -13,8 +13,14 @@ const LONG: Duration = Duration::from_secs(60);
 /// The program with these arguments.
 pub(crate) fn jaka(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_jaka"));
+    leave_the_user(command.args(args).stdin(Stdio::null()));
+    command
+}
+
+/// Away from the user's own environment.
+pub(crate) fn leave_the_user(command: &mut Command) {
     let nowhere = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("nowhere");
-    command.args(args).stdin(Stdio::null()).env("HOME", &nowhere);
+    command.env("HOME", &nowhere);
     for name in [
         "JAKA_ROBOT",
         "JAKA_CONFIG",
@@ -27,7 +33,6 @@ pub(crate) fn jaka(args: &[&str]) -> Command {
     ] {
         command.env_remove(name);
     }
-    command
 }
 
 /// What it printed on standard output, on standard error, and its exit code.

@@ -1,20 +1,29 @@
 //! Asking before something happens to the robot.
 
-use jaka_spec::Effect;
+use jaka_spec::{Effect, Spec};
 use jaka_sync::motion::Jog;
 use jaka_sync::proto;
 
 use super::options::Options;
+use super::reply;
 use super::request::Request;
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
+use crate::seat;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
 ///
 /// # Errors
 /// The user does not, or cannot be asked.
-pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> Result<(), Failure> {
-    if options.yes || options.robot.is_simulated() || is_harmless(request) {
+pub(super) fn obtain(spec: &Spec, request: &Request<'_>, options: &Options, title: &str) -> Result<(), Failure> {
+    if options.yes || options.robot.is_simulated() {
+        return Ok(());
+    }
+    if is_harmless(request) {
+        // A stop does not wait for a terminal either.
+        if !stops(&request.text) {
+            seat::warn(&options.robot);
+        }
         return Ok(());
     }
     let Request { command, name, text } = request;
@@ -23,7 +32,8 @@ pub(super) fn obtain(request: &Request<'_>, options: &Options, title: &str) -> R
             "`{name}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it"
         )));
     }
-    consent::obtain(&[Intent { command: *command, name: name.clone(), text: text.clone() }], title)
+    let fields = command.map(|command| reply::of_request(spec, command, text)).unwrap_or_default();
+    consent::obtain(&Intent { command: *command, name: name.clone(), text: text.clone() }, &fields, title)
 }
 
 /// True for commands that are sent without a question: those that only read, that concern the connection alone, or that stop the arm,
@@ -41,7 +51,7 @@ fn stops(request: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
-    use jaka_spec::{Command, Spec};
+    use jaka_spec::Command;
 
     use super::*;
 

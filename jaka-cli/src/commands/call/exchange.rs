@@ -25,7 +25,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     let motion = options.wait.then(|| wait::must_be_motion(request)).transpose()?;
     let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
-    consent::obtain(request, options, target.title())?;
+    consent::obtain(&protocol.spec, request, options, target.title())?;
     if let Some(motion) = motion {
         return wait::carry_out(protocol, options, request, &target, &motion, &under_way);
     }

@@ -15,7 +15,7 @@ use crate::failure::{Failure, chain};
 use crate::interrupt::UnderWay;
 use crate::packs::Protocol;
 use crate::target::Target;
-use crate::{motion, output};
+use crate::{motion, output, seat};
 
 /// Carries out the request of each line, and prints a line for each. Ends at the first that fails, unless it is to go on.
 ///
@@ -24,6 +24,9 @@ use crate::{motion, output};
 pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Failure> {
     let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
+    if !options.yes {
+        seat::warn(&options.robot);
+    }
     let connection = if options.wait {
         Connection::Robot(Box::new(target.robot()?))
     } else {

@@ -26,7 +26,8 @@ pub(super) struct Options {
     /// Send without asking
     ///
     /// Commands that move the arm, switch power or change a setting ask for confirmation on a terminal, and are refused
-    /// elsewhere unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once.
+    /// elsewhere unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once; on a terminal a
+    /// warning says before the former two that another program may lose the command port.
     #[arg(long, short)]
     pub(super) yes: bool,
     /// Whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised

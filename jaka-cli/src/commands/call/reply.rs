@@ -1,7 +1,7 @@
 //! Replies as a table: the fields by their names in Rust, with units.
 
 use jaka_dynamic::value as read;
-use jaka_spec::{Choice, Command, ENVELOPE, EnumValue, Field, Scalar, Shape, Spec, Type};
+use jaka_spec::{COMMAND_NAME, Choice, Command, ENVELOPE, EnumValue, Field, Request, Scalar, Shape, Spec, Type};
 use jaka_sync::proto::python;
 use jaka_sync::proto::text::{visible, visible_json};
 use jaka_sync::proto::wire::{Decode, Reader};
@@ -35,6 +35,26 @@ pub(super) fn table(spec: &Spec, command: Option<&Command>, text: &str) -> Strin
         }
     }
     table.text()
+}
+
+/// A row for each field of a request.
+pub(super) fn of_request(spec: &Spec, command: &Command, text: &str) -> String {
+    let (mut table, Value::Object(mut request)) = (ReplyTable { spec, rows: Vec::new() }, json(text)) else {
+        return String::new();
+    };
+    request.remove(COMMAND_NAME);
+    match &command.request {
+        Request::Fields(fields) => table.object("", fields, &request),
+        Request::Choice(choice) => {
+            let tag = request.remove(&choice.tag);
+            let variant = choice.variants.iter().find(|variant| tag == Some(variant.wire.into()));
+            if let Some(variant) = variant {
+                table.add(&choice.tag, format!("{} ({})", variant.name, variant.wire));
+            }
+            table.object("", variant.map_or(&[], |variant| &variant.fields), &request);
+        }
+    }
+    if table.rows.is_empty() { String::new() } else { table.text() }
 }
 
 struct ReplyTable<'s> {

@@ -3,11 +3,12 @@
 use std::{fs, io};
 
 use jaka_dynamic::{AdvisoryRanges, Problem};
-use jaka_spec::{COMMAND_NAME, Command, Spec};
+use jaka_spec::{COMMAND_NAME, Command, Effect, Spec};
 use serde_json::{Map, Value};
 
 use super::parser::CommandLine;
 use crate::failure::Failure;
+use crate::units::other_unit;
 
 /// A request that can be sent.
 #[derive(Debug)]
@@ -136,5 +137,8 @@ fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
     } else {
         ""
     };
-    Failure::Usage(format!("`{}` was not sent:{}{hint}", command.wire, lines.concat()))
+    // Of settings, numbers with these units may be something else.
+    let of_motion = problems.iter().filter(|_| command.effect == Effect::Motion);
+    let unit = of_motion.filter_map(|problem| other_unit(problem.value.parse().ok()?, &problem.allowed)).next();
+    Failure::Usage(format!("`{}` was not sent:{}{}{hint}", command.wire, lines.concat(), unit.unwrap_or_default()))
 }

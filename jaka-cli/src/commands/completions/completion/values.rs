@@ -37,11 +37,19 @@ pub(super) fn of(line: &Line<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
             .filter(|topic| !topic.commands.is_empty())
             .map(|topic| Candidate::new(&topic.name, &topic.title))
             .collect(),
+        "axis" => axes(),
         "command" => {
             line.spec.commands().map(|command| Candidate::new(&command.wire, first_sentence(&command.doc).0)).collect()
         }
         _ => possible(arg),
     }
+}
+
+/// What can be jogged.
+fn axes() -> Vec<Candidate> {
+    let joints = (1..=6).map(|joint| Candidate::new(joint.to_string(), format!("joint {joint}, in deg")));
+    let lines = ["x", "y", "z"].map(|axis| Candidate::new(axis, "axis of the selected user frame, in mm"));
+    joints.chain(lines).collect()
 }
 
 fn possible(arg: &Arg) -> Vec<Candidate> {
