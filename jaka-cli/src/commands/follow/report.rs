@@ -18,7 +18,7 @@ const MOST_STEPS: f64 = 1e6;
 /// What a trajectory reaches.
 #[derive(Debug)]
 pub(super) struct Peaks {
-    speeds: [f64; 6],
+    pub(super) speeds: [f64; 6],
     accelerations: [f64; 6],
     /// In mm/s.
     tool: f64,
